@@ -1,0 +1,20 @@
+#pragma once
+/// Is an inertia tensor one that a body can have?
+
+#include <Eigen/Core>
+
+namespace trivium {
+
+/// Principal moments [kg m^2, ascending] and what they violate beyond 1e-12 of the trace.
+struct InertiaCheck {
+  Eigen::Vector3d principal_moments;
+  bool symmetric = true;
+  bool positive_semidefinite = true;
+  bool triangle_inequality = true;  ///< no principal moment exceeds the sum of the other two
+
+  bool physical() const { return symmetric && positive_semidefinite && triangle_inequality; }
+};
+
+InertiaCheck check_inertia(const Eigen::Matrix3d& inertia);
+
+}  // namespace trivium

@@ -1,0 +1,22 @@
+# The few functions that the folders' CMakeLists.txt share.
+
+# Warnings are errors, in every target of the project and in none of its users.
+add_library(trivium_options INTERFACE)
+target_compile_options(trivium_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                                                 -Werror)
+if(TRIVIUM_SANITIZE)
+  target_compile_options(trivium_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                                                   -fno-omit-frame-pointer)
+  target_link_options(trivium_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# trivium_test(<name> <label> <source>...): one GoogleTest executable, each of its tests a CTest test.
+function(trivium_test name label)
+  if(NOT TRIVIUM_BUILD_TESTS OR (TRIVIUM_SANITIZE AND NOT label STREQUAL "unit"))
+    return()
+  endif()
+  add_executable(${name} ${ARGN})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  target_link_libraries(${name} PRIVATE trivium trivium_options GTest::gtest_main)
+  gtest_discover_tests(${name} PROPERTIES LABELS ${label} DISCOVERY_TIMEOUT 60 TEST_PREFIX ${name}.)
+endfunction()

@@ -1,0 +1,136 @@
+#pragma once
+/// The four basic constraints, each a dot product of two features (Haug 1989, section 9.4; equations below):
+///
+///   DP1  a_i . a_j - f(t)      DP2  a_i . d_ij - f(t)      D  d_ij . d_ij - f(t)      CD  c . d_ij - f(t)
+///
+/// and DP1 with a vector that turns by itself in body i (rotation drivers). With features x and y,
+///
+///   Phi = x . y - f        Phi_q = y^T x_q + x^T y_q        nu = f' - Phi_t
+///   gamma = f'' - (x_bias . y + x . y_bias + 2 x' . y')
+///
+/// so each is written once and holds in every formulation.
+
+#include <string>
+#include <variant>
+
+#include "constraints/feature.hpp"
+#include "constraints/time_function.hpp"
+
+namespace trivium {
+
+/// The bodies of a row: indices into the mechanism's bodies, the last of which is the ground.
+struct BodyPair {
+  int i = 0, j = 0;
+};
+
+template <class Scalar>
+struct DP1 : BodyPair {
+  Vector3<Scalar> a_bar_i, a_bar_j;
+  TimeFunction f;
+};
+
+/// DP1 whose first vector is w_i(t) = -sin alpha(t) u_i + cos alpha(t) v_i, f = 0.
+template <class Scalar>
+struct TurningDP1 : BodyPair {
+  Vector3<Scalar> u_bar_i, v_bar_i, a_bar_j;
+  TimeFunction alpha;
+};
+
+template <class Scalar>
+struct DP2 : BodyPair {
+  Vector3<Scalar> a_bar_i, s_bar_i, s_bar_j;
+  TimeFunction f;
+};
+
+template <class Scalar>
+struct D : BodyPair {
+  Vector3<Scalar> s_bar_i, s_bar_j;
+  TimeFunction f;
+};
+
+template <class Scalar>
+struct CD : BodyPair {
+  Vector3<Scalar> c, s_bar_i, s_bar_j;
+  TimeFunction f;
+};
+
+template <class Scalar>
+using BasicConstraint = std::variant<DP1<Scalar>, TurningDP1<Scalar>, DP2<Scalar>, D<Scalar>, CD<Scalar>>;
+
+template <class Scalar>
+BodyPair bodies_of(const BasicConstraint<Scalar>& constraint) {
+  return std::visit([](const BodyPair& pair) { return pair; }, constraint);
+}
+
+/// Builds the two features and f of a constraint between bodies i and j at time t and hands them to `use(x,
+/// y, f)`.
+template <BodyKinematics Body, class Use>
+struct FeaturePair {
+  using Scalar = typename Body::Scalar;
+  using VectorI = BodyVectorFeature<Body, End::i>;
+  using VectorJ = BodyVectorFeature<Body, End::j>;
+  using Offset = PointOffsetFeature<Body>;
+
+  const Body& i;
+  const Body& j;
+  const Scalar& t;
+  const Use& use;
+
+  auto operator()(const DP1<Scalar>& c) const {
+    return use(VectorI(i, c.a_bar_i), VectorJ(j, c.a_bar_j), c.f(t));
+  }
+  auto operator()(const TurningDP1<Scalar>& c) const {
+    const Jet<Scalar> alpha = c.alpha(t), sine = sin(alpha), cosine = cos(alpha);
+    const MovingVectorFeature<Body, End::i> w(i, -sine.f * c.u_bar_i + cosine.f * c.v_bar_i,
+                                              -sine.f_t * c.u_bar_i + cosine.f_t * c.v_bar_i,
+                                              -sine.f_tt * c.u_bar_i + cosine.f_tt * c.v_bar_i);
+    return use(w, VectorJ(j, c.a_bar_j), Jet<Scalar>{});
+  }
+  auto operator()(const DP2<Scalar>& c) const {
+    return use(VectorI(i, c.a_bar_i), Offset(i, c.s_bar_i, j, c.s_bar_j), c.f(t));
+  }
+  auto operator()(const D<Scalar>& c) const {
+    const Offset d(i, c.s_bar_i, j, c.s_bar_j);
+    return use(d, d, c.f(t));
+  }
+  auto operator()(const CD<Scalar>& c) const {
+    return use(ConstantFeature<Scalar>{c.c}, Offset(i, c.s_bar_i, j, c.s_bar_j), c.f(t));
+  }
+};
+
+template <BodyKinematics Body, class Use>
+auto with_features(const BasicConstraint<typename Body::Scalar>& constraint, const Body& i, const Body& j,
+                   const typename Body::Scalar& t, const Use& use) {
+  return std::visit(FeaturePair<Body, Use>{i, j, t, use}, constraint);
+}
+
+/// Phi, nu, gamma and the Jacobian blocks of one constraint.
+template <BodyKinematics Body>
+auto evaluate_row(const BasicConstraint<typename Body::Scalar>& constraint, const Body& i, const Body& j,
+                  const typename Body::Scalar& t) {
+  using Scalar = typename Body::Scalar;
+  return with_features(constraint, i, j, t, [](const auto& x, const auto& y, const Jet<Scalar>& f) {
+    ConstraintRow<Scalar, Body::rotational_unknowns> row;
+    row.phi = x.value.dot(y.value) - f.f;
+    row.nu = f.f_t - (x.drift_along(y.value) + y.drift_along(x.value));
+    row.gamma = f.f_tt - (x.bias_along(y.value) + y.bias_along(x.value) + 2 * x.rate().dot(y.rate()));
+    x.add_jacobian(y.value, row);
+    y.add_jacobian(x.value, row);
+    return row;
+  });
+}
+
+/// Phi'' of one constraint under given accelerations of its bodies, from the features alone: no Jacobian, no
+/// gamma.
+template <BodyKinematics Body, class Acceleration>
+typename Body::Scalar row_acceleration(const BasicConstraint<typename Body::Scalar>& constraint,
+                                       const Body& i, const Body& j, const typename Body::Scalar& t,
+                                       const Acceleration& on_i, const Acceleration& on_j) {
+  using Scalar = typename Body::Scalar;
+  return with_features(constraint, i, j, t, [&](const auto& x, const auto& y, const Jet<Scalar>& f) {
+    return Scalar(x.acceleration(on_i, on_j).dot(y.value) + x.value.dot(y.acceleration(on_i, on_j)) +
+                  2 * x.rate().dot(y.rate()) - f.f_tt);
+  });
+}
+
+}  // namespace trivium

@@ -1,0 +1,140 @@
+#pragma once
+/// Features: what a constraint sees instead of coordinates. A feature is a global vector that moves with its
+/// bodies: a constant, a body vector a = A abar, or the point offset d_ij. In the coordinates of a
+/// formulation it has a value, a rate, a Jacobian with respect to the accelerations' unknowns, and a bias
+/// (its second derivative where the unknowns are zero). Every basic constraint is a dot product of two of
+/// them.
+
+#include <concepts>
+
+#include "bodies/rigid_body.hpp"
+
+namespace trivium {
+
+/// How a body vector moves in the coordinates of one formulation: all that the constraint library asks of it.
+template <class K>
+concept BodyKinematics = requires(const K& body, const Vector3<typename K::Scalar>& a_bar) {
+  { K::rotational_unknowns } -> std::convertible_to<int>;
+  { body.r } -> std::convertible_to<Vector3<typename K::Scalar>>;      // centre of mass, global
+  { body.r_dot } -> std::convertible_to<Vector3<typename K::Scalar>>;  // its velocity
+  { body.A } -> std::convertible_to<Matrix3<typename K::Scalar>>;      // rotation, body to global
+  {
+    body.vector_jacobian(a_bar)
+    } -> std::convertible_to<Matrix<typename K::Scalar, 3, K::rotational_unknowns>>;
+  { body.vector_rate(a_bar) } -> std::convertible_to<Vector3<typename K::Scalar>>;
+  { body.vector_bias(a_bar) } -> std::convertible_to<Vector3<typename K::Scalar>>;
+};
+
+enum class End { i, j };
+
+/// Second derivatives of one body's coordinates.
+template <class Scalar, int RotationalUnknowns>
+struct BodyAcceleration {
+  Vector3<Scalar> r_ddot = Vector3<Scalar>::Zero();
+  Vector<Scalar, RotationalUnknowns> q_ddot = Vector<Scalar, RotationalUnknowns>::Zero();
+};
+
+/// One row of the constraint equations in the coordinates of a formulation:
+/// Phi_q q'' = gamma, Phi_q q' = nu, and its Jacobian blocks on bodies i and j.
+template <class Scalar, int RotationalUnknowns>
+struct ConstraintRow {
+  using Translational = Matrix<Scalar, 1, 3>;
+  using Rotational = Matrix<Scalar, 1, RotationalUnknowns>;
+
+  Scalar phi{0}, nu{0}, gamma{0};
+  Translational r_i = Translational::Zero(), r_j = Translational::Zero();
+  Rotational rot_i = Rotational::Zero(), rot_j = Rotational::Zero();
+};
+
+/// A vector fixed in the global frame.
+template <class Scalar>
+struct ConstantFeature {
+  Vector3<Scalar> value;
+
+  Scalar rate_along(const Vector3<Scalar>&) const { return Scalar(0); }
+  Scalar bias_along(const Vector3<Scalar>&) const { return Scalar(0); }
+  Scalar drift_along(const Vector3<Scalar>&) const { return Scalar(0); }
+  template <class Row>
+  void add_jacobian(const Vector3<Scalar>&, Row&) const {}
+  Vector3<Scalar> rate() const { return Vector3<Scalar>::Zero(); }
+  template <class Acceleration>
+  Vector3<Scalar> acceleration(const Acceleration&, const Acceleration&) const {
+    return Vector3<Scalar>::Zero();
+  }
+};
+
+/// a = A abar on the body at one end.
+template <BodyKinematics Body, End end>
+struct BodyVectorFeature {
+  using Scalar = typename Body::Scalar;
+  Vector3<Scalar> value, velocity, bias;
+  Matrix<Scalar, 3, Body::rotational_unknowns> B;
+
+  BodyVectorFeature(const Body& body, const Vector3<Scalar>& a_bar)
+      : value(body.A * a_bar),
+        velocity(body.vector_rate(a_bar)),
+        bias(body.vector_bias(a_bar)),
+        B(body.vector_jacobian(a_bar)) {}
+
+  Vector3<Scalar> rate() const { return velocity; }
+  Scalar bias_along(const Vector3<Scalar>& w) const { return bias.dot(w); }
+  Scalar drift_along(const Vector3<Scalar>&) const { return Scalar(0); }
+  template <class Row>
+  void add_jacobian(const Vector3<Scalar>& w, Row& row) const {
+    (end == End::i ? row.rot_i : row.rot_j).noalias() += w.transpose() * B;
+  }
+  /// The second derivative of the feature when its bodies accelerate so.
+  template <class Acceleration>
+  Vector3<Scalar> acceleration(const Acceleration& on_i, const Acceleration& on_j) const {
+    return bias + B * (end == End::i ? on_i : on_j).q_ddot;
+  }
+};
+
+/// a = A abar(t): a vector that also turns by itself in its body. Its rate and bias carry the explicit time
+/// terms (a_t = A abar_t, and 2 (A abar_t)' + A abar_tt), its drift is a_t alone: nu = f' - Phi_t.
+template <BodyKinematics Body, End end>
+struct MovingVectorFeature : BodyVectorFeature<Body, end> {
+  using Base = BodyVectorFeature<Body, end>;
+  using Scalar = typename Body::Scalar;
+  Vector3<Scalar> drift;
+
+  MovingVectorFeature(const Body& body, const Vector3<Scalar>& a_bar, const Vector3<Scalar>& a_bar_t,
+                      const Vector3<Scalar>& a_bar_tt)
+      : Base(body, a_bar), drift(body.A * a_bar_t) {
+    this->velocity += drift;
+    this->bias += 2 * body.vector_rate(a_bar_t) + body.A * a_bar_tt;
+  }
+  Scalar drift_along(const Vector3<Scalar>& w) const { return drift.dot(w); }
+};
+
+/// d_ij = (r_j + A_j s_j) - (r_i + A_i s_i).
+template <BodyKinematics Body>
+struct PointOffsetFeature {
+  using Scalar = typename Body::Scalar;
+  Vector3<Scalar> value, velocity, bias;
+  Matrix<Scalar, 3, Body::rotational_unknowns> B_i, B_j;
+
+  PointOffsetFeature(const Body& i, const Vector3<Scalar>& s_i, const Body& j, const Vector3<Scalar>& s_j)
+      : value((j.r + j.A * s_j) - (i.r + i.A * s_i)),
+        velocity((j.r_dot + j.vector_rate(s_j)) - (i.r_dot + i.vector_rate(s_i))),
+        bias(j.vector_bias(s_j) - i.vector_bias(s_i)),
+        B_i(i.vector_jacobian(s_i)),
+        B_j(j.vector_jacobian(s_j)) {}
+
+  Vector3<Scalar> rate() const { return velocity; }
+  Scalar bias_along(const Vector3<Scalar>& w) const { return bias.dot(w); }
+  Scalar drift_along(const Vector3<Scalar>&) const { return Scalar(0); }
+  template <class Row>
+  void add_jacobian(const Vector3<Scalar>& w, Row& row) const {
+    row.r_i -= w.transpose();
+    row.r_j += w.transpose();
+    row.rot_i.noalias() -= w.transpose() * B_i;
+    row.rot_j.noalias() += w.transpose() * B_j;
+  }
+  template <class Acceleration>
+  Vector3<Scalar> acceleration(const Acceleration& on_i, const Acceleration& on_j) const {
+    return bias + (on_j.r_ddot + B_j * on_j.q_ddot) - (on_i.r_ddot + B_i * on_i.q_ddot);
+  }
+};
+
+}  // namespace trivium

@@ -1,0 +1,30 @@
+#pragma once
+/// What may act on bodies. An effect sees poses and velocities, never coordinates, and adds wrenches.
+
+#include <concepts>
+#include <span>
+
+#include "bodies/rigid_body.hpp"
+
+namespace trivium {
+
+/// All that an effect may look at: bodies and their motion at time t. The last motion is the ground's.
+template <class Scalar>
+struct EffectView {
+  std::span<const RigidBody<Scalar>> bodies;
+  std::span<const BodyMotion<Scalar>> motion;
+  Scalar t;
+};
+
+/// The contract. `apply` adds to the wrenches (one per motion, the ground's last), `power` [W] is the rate at
+/// which the effect does work on the bodies, `potential_energy` [J] its stored energy, 0 for an effect that
+/// has none.
+template <class E, class Scalar>
+concept Effect = requires(const E& effect, const EffectView<Scalar>& view,
+                          std::span<Wrench<Scalar>> wrenches) {
+  effect.apply(view, wrenches);
+  { effect.power(view) } -> std::convertible_to<Scalar>;
+  { effect.potential_energy(view) } -> std::convertible_to<Scalar>;
+};
+
+}  // namespace trivium

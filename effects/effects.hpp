@@ -1,0 +1,64 @@
+#pragma once
+/// The effects of a mechanism: one vector per type, so that an absent type costs nothing. To add an effect,
+/// write its file and name it here.
+
+#include <tuple>
+#include <vector>
+
+#include "effects/force.hpp"
+#include "effects/gravity.hpp"
+#include "effects/spring_damper.hpp"
+#include "effects/torque.hpp"
+#include "effects/torsional_spring_damper.hpp"
+
+namespace trivium {
+
+template <class Scalar>
+class Effects {
+ public:
+  template <class E>
+  void add(E effect) {
+    std::get<std::vector<E>>(lists_).push_back(std::move(effect));
+  }
+  template <class E>
+  std::vector<E>& all() {
+    return std::get<std::vector<E>>(lists_);
+  }
+  template <class E>
+  const std::vector<E>& all() const {
+    return std::get<std::vector<E>>(lists_);
+  }
+
+  /// Adds every effect's wrenches; one wrench per motion, the ground's last.
+  void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
+    for_each([&](const auto& effect) { effect.apply(view, wrenches); });
+  }
+  /// The rate [W] at which all effects do work on the bodies.
+  Scalar power(const EffectView<Scalar>& view) const {
+    Scalar sum(0);
+    for_each([&](const auto& effect) { sum += effect.power(view); });
+    return sum;
+  }
+  /// The energy [J] that the effects store.
+  Scalar potential_energy(const EffectView<Scalar>& view) const {
+    Scalar sum(0);
+    for_each([&](const auto& effect) { sum += effect.potential_energy(view); });
+    return sum;
+  }
+
+ private:
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    std::apply([&](const auto&... list) { (visit_list(list, visit), ...); }, lists_);
+  }
+  template <class List, class Visit>
+  static void visit_list(const List& list, const Visit& visit) {
+    for (const auto& effect : list) visit(effect);
+  }
+
+  std::tuple<std::vector<Gravity<Scalar>>, std::vector<Force<Scalar>>, std::vector<Torque<Scalar>>,
+             std::vector<SpringDamper<Scalar>>, std::vector<TorsionalSpringDamper<Scalar>>>
+      lists_;
+};
+
+}  // namespace trivium

@@ -1,0 +1,52 @@
+#pragma once
+/// A force of given components at a body-fixed point.
+
+#include <array>
+
+#include "constraints/time_function.hpp"
+#include "effects/effect.hpp"
+
+namespace trivium {
+
+/// The frame that given components are meant in.
+enum class ComponentFrame { global, body };
+
+/// The components at time t.
+template <class Scalar>
+Vector3<Scalar> evaluate(const std::array<TimeFunction, 3>& components, const Scalar& t) {
+  return {components[0](t).f, components[1](t).f, components[2](t).f};
+}
+
+template <class Scalar>
+struct Force {
+  int body = 0;
+  Vector3<Scalar> s_bar;                   ///< point of application [m, body frame]
+  std::array<TimeFunction, 3> components;  ///< [N]
+  ComponentFrame frame = ComponentFrame::global;
+
+  void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
+    wrenches[body].add_force(global_force(view), view.motion[body].A, s_bar);
+  }
+  Scalar power(const EffectView<Scalar>& view) const {
+    return global_force(view).dot(view.motion[body].point_velocity(s_bar));
+  }
+  /// A constant global force has the potential -F . r_P; any other has none.
+  Scalar potential_energy(const EffectView<Scalar>& view) const {
+    if (!is_conservative()) return Scalar(0);
+    return -global_force(view).dot(view.motion[body].point(s_bar));
+  }
+  bool is_conservative() const {
+    return frame == ComponentFrame::global && components[0].is_number() && components[1].is_number() &&
+           components[2].is_number();
+  }
+
+ private:
+  Vector3<Scalar> global_force(const EffectView<Scalar>& view) const {
+    const Vector3<Scalar> F = evaluate(components, view.t);
+    return frame == ComponentFrame::global ? F : Vector3<Scalar>(view.motion[body].A * F);
+  }
+};
+
+static_assert(Effect<Force<double>, double>);
+
+}  // namespace trivium

@@ -1,0 +1,31 @@
+#pragma once
+/// Uniform gravity: m g on every body.
+
+#include "effects/effect.hpp"
+
+namespace trivium {
+
+template <class Scalar>
+struct Gravity {
+  Vector3<Scalar> g;  ///< [m/s^2, global]
+
+  void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
+    for (std::size_t b = 0; b < view.bodies.size(); ++b) wrenches[b].F += view.bodies[b].mass * g;
+  }
+  Scalar power(const EffectView<Scalar>& view) const {
+    Scalar sum(0);
+    for (std::size_t b = 0; b < view.bodies.size(); ++b)
+      sum += view.bodies[b].mass * g.dot(view.motion[b].r_dot);
+    return sum;
+  }
+  /// -m g . r, zero at the global origin.
+  Scalar potential_energy(const EffectView<Scalar>& view) const {
+    Scalar sum(0);
+    for (std::size_t b = 0; b < view.bodies.size(); ++b) sum -= view.bodies[b].mass * g.dot(view.motion[b].r);
+    return sum;
+  }
+};
+
+static_assert(Effect<Gravity<double>, double>);
+
+}  // namespace trivium

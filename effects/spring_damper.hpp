@@ -1,0 +1,70 @@
+#pragma once
+/// A spring, damper and actuator along the line between two body-fixed points: tension k (l - l0) + c l' +
+/// h(t). Haug (1989), translational spring-damper-actuator.
+
+#include <cmath>
+#include <string>
+
+#include "bodies/error.hpp"
+#include "constraints/time_function.hpp"
+#include "effects/effect.hpp"
+
+namespace trivium {
+
+template <class Scalar>
+struct SpringDamper {
+  std::string name;
+  int i = 0, j = 0;
+  Vector3<Scalar> s_bar_i, s_bar_j;                 ///< its ends [m, body frames]
+  Scalar stiffness{0}, damping{0}, free_length{0};  ///< k [N/m], c [N s/m], l0 [m]
+  TimeFunction actuator;                            ///< h [N]
+
+  void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
+    const Line line = measure(view);
+    const Vector3<Scalar> pull = tension(line, view.t) * line.direction;  // on i, towards j
+    wrenches[i].add_force(pull, view.motion[i].A, s_bar_i);
+    wrenches[j].add_force(-pull, view.motion[j].A, s_bar_j);
+  }
+  Scalar power(const EffectView<Scalar>& view) const {
+    const Line line = measure(view);
+    return -tension(line, view.t) * line.length_rate;
+  }
+  /// k (l - l0)^2 / 2.
+  Scalar potential_energy(const EffectView<Scalar>& view) const {
+    const Scalar stretch = measure(view).length - free_length;
+    return stiffness * stretch * stretch / 2;
+  }
+
+ private:
+  struct Line {
+    Scalar length, length_rate;
+    Vector3<Scalar> direction;  ///< from i to j, unit
+  };
+
+  Line measure(const EffectView<Scalar>& view) const {
+    const BodyMotion<Scalar>&bi = view.motion[i], &bj = view.motion[j];
+    const Vector3<Scalar> d = bj.point(s_bar_j) - bi.point(s_bar_i);
+    const Scalar length = d.norm();
+    if (length == Scalar(0)) return at_zero_length(view.t);
+    const Vector3<Scalar> direction = d / length;
+    return {length, direction.dot(bj.point_velocity(s_bar_j) - bi.point_velocity(s_bar_i)), direction};
+  }
+  /// Where its ends meet, a spring with nothing but stiffness pulls with zero force; any other has no
+  /// direction.
+  Line at_zero_length(const Scalar& t) const {
+    if (stiffness * free_length != Scalar(0) || damping != Scalar(0) || actuator(t).f != Scalar(0))
+      throw ModelError(
+          fmt::format("spring_damper \"{}\": its two ends coincide at t = {}, so its force has no direction; "
+                      "move an end, or "
+                      "give it free_length 0, damping 0 and no actuator",
+                      name, static_cast<double>(t)));
+    return {Scalar(0), Scalar(0), Vector3<Scalar>::Zero()};
+  }
+  Scalar tension(const Line& line, const Scalar& t) const {
+    return stiffness * (line.length - free_length) + damping * line.length_rate + actuator(t).f;
+  }
+};
+
+static_assert(Effect<SpringDamper<double>, double>);
+
+}  // namespace trivium

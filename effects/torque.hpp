@@ -1,0 +1,31 @@
+#pragma once
+/// A torque of given components on a body.
+
+#include "effects/force.hpp"
+
+namespace trivium {
+
+template <class Scalar>
+struct Torque {
+  int body = 0;
+  std::array<TimeFunction, 3> components;  ///< [N m]
+  ComponentFrame frame = ComponentFrame::global;
+
+  void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
+    wrenches[body].n_bar += body_torque(view);
+  }
+  Scalar power(const EffectView<Scalar>& view) const {
+    return body_torque(view).dot(view.motion[body].omega_bar);
+  }
+  Scalar potential_energy(const EffectView<Scalar>&) const { return Scalar(0); }
+
+ private:
+  Vector3<Scalar> body_torque(const EffectView<Scalar>& view) const {
+    const Vector3<Scalar> n = evaluate(components, view.t);
+    return frame == ComponentFrame::body ? n : Vector3<Scalar>(view.motion[body].A.transpose() * n);
+  }
+};
+
+static_assert(Effect<Torque<double>, double>);
+
+}  // namespace trivium

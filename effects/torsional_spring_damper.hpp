@@ -1,0 +1,56 @@
+#pragma once
+/// A spring, damper and actuator about a joint's axis: torque on body j -(k (theta - theta0) + c theta' +
+/// h(t)) along z, the opposite on body i. theta turns from u_i to u_j about z_i.
+
+#include <cmath>
+
+#include "constraints/time_function.hpp"
+#include "effects/effect.hpp"
+
+namespace trivium {
+
+template <class Scalar>
+struct TorsionalSpringDamper {
+  int i = 0, j = 0;
+  Vector3<Scalar> u_bar_i, v_bar_i, z_bar_i, u_bar_j;  ///< of its joint, body frames
+  Scalar stiffness{0}, damping{0}, free_angle{0};      ///< k [N m/rad], c [N m s/rad], theta0 [rad]
+  TimeFunction actuator;                               ///< h [N m]
+  Scalar turns{0};  ///< whole turns since the start, counted by whoever follows the motion
+
+  void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
+    const Vector3<Scalar> n = torque_on_j(view) * axis(view);
+    wrenches[j].n_bar += view.motion[j].A.transpose() * n;
+    wrenches[i].n_bar -= view.motion[i].A.transpose() * n;
+  }
+  Scalar power(const EffectView<Scalar>& view) const { return torque_on_j(view) * angle_rate(view); }
+  /// k (theta - theta0)^2 / 2.
+  Scalar potential_energy(const EffectView<Scalar>& view) const {
+    const Scalar twist = angle(view) - free_angle;
+    return stiffness * twist * twist / 2;
+  }
+
+  /// theta in (-pi, pi], plus the turns counted so far.
+  Scalar angle(const EffectView<Scalar>& view) const {
+    using std::atan2, std::acos;
+    const Matrix3<Scalar>& A_i = view.motion[i].A;
+    const Vector3<Scalar> u_j = view.motion[j].A * u_bar_j;
+    const Scalar two_pi = 2 * acos(Scalar(-1));
+    const Scalar theta = atan2(Scalar(u_j.dot(A_i * v_bar_i)), Scalar(u_j.dot(A_i * u_bar_i)));
+    return theta + turns * two_pi;
+  }
+  /// theta' = z . (omega_j - omega_i).
+  Scalar angle_rate(const EffectView<Scalar>& view) const {
+    const BodyMotion<Scalar>&bi = view.motion[i], &bj = view.motion[j];
+    return axis(view).dot(bj.A * bj.omega_bar - bi.A * bi.omega_bar);
+  }
+
+ private:
+  Vector3<Scalar> axis(const EffectView<Scalar>& view) const { return view.motion[i].A * z_bar_i; }
+  Scalar torque_on_j(const EffectView<Scalar>& view) const {
+    return -(stiffness * (angle(view) - free_angle) + damping * angle_rate(view) + actuator(view.t).f);
+  }
+};
+
+static_assert(Effect<TorsionalSpringDamper<double>, double>);
+
+}  // namespace trivium

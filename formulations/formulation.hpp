@@ -1,0 +1,72 @@
+#pragma once
+/// The contract of a formulation: one set of absolute coordinates (r, orientation) per body and the equations
+/// of motion written in it. Four files stand side by side, same headings, same order: r_omega, r_p, r_epsilon
+/// and r_epsilon_omega_first. Each is native: its Jacobians, biases, mass block and forces come from its own
+/// coordinates, never from another formulation's numbers; that lambda agrees is the theorem, not the
+/// implementation.
+///
+/// Per body, with n = rotational_unknowns and m = internal_constraints (0 except for r-p's normalisation
+/// row):
+///
+///   m r''          + Phi_r^T lambda                        = F
+///   mass_block q'' + Phi_rot^T lambda + P^T lambda_internal = applied_force(n_bar) + velocity_force
+///   Phi_r r'' + Phi_rot q''                                = gamma
+///   P q''                                                  = internal_gamma
+
+#include <concepts>
+#include <string_view>
+
+#include "constraints/feature.hpp"
+
+namespace trivium {
+
+/// What the caller may say about charts; only a formulation that has charts listens.
+struct ChartOptions {
+  EulerSequence sequence;  ///< default 3-1-3
+  bool reframe = true;  ///< turn a body's reference frame where the sequence would stand near its singularity
+};
+
+/// Nothing to choose and nothing to store: the chart of a formulation without charts.
+struct NoChart {
+  std::string_view name() const { return {}; }
+};
+
+/// How the literature writes a formulation's blocks; empty where it has no such block.
+struct BlockNames {
+  std::string_view unknown, mass, jacobian, force, internal_jacobian, internal_multiplier;
+};
+
+template <class F>
+concept Formulation = BodyKinematics<typename F::Kinematics> &&
+    requires(const typename F::Scalar& s, const typename F::Chart& chart, const ChartOptions& options,
+             const Vector4<typename F::Scalar>& p, const Vector3<typename F::Scalar>& v,
+             const Matrix3<typename F::Scalar>& J_bar, const typename F::Coordinates& q,
+             const typename F::Kinematics& body,
+             const Vector<typename F::Scalar, F::rotational_unknowns>& x) {
+  // constants
+  { F::name } -> std::convertible_to<std::string_view>;
+  { F::rotational_unknowns } -> std::convertible_to<int>;
+  { F::internal_constraints } -> std::convertible_to<int>;
+  { F::block_names } -> std::convertible_to<BlockNames>;
+  // conversion from a pose (p, omega_bar), in a chart that is chosen first, and back
+  { F::choose_chart(options, p) } -> std::same_as<typename F::Chart>;
+  { F::from_pose(chart, p, v) } -> std::same_as<typename F::Coordinates>;
+  { F::to_euler_parameters(chart, q) } -> std::convertible_to<Vector4<typename F::Scalar>>;
+  // orientation, and with it a body vector's value, Jacobian, rate and bias (BodyKinematics)
+  { F::kinematics(chart, v, v, q) } -> std::same_as<typename F::Kinematics>;
+  // mass block, quadratic-velocity force, applied force of a body-frame moment
+  {F::mass_block(body, J_bar)};
+  {F::velocity_force(body, J_bar)};
+  {F::applied_force(body, v)};
+  // internal row
+  {F::internal_jacobian(body)};
+  {F::internal_gamma(body)};
+  // the rotational unknown and omega_bar': q'' = lift omega_bar' + (terms of q, q'), and back
+  {F::lift(body)};
+  { F::to_angular_acceleration(body, x) } -> std::convertible_to<Vector3<typename F::Scalar>>;
+  {F::from_angular_acceleration(body, v)};
+  // retraction: q moved by an increment of the rotational unknown's kind, rates kept
+  { F::retract(chart, q, x) } -> std::same_as<typename F::Coordinates>;
+};
+
+}  // namespace trivium

@@ -1,0 +1,87 @@
+#pragma once
+/// r-epsilon solved omega-first: the coordinates are Euler angles, the unknown is omega_bar'. With omega_bar
+/// = D epsilon' the equations are solved for omega_bar' and lambda, and epsilon'' = D^-1 (omega_bar' - D'
+/// epsilon') follows. Near the singularity it loses u / theta where the printed form loses u / theta^3.
+
+#include "formulations/r_epsilon.hpp"
+#include "formulations/r_omega.hpp"
+
+namespace trivium {
+
+template <class S>
+struct REpsilonOmegaFirst {
+  using Scalar = S;
+  using Unknown = Vector3<S>;
+  using Angles = REpsilon<S>;
+  using Rates = ROmega<S>;
+
+  // constants
+  static constexpr std::string_view name = "r-epsilon-omega-first";
+  static constexpr int rotational_unknowns = 3;
+  static constexpr int internal_constraints = 0;
+  static constexpr BlockNames block_names = Rates::block_names;
+
+  using Chart = typename Angles::Chart;
+  using Coordinates = typename Angles::Coordinates;
+
+  // orientation: A(epsilon) C and omega_bar = D epsilon'; body vectors move with omega_bar
+  struct Kinematics : Rates::Kinematics {
+    Matrix3<S> D;
+    Vector3<S> D_dot_rates;
+
+    /// epsilon'' of an angular acceleration.
+    Vector3<S> epsilon_ddot(const Vector3<S>& omega_bar_dot) const {
+      return D.inverse() * (omega_bar_dot - D_dot_rates);
+    }
+  };
+  static Kinematics kinematics(const Chart& chart, const Vector3<S>& r, const Vector3<S>& r_dot,
+                               const Coordinates& q) {
+    const typename Angles::Kinematics k = Angles::kinematics(chart, r, r_dot, q);
+    return {{BodyMotion<S>(k)}, k.D, k.D_dot_rates};
+  }
+
+  // mass block and quadratic-velocity force
+  static Matrix3<S> mass_block(const Kinematics& k, const Matrix3<S>& J_bar) {
+    return Rates::mass_block(k, J_bar);
+  }
+  static Unknown velocity_force(const Kinematics& k, const Matrix3<S>& J_bar) {
+    return Rates::velocity_force(k, J_bar);
+  }
+  static Unknown applied_force(const Kinematics& k, const Vector3<S>& n_bar) {
+    return Rates::applied_force(k, n_bar);
+  }
+
+  // internal row: none
+  static Matrix<S, 0, 3> internal_jacobian(const Kinematics&) { return {}; }
+  static Vector<S, 0> internal_gamma(const Kinematics&) { return {}; }
+
+  // the unknown is omega_bar'
+  static Matrix3<S> lift(const Kinematics& k) { return Rates::lift(k); }
+  static Vector3<S> to_angular_acceleration(const Kinematics&, const Unknown& omega_bar_dot) {
+    return omega_bar_dot;
+  }
+  static Unknown from_angular_acceleration(const Kinematics&, const Vector3<S>& omega_bar_dot) {
+    return omega_bar_dot;
+  }
+
+  // retraction: angles add, by epsilon increments that turn the body by phi
+  static Coordinates retract(const Chart& chart, const Coordinates& q, const Unknown& phi) {
+    const Vector3<S> none = Vector3<S>::Zero();
+    return Angles::retract(chart, q, kinematics(chart, none, none, q).D.inverse() * phi);
+  }
+
+  // conversion from and to a pose
+  static Chart choose_chart(const ChartOptions& options, const Vector4<S>& p) {
+    return Angles::choose_chart(options, p);
+  }
+  static Coordinates from_pose(const Chart& chart, const Vector4<S>& p, const Vector3<S>& omega_bar) {
+    return Angles::from_pose(chart, p, omega_bar);
+  }
+  static Vector4<S> to_euler_parameters(const Chart& chart, const Coordinates& q) {
+    return Angles::to_euler_parameters(chart, q);
+  }
+};
+
+static_assert(Formulation<REpsilonOmegaFirst<double>>);
+
+}  // namespace trivium

@@ -1,0 +1,100 @@
+#pragma once
+/// r-p: r'' and the second derivative p'' of the Euler parameters, with one normalisation row a body. Haug
+/// (1989), section 11.3; J^p, P, tau_hat, gamma^p as in the lecture notes.
+///
+/// The row is (p . p - 1)/2 = 0, so P = p^T and gamma^p = -p' . p'. (Notes that take P = p^T from one form of
+/// the row and gamma^p = -2 p' . p' from the other get a wrong omega_bar' and lambda wherever Phi_p p is not
+/// 0.) lambda^p depends on how A(p) goes on off the unit sphere; here A = E G^T. Compare lambda across codes,
+/// not lambda^p.
+
+#include "formulations/formulation.hpp"
+
+namespace trivium {
+
+template <class S>
+struct RP {
+  using Scalar = S;
+  using Unknown = Vector4<S>;
+
+  // constants
+  static constexpr std::string_view name = "r-p";
+  static constexpr int rotational_unknowns = 4;
+  static constexpr int internal_constraints = 1;
+  static constexpr BlockNames block_names{"p''", "J^p", "Phi_p", "tau_hat", "P", "lambda^p"};
+
+  using Chart = NoChart;
+
+  struct Coordinates {
+    Vector4<S> p = Vector4<S>::Unit(0), p_dot = Vector4<S>::Zero();
+  };
+
+  /// B(p, abar) = 2 [(e0 I + tilde e) abar, e abar^T - (e0 I + tilde e) tilde(abar)], 3x4, linear in p.
+  static Matrix<S, 3, 4> B(const Vector4<S>& p, const Vector3<S>& a_bar) {
+    const Matrix3<S> block = euler_parameter_block(p);
+    Matrix<S, 3, 4> b;
+    b << block * a_bar, p.template tail<3>() * a_bar.transpose() - block * tilde(a_bar);
+    return 2 * b;
+  }
+
+  // orientation: A = E G^T
+  struct Kinematics : BodyMotion<S> {
+    using Scalar = S;
+    static constexpr int rotational_unknowns = 4;
+    Vector4<S> p, p_dot;
+    Matrix<S, 3, 4> G;
+
+    Matrix<S, 3, 4> vector_jacobian(const Vector3<S>& a_bar) const { return B(p, a_bar); }
+    Vector3<S> vector_rate(const Vector3<S>& a_bar) const { return B(p, a_bar) * p_dot; }
+    /// B(p', abar) p'.
+    Vector3<S> vector_bias(const Vector3<S>& a_bar) const { return B(p_dot, a_bar) * p_dot; }
+  };
+  static Kinematics kinematics(const Chart&, const Vector3<S>& r, const Vector3<S>& r_dot,
+                               const Coordinates& q) {
+    const Matrix<S, 3, 4> G = G_matrix(q.p);
+    return {BodyMotion<S>{r, r_dot, E_matrix(q.p) * G.transpose(), 2 * G * q.p_dot}, q.p, q.p_dot, G};
+  }
+
+  // mass block: J^p = 4 G^T Jbar G, of rank 3
+  static Matrix<S, 4, 4> mass_block(const Kinematics& k, const Matrix3<S>& J_bar) {
+    return 4 * k.G.transpose() * J_bar * k.G;
+  }
+
+  // quadratic-velocity force: 8 G'^T Jbar G' p
+  static Unknown velocity_force(const Kinematics& k, const Matrix3<S>& J_bar) {
+    const Matrix<S, 3, 4> G_dot = G_matrix(k.p_dot);
+    return 8 * (G_dot.transpose() * (J_bar * (G_dot * k.p)));
+  }
+  static Unknown applied_force(const Kinematics& k, const Vector3<S>& n_bar) {
+    return 2 * k.G.transpose() * n_bar;
+  }
+
+  // internal row: P = p^T, gamma^p = -p' . p'
+  static Matrix<S, 1, 4> internal_jacobian(const Kinematics& k) { return k.p.transpose(); }
+  static Vector<S, 1> internal_gamma(const Kinematics& k) { return Vector<S, 1>(-k.p_dot.squaredNorm()); }
+
+  // the unknown and omega_bar': omega_bar' = 2 G p'', p'' = 1/2 G^T omega_bar' - 1/4 |omega_bar|^2 p
+  static Matrix<S, 4, 3> lift(const Kinematics& k) { return k.G.transpose() / 2; }
+  static Vector3<S> to_angular_acceleration(const Kinematics& k, const Unknown& p_ddot) {
+    return 2 * k.G * p_ddot;
+  }
+  static Unknown from_angular_acceleration(const Kinematics& k, const Vector3<S>& omega_bar_dot) {
+    return k.G.transpose() * omega_bar_dot / 2 - k.omega_bar.squaredNorm() / 4 * k.p;
+  }
+
+  // retraction: back to the unit sphere
+  static Coordinates retract(const Chart&, const Coordinates& q, const Unknown& increment) {
+    const Vector4<S> p = q.p + increment;
+    return {p / p.norm(), q.p_dot};
+  }
+
+  // conversion from and to a pose: p' = 1/2 G^T omega_bar
+  static Chart choose_chart(const ChartOptions&, const Vector4<S>&) { return {}; }
+  static Coordinates from_pose(const Chart&, const Vector4<S>& p, const Vector3<S>& omega_bar) {
+    return {p, G_matrix(p).transpose() * omega_bar / 2};
+  }
+  static Vector4<S> to_euler_parameters(const Chart&, const Coordinates& q) { return q.p; }
+};
+
+static_assert(Formulation<RP<double>>);
+
+}  // namespace trivium

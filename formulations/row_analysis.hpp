@@ -1,0 +1,114 @@
+#pragma once
+/// Which constraint rows are independent, which multipliers are unique, and in which norms errors are
+/// measured. A property of the mechanism at one state, not of a formulation or of a precision: decided once,
+/// in double, on the tangent Jacobian [Phi_r, Phi_pi_bar] whose columns are the bodies' velocities and
+/// body-frame angular velocities.
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "formulations/equations_of_motion.hpp"
+#include "formulations/r_omega.hpp"
+
+namespace trivium {
+
+/// The tangent system in double.
+struct TangentSystem {
+  std::vector<std::string> body_names;
+  std::vector<double> mass;
+  std::vector<Matrix3<double>> inertia;
+  MatrixX<double> Phi;  ///< nc x 6 nb: a body's columns are r (3), then body-frame rotation (3)
+  VectorX<double> Q;    ///< 6 nb: F; n_bar - tilde(omega_bar) Jbar omega_bar
+  VectorX<double> gamma;
+};
+
+/// The tangent system of a mechanism at a state, formed in Scalar.
+template <class Scalar>
+TangentSystem tangent_system(const Mechanism<Scalar>& mechanism, const MechanismState<Scalar>& state) {
+  using F = ROmega<Scalar>;
+  const auto eom = equations_of_motion<F>(mechanism, to_coordinates<F>(mechanism, state, {}), state.t);
+  TangentSystem s;
+  s.body_names = mechanism.body_names;
+  s.Phi = MatrixX<double>::Zero(eom.nc(), 6 * eom.nb());
+  s.Q.resize(6 * eom.nb());
+  s.gamma.resize(eom.nc());
+  for (int b = 0; b < eom.nb(); ++b) {
+    s.mass.push_back(static_cast<double>(eom.mass[b]));
+    s.inertia.push_back(scalar_cast<double>(eom.mass_block[b]));
+    s.Q.segment<3>(6 * b) = scalar_cast<double>(eom.F_applied[b]);
+    s.Q.segment<3>(6 * b + 3) = scalar_cast<double>(eom.tau[b]);
+  }
+  for (int k = 0; k < eom.nc(); ++k) {
+    const auto& row = eom.row[k];
+    const auto place = [&](int b, const auto& r, const auto& rot) {
+      if (b == eom.nb()) return;
+      s.Phi.block<1, 3>(k, 6 * b) += scalar_cast<double>(r);
+      s.Phi.block<1, 3>(k, 6 * b + 3) += scalar_cast<double>(rot);
+    };
+    place(eom.pair[k].i, row.r_i, row.rot_i);
+    place(eom.pair[k].j, row.r_j, row.rot_j);
+    s.gamma[k] = static_cast<double>(row.gamma);
+  }
+  return s;
+}
+
+/// A symmetric positive definite metric of the tangent space: M, or where M is singular M + mu Phi^T Phi with
+/// mu = trace(M) / trace(Phi^T Phi). Multipliers and accelerations do not change with mu.
+class Metric {
+ public:
+  /// Throws a ModelError that names the body and axis where [M; Phi] lacks full column rank.
+  explicit Metric(const TangentSystem& system);
+
+  double mu() const { return mu_; }
+  const VectorX<double>& diagonal() const { return diagonal_; }
+  /// L^-1 x, where the metric is L L^T.
+  MatrixX<double> half_solve(const MatrixX<double>& x) const;
+  /// L^-T x.
+  MatrixX<double> half_solve_transposed(const MatrixX<double>& x) const;
+
+ private:
+  void factor_blocks(const TangentSystem& system);
+  void factor_augmented(const TangentSystem& system);
+
+  double mu_ = 0;
+  VectorX<double> diagonal_;
+  std::vector<Matrix3<double>> block_factor_;  ///< of Jbar, per body; used where mu = 0
+  VectorX<double> root_mass_;
+  MatrixX<double> dense_factor_;  ///< where mu > 0
+};
+
+struct RowAnalysis {
+  int rank = 0;
+  std::vector<int> independent, redundant;  ///< rows in file order; a redundant one depends on earlier rows
+  std::vector<bool> unique;                 ///< row k of null(Phi^T) is zero: lambda_k is unique
+  /// nc x (nc - rank): E N is orthonormal, Phi^T N = 0, zero in unique rows. lambda is unique up to N y.
+  MatrixX<double> null_basis;
+  VectorX<double>
+      E;  ///< diag(S)^(1/2), S = Phi M^-1 Phi^T: the norm of lambda, independent of units and of row scaling
+  double kappa = 1;  ///< condition number of E^-1 S E^-1 over its nonzero singular values
+  double mu = 0;     ///< see Metric
+
+  VectorX<double> lambda_cause;        ///< b = |Phi| M^-1 |Q| + |gamma|
+  VectorX<double> acceleration_scale;  ///< square root of the metric's diagonal, 6 nb
+  double acceleration_cause = 0;  ///< the size of accelerations that Q and gamma could cause, in the metric
+};
+
+/// The singular values of the geometrically scaled Jacobian below which a row counts as dependent. It sits
+/// between the defect that rounded or nearly consistent positions leave in a redundant row (1e-16 to 1e-9)
+/// and the smallest singular value of a real mechanism.
+inline constexpr double rank_tolerance = 1e-8;
+
+RowAnalysis analyse_rows(const TangentSystem& system);
+
+/// Makes lambda the one of minimum |E lambda| among those with the same Phi^T lambda. Unique components do
+/// not change.
+template <class Scalar>
+void to_minimum_norm(const RowAnalysis& rows, VectorX<Scalar>& lambda) {
+  if (rows.redundant.empty()) return;
+  const MatrixX<Scalar> N = scalar_cast<Scalar>(rows.null_basis);
+  const VectorX<Scalar> E2 = scalar_cast<Scalar>(rows.E).cwiseAbs2();
+  lambda -= N * (N.transpose() * E2.cwiseProduct(lambda));
+}
+
+}  // namespace trivium

@@ -1,0 +1,5 @@
+#include "formulations/side_by_side_impl.hpp"
+
+namespace trivium {
+template SideBySide<float> solve_side_by_side(const scenes::Scene&, double, const SolveOptions&);
+}  // namespace trivium

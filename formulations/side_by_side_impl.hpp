@@ -1,0 +1,82 @@
+#pragma once
+/// The one definition behind the solve_side_by_side instantiations, one translation unit a Scalar.
+
+#include "formulations/r_epsilon_omega_first.hpp"
+#include "formulations/r_p.hpp"
+#include "formulations/side_by_side.hpp"
+
+namespace trivium::detail {
+
+template <class Scalar>
+struct SceneIn {
+  SceneIn(const scenes::Scene& scene, double t)
+      : mechanism(make_mechanism<Scalar>(scene)), state(make_state<Scalar>(scene, Scalar(t))) {}
+  Mechanism<Scalar> mechanism;
+  MechanismState<Scalar> state;
+};
+
+/// Everything of one formulation but what can fail; throws a ModelError if the formulation cannot answer.
+template <Formulation F, Formulation Higher>
+FormulationResult<typename F::Scalar> solve_one(const SceneIn<typename F::Scalar>& scene,
+                                                const SceneIn<typename Higher::Scalar>* higher,
+                                                const RowAnalysis& rows, const ChartOptions& charts) {
+  using S = typename F::Scalar;
+  FormulationResult<S> result;
+  AugmentedSolver<F> solver(scene.mechanism, scene.state, rows, charts);
+  const VectorX<S> x = solver.solve();
+  if (!x.allFinite())
+    throw ModelError(
+        "the augmented matrix is numerically singular at this state; a higher --scalar may resolve it");
+  result.solution = solver.physical(x);
+  const Unknowns<F> u = solver.unknowns(x);
+  result.lambda_internal = u.lambda_internal;
+  result.residual = solver.residual(x);
+  for (const Joint<S>& joint : scene.mechanism.joints)
+    result.reactions.push_back(joint_reaction<F>(solver.equations(), joint, u.lambda, End::j)
+                                   .about(joint_point<F>(solver.equations(), joint)));
+  for (const BodyState<F>& body : solver.states())
+    if (const std::string chart(body.chart.name()); !chart.empty()) result.charts.push_back(chart);
+  if (higher) {
+    const AugmentedSolver<Higher> judge(higher->mechanism, higher->state, rows, charts);
+    result.estimate = estimate_error<F, Higher>(solver, x, judge, rows);
+  }
+  return result;
+}
+
+template <template <class> class F, class Scalar, class Higher>
+void solve_if_wanted(const SolveOptions& options, const SceneIn<Scalar>& scene, const SceneIn<Higher>* higher,
+                     SideBySide<Scalar>& out) {
+  const std::string name(F<Scalar>::name);
+  if (std::find(options.formulations.begin(), options.formulations.end(), name) == options.formulations.end())
+    return;
+  FormulationResult<Scalar> result;
+  try {
+    result = solve_one<F<Scalar>, F<Higher>>(scene, higher, out.rows, options.charts);
+  } catch (const ModelError& error) {
+    result.error = error.what();
+  }
+  result.name = name;
+  out.formulations.push_back(std::move(result));
+}
+
+}  // namespace trivium::detail
+
+namespace trivium {
+
+template <class Scalar>
+SideBySide<Scalar> solve_side_by_side(const scenes::Scene& scene, double t, const SolveOptions& options) {
+  using Higher = NextPrecisionT<Scalar>;
+  const detail::SceneIn<Scalar> low(scene, t);
+  std::optional<detail::SceneIn<Higher>> higher;
+  if (options.estimate_errors) higher.emplace(scene, t);
+  const detail::SceneIn<Higher>* judge = higher ? &*higher : nullptr;
+  SideBySide<Scalar> out;
+  out.rows = analyse_rows(scene, t);
+  detail::solve_if_wanted<ROmega>(options, low, judge, out);
+  detail::solve_if_wanted<RP>(options, low, judge, out);
+  detail::solve_if_wanted<REpsilon>(options, low, judge, out);
+  detail::solve_if_wanted<REpsilonOmegaFirst>(options, low, judge, out);
+  return out;
+}
+
+}  // namespace trivium

@@ -1,0 +1,226 @@
+#include "scenes/mechanism.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivium {
+
+namespace {
+
+using scenes::ConstraintType;
+
+template <class Scalar>
+Vector3<Scalar> vector_of(const scenes::Vector3& v) {
+  return {Scalar(v[0]), Scalar(v[1]), Scalar(v[2])};
+}
+
+template <class Scalar>
+Vector3<Scalar> vector_of(const std::optional<scenes::Vector3>& v) {
+  return v ? vector_of<Scalar>(*v) : Vector3<Scalar>(Vector3<Scalar>::Zero());
+}
+
+template <class Scalar>
+Matrix3<Scalar> matrix_of(const scenes::Matrix3& rows) {
+  Matrix3<Scalar> m;
+  for (int k = 0; k < 3; ++k) m.row(k) = vector_of<Scalar>(rows[k]).transpose();
+  return m;
+}
+
+template <class Scalar>
+Matrix3<Scalar> inertia_of(const scenes::Body& body) {
+  if (const auto* diagonal = std::get_if<scenes::Vector3>(&body.inertia))
+    return vector_of<Scalar>(*diagonal).asDiagonal();
+  const Matrix3<Scalar> J = matrix_of<Scalar>(std::get<scenes::Matrix3>(body.inertia));
+  return (J + J.transpose()).eval() / 2;
+}
+
+template <class Scalar>
+JointFrame<Scalar> frame_of(const scenes::Side& side) {
+  const Vector3<Scalar> point = vector_of<Scalar>(side.point);
+  if (!side.axis) return {.point = point};
+  const Vector3<Scalar> axis = vector_of<Scalar>(*side.axis);
+  return side.x ? joint_frame<Scalar>(point, axis, vector_of<Scalar>(*side.x))
+                : joint_frame<Scalar>(point, axis);
+}
+
+template <class Scalar>
+JointRows<Scalar> basic_row(BasicConstraint<Scalar> constraint) {
+  return {{"", std::move(constraint)}};
+}
+
+template <class Scalar>
+JointRows<Scalar> rows_of(const scenes::Constraint& c, const Joint<Scalar>& joint) {
+  const JointBuilder<Scalar> build(joint, joint.frame_i, joint.frame_j);
+  const BodyPair bodies = joint;
+  const auto point_i = joint.frame_i.point, point_j = joint.frame_j.point;
+  switch (c.type) {
+    case ConstraintType::dp1:
+      return basic_row<Scalar>(
+          DP1<Scalar>{bodies, vector_of<Scalar>(c.i.vector), vector_of<Scalar>(c.j.vector), c.f});
+    case ConstraintType::dp2:
+      return basic_row<Scalar>(DP2<Scalar>{bodies, vector_of<Scalar>(c.i.vector), point_i, point_j, c.f});
+    case ConstraintType::d:
+      return basic_row<Scalar>(D<Scalar>{bodies, point_i, point_j, c.f});
+    case ConstraintType::cd:
+      return basic_row<Scalar>(CD<Scalar>{bodies, vector_of<Scalar>(c.direction), point_i, point_j, c.f});
+    case ConstraintType::spherical:
+      return build.spherical();
+    case ConstraintType::universal:
+      return build.universal();
+    case ConstraintType::revolute:
+      return build.revolute();
+    case ConstraintType::cylindrical:
+      return build.cylindrical();
+    case ConstraintType::translational:
+      return build.translational();
+    case ConstraintType::fixed:
+      return build.fixed();
+    case ConstraintType::planar:
+      return build.planar();
+    case ConstraintType::in_line:
+      return build.in_line();
+    case ConstraintType::in_plane:
+      return build.in_plane();
+    case ConstraintType::distance:
+      return build.distance(c.distance);
+    case ConstraintType::rotation_driver:
+      return build.rotation_driver(c.angle);
+  }
+  return {};
+}
+
+/// Turns the scene's effects into the mechanism's; body indices as in the mechanism.
+template <class Scalar>
+struct EffectBuilder {
+  Mechanism<Scalar>& mechanism;
+
+  int index(int scene_body) const { return scene_body == scenes::ground ? mechanism.ground() : scene_body; }
+  static ComponentFrame frame(scenes::Frame f) {
+    return f == scenes::Frame::global ? ComponentFrame::global : ComponentFrame::body;
+  }
+
+  void operator()(const scenes::Gravity& e) const {
+    mechanism.effects.add(Gravity<Scalar>{vector_of<Scalar>(e.acceleration)});
+  }
+  void operator()(const scenes::Force& e) const {
+    mechanism.effects.add(Force<Scalar>{index(e.body), vector_of<Scalar>(e.point), e.force, frame(e.frame)});
+  }
+  void operator()(const scenes::Torque& e) const {
+    mechanism.effects.add(Torque<Scalar>{index(e.body), e.torque, frame(e.frame)});
+  }
+  void operator()(const scenes::SpringDamper& e) const {
+    mechanism.effects.add(SpringDamper<Scalar>{
+        e.name, index(e.i.body), index(e.j.body), vector_of<Scalar>(e.i.point), vector_of<Scalar>(e.j.point),
+        Scalar(e.stiffness), Scalar(e.damping), Scalar(e.free_length), e.actuator});
+  }
+  void operator()(const scenes::TorsionalSpringDamper& e) const {
+    const Joint<Scalar>& joint = mechanism.joints[e.joint];
+    mechanism.effects.add(TorsionalSpringDamper<Scalar>{
+        joint.i, joint.j, joint.frame_i.u, joint.frame_i.v, joint.frame_i.z, joint.frame_j.u,
+        Scalar(e.stiffness), Scalar(e.damping), Scalar(e.free_angle), e.actuator, Scalar(0)});
+  }
+};
+
+template <class Scalar>
+struct ToEulerParameters {
+  Vector4<Scalar> operator()(const scenes::EulerParameters& o) const {
+    const Vector4<Scalar> p(Scalar(o.e[0]), Scalar(o.e[1]), Scalar(o.e[2]), Scalar(o.e[3]));
+    return p / p.stableNorm();
+  }
+  Vector4<Scalar> operator()(const scenes::EulerAngles& o) const {
+    Vector4<Scalar> p = Vector4<Scalar>::Unit(0);
+    for (int k = 0; k < 3; ++k)
+      p = multiply_parameters<Scalar>(p,
+                                      turn(Vector3<Scalar>::Unit(o.sequence.axis[k]), Scalar(o.angles[k])));
+    return p / p.norm();
+  }
+  Vector4<Scalar> operator()(const scenes::AxisAngle& o) const {
+    const Vector3<Scalar> axis = vector_of<Scalar>(o.axis);
+    return turn(axis / axis.stableNorm(), Scalar(o.angle));
+  }
+  Vector4<Scalar> operator()(const scenes::RotationMatrix& o) const {
+    return euler_parameters(matrix_of<Scalar>(o.A));
+  }
+
+  static Vector4<Scalar> turn(const Vector3<Scalar>& axis, const Scalar& angle) {
+    using std::cos, std::sin;
+    const Scalar half = angle / 2;
+    Vector4<Scalar> p;
+    p << Scalar(cos(half)), Scalar(sin(half)) * axis;
+    return p / p.norm();
+  }
+};
+
+}  // namespace
+
+template <class Scalar>
+Vector4<Scalar> euler_parameters_of(const scenes::Orientation& orientation) {
+  return std::visit(ToEulerParameters<Scalar>{}, orientation);
+}
+
+template <class Scalar>
+Mechanism<Scalar> make_mechanism(const scenes::Scene& scene) {
+  Mechanism<Scalar> m;
+  m.name = scene.name;
+  for (const scenes::Body& body : scene.bodies) {
+    m.body_names.push_back(body.name);
+    m.bodies.push_back({Scalar(body.mass), inertia_of<Scalar>(body)});
+  }
+  m.body_names.push_back("ground");
+  for (const scenes::Constraint& c : scene.constraints) {
+    Joint<Scalar> joint;
+    joint.i = c.i.body == scenes::ground ? m.ground() : c.i.body;
+    joint.j = c.j.body == scenes::ground ? m.ground() : c.j.body;
+    joint.name = c.name;
+    joint.type = c.type;
+    joint.frame_i = frame_of<Scalar>(c.i);
+    joint.frame_j = frame_of<Scalar>(c.j);
+    joint.angle = c.angle;
+    joint.first_row = m.nc();
+    for (NamedRow<Scalar>& row : rows_of<Scalar>(c, joint)) {
+      m.row_names.push_back(row.label.empty() ? c.name : c.name + "." + row.label);
+      m.rows.push_back(std::move(row.constraint));
+    }
+    joint.rows = m.nc() - joint.first_row;
+    m.joints.push_back(std::move(joint));
+  }
+  for (const scenes::Effect& effect : scene.effects) std::visit(EffectBuilder<Scalar>{m}, effect);
+  return m;
+}
+
+template <class Scalar>
+MechanismState<Scalar> make_state(const scenes::Scene& scene, Scalar t) {
+  MechanismState<Scalar> state;
+  state.t = t;
+  for (const scenes::Body& body : scene.bodies) {
+    state.pose.push_back({vector_of<Scalar>(body.position), euler_parameters_of<Scalar>(body.orientation)});
+    state.twist.push_back({vector_of<Scalar>(body.velocity), vector_of<Scalar>(body.angular_velocity)});
+  }
+  return state;
+}
+
+void set_state(scenes::Scene& scene, const MechanismState<double>& state) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    scenes::Body& body = scene.bodies[b];
+    const auto store = [](const Vector3<double>& v) { return scenes::Vector3{v[0], v[1], v[2]}; };
+    body.position = store(state.pose[b].r);
+    const Vector4<double>& p = state.pose[b].p;
+    body.orientation = scenes::EulerParameters{{p[0], p[1], p[2], p[3]}};
+    body.velocity = store(state.twist[b].r_dot);
+    body.angular_velocity = store(state.twist[b].omega_bar);
+  }
+}
+
+#define TRIVIUM_INSTANTIATE(Scalar)                                                   \
+  template Mechanism<Scalar> make_mechanism<Scalar>(const scenes::Scene&);            \
+  template MechanismState<Scalar> make_state<Scalar>(const scenes::Scene&, Scalar t); \
+  template Vector4<Scalar> euler_parameters_of<Scalar>(const scenes::Orientation&);
+TRIVIUM_INSTANTIATE(float)
+TRIVIUM_INSTANTIATE(double)
+TRIVIUM_INSTANTIATE(long double)
+TRIVIUM_INSTANTIATE(Quad)
+TRIVIUM_INSTANTIATE(Real50)
+TRIVIUM_INSTANTIATE(Real100)
+#undef TRIVIUM_INSTANTIATE
+
+}  // namespace trivium

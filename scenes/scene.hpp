@@ -1,0 +1,142 @@
+#pragma once
+/// A scene as its file states it: plain data in doubles, SI units, nothing derived. What has passed the
+/// reader is finite, physical and free of dangling names; `Mechanism<Scalar>` is what the equations make of
+/// it.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bodies/euler_sequence.hpp"
+#include "constraints/time_function.hpp"
+
+namespace trivium::scenes {
+
+using Vector3 = std::array<double, 3>;
+using Matrix3 = std::array<Vector3, 3>;  ///< row by row
+
+/// The index of the implicit body `ground`; other bodies count from 0 in file order.
+inline constexpr int ground = -1;
+
+struct EulerParameters {
+  std::array<double, 4> e{1, 0, 0, 0};  ///< e0 first; normalised when used
+  bool operator==(const EulerParameters&) const = default;
+};
+struct EulerAngles {
+  Vector3 angles{};
+  EulerSequence sequence;
+  bool operator==(const EulerAngles&) const = default;
+};
+struct AxisAngle {
+  Vector3 axis{0, 0, 1};
+  double angle = 0;
+  bool operator==(const AxisAngle&) const = default;
+};
+struct RotationMatrix {
+  Matrix3 A{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< body to global
+  bool operator==(const RotationMatrix&) const = default;
+};
+using Orientation = std::variant<EulerParameters, EulerAngles, AxisAngle, RotationMatrix>;
+
+struct Body {
+  std::string name;
+  double mass = 0;
+  std::variant<Vector3, Matrix3> inertia;  ///< diagonal or full, about the centre of mass, body frame
+  bool unphysical_inertia = false;         ///< the triangle inequality is waived
+  Vector3 position{};
+  Orientation orientation;
+  Vector3 velocity{};          ///< of the centre of mass, global
+  Vector3 angular_velocity{};  ///< omega_bar, body frame
+  bool operator==(const Body&) const = default;
+};
+
+/// One side of a constraint; which of the vectors a type takes is the scene format's table.
+struct Side {
+  int body = ground;
+  std::optional<Vector3> point, vector, axis, x;  ///< body frame
+  bool operator==(const Side&) const = default;
+};
+
+enum class ConstraintType {
+  dp1,
+  dp2,
+  d,
+  cd,
+  spherical,
+  universal,
+  revolute,
+  cylindrical,
+  translational,
+  fixed,
+  planar,
+  in_line,
+  in_plane,
+  distance,
+  rotation_driver
+};
+
+struct Constraint {
+  ConstraintType type = ConstraintType::spherical;
+  std::string name;
+  Side i, j;
+  TimeFunction f;       ///< dp1, dp2, d, cd
+  Vector3 direction{};  ///< cd: c, global
+  double distance = 0;  ///< distance: its length
+  TimeFunction angle;   ///< rotation_driver: alpha(t)
+  bool operator==(const Constraint&) const = default;
+};
+
+enum class Frame { global, body };
+
+struct Gravity {
+  std::string name;
+  Vector3 acceleration{};
+  bool operator==(const Gravity&) const = default;
+};
+struct Force {
+  std::string name;
+  int body = 0;
+  Vector3 point{};
+  std::array<TimeFunction, 3> force;
+  Frame frame = Frame::global;
+  bool operator==(const Force&) const = default;
+};
+struct Torque {
+  std::string name;
+  int body = 0;
+  std::array<TimeFunction, 3> torque;
+  Frame frame = Frame::global;
+  bool operator==(const Torque&) const = default;
+};
+struct SpringDamper {
+  std::string name;
+  Side i, j;
+  double stiffness = 0, damping = 0, free_length = 0;
+  TimeFunction actuator;
+  bool operator==(const SpringDamper&) const = default;
+};
+struct TorsionalSpringDamper {
+  std::string name;
+  int joint = 0;  ///< index into Scene::constraints; a revolute or cylindrical
+  double stiffness = 0, damping = 0, free_angle = 0;
+  TimeFunction actuator;
+  bool operator==(const TorsionalSpringDamper&) const = default;
+};
+using Effect = std::variant<Gravity, Force, Torque, SpringDamper, TorsionalSpringDamper>;
+
+struct Scene {
+  std::string name, description, reference;
+  std::vector<Body> bodies;
+  std::vector<Constraint> constraints;
+  std::vector<Effect> effects;
+  bool operator==(const Scene&) const = default;
+
+  const std::string& body_name(int body) const {
+    static const std::string ground_name = "ground";
+    return body == ground ? ground_name : bodies[static_cast<std::size_t>(body)].name;
+  }
+};
+
+}  // namespace trivium::scenes
