@@ -22,7 +22,7 @@ FormulationResult<typename F::Scalar> solve_one(const SceneIn<typename F::Scalar
                                                 const RowAnalysis& rows, const ChartOptions& charts) {
   using S = typename F::Scalar;
   FormulationResult<S> result;
-  AugmentedSolver<F> solver(scene.mechanism, scene.state, rows, charts);
+  const AugmentedSolver<F> solver(scene.mechanism, scene.state, rows, charts);
   const VectorX<S> x = solver.solve();
   if (!x.allFinite())
     throw ModelError(
@@ -37,7 +37,7 @@ FormulationResult<typename F::Scalar> solve_one(const SceneIn<typename F::Scalar
   for (const BodyState<F>& body : solver.states())
     if (const std::string chart(body.chart.name()); !chart.empty()) result.charts.push_back(chart);
   if (higher) {
-    const AugmentedSolver<Higher> judge(higher->mechanism, higher->state, rows, charts);
+    const AugmentedEquations<Higher> judge(higher->mechanism, higher->state, rows, charts);
     result.estimate = estimate_error<F, Higher>(solver, x, judge, rows);
   }
   return result;
