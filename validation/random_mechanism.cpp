@@ -53,7 +53,6 @@ class Builder {
  public:
   Builder(std::uint64_t seed, const RandomOptions& options) : draw_(seed), options_(options) {
     out_.t = draw_.uniform(-2, 2);
-    out_.scene.name = fmt::format("random_{}", seed);
   }
 
   RandomMechanism build() {
@@ -64,10 +63,6 @@ class Builder {
     const int loops = draw_.chance(0.6) ? 1 + draw_.below(1 + nb / 2) : 0;
     for (int k = 0; k < loops; ++k) close_loop();
     if (options_.effects) add_effects();
-    const auto mechanism = make_mechanism<double>(out_.scene);
-    auto state = make_state<double>(out_.scene, out_.t);
-    project_velocities(mechanism, state);
-    set_state(out_.scene, state);
     return std::move(out_);
   }
 
@@ -307,7 +302,17 @@ class Builder {
 }  // namespace
 
 RandomMechanism random_mechanism(std::uint64_t seed, const RandomOptions& options) {
-  return Builder(seed, options).build();
+  // A locked loop may be told to move by functions of time that contradict each other; then no velocity is
+  // consistent, and the next attempt is the seed's mechanism.
+  for (std::uint64_t attempt = 0;; ++attempt) {
+    RandomMechanism random = Builder(seed + (attempt << 40), options).build();
+    random.scene.name = fmt::format("random_{}", seed);
+    const auto mechanism = make_mechanism<double>(random.scene);
+    auto state = make_state<double>(random.scene, random.t);
+    project_velocities(mechanism, state);
+    set_state(random.scene, state);
+    if (check_consistency(mechanism, make_state<double>(random.scene, random.t)).holds()) return random;
+  }
 }
 
 }  // namespace trivium

@@ -6,4 +6,4 @@ execute_process(COMMAND git -C ${SOURCE_DIR} describe --always --dirty --abbrev=
 if(NOT COMMIT)
   set(COMMIT "unknown")
 endif()
-configure_file(${SOURCE_DIR}/cmake/build_info.hpp.in ${OUTPUT} @ONLY)
+configure_file(${SOURCE_DIR}/validation/cmake/build_info.hpp.in ${OUTPUT} @ONLY)

@@ -9,7 +9,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION ${CMAKE_INSTALL_DATAD
         PATTERN "*.json" PATTERN "malformed" EXCLUDE PATTERN "wellformed" EXCLUDE)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/trivium)
 install(EXPORT triviumTargets NAMESPACE trivium:: DESTINATION ${config_dir})
-configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/triviumConfig.cmake.in ${CMAKE_BINARY_DIR}/triviumConfig.cmake
+configure_package_config_file(${PROJECT_SOURCE_DIR}/validation/cmake/triviumConfig.cmake.in ${CMAKE_BINARY_DIR}/triviumConfig.cmake
                               INSTALL_DESTINATION ${config_dir})
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/triviumConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/triviumConfig.cmake ${CMAKE_BINARY_DIR}/triviumConfigVersion.cmake

@@ -11,7 +11,7 @@ endif()
 # scenes of the current folder; skipped where there is no clang++.
 function(trivium_fuzz name)
   set(fuzzer ${CMAKE_BINARY_DIR}/tests/${name})
-  add_test(NAME ${name} COMMAND sh ${PROJECT_SOURCE_DIR}/cmake/run_fuzz.sh ${fuzzer} ${CMAKE_CURRENT_SOURCE_DIR}
+  add_test(NAME ${name} COMMAND sh ${PROJECT_SOURCE_DIR}/validation/cmake/run_fuzz.sh ${fuzzer} ${CMAKE_CURRENT_SOURCE_DIR}
                                 ${CMAKE_CURRENT_BINARY_DIR}/${name} ${TRIVIUM_FUZZ_SECONDS})
   math(EXPR timeout "${TRIVIUM_FUZZ_SECONDS} + 120")
   set_tests_properties(${name} PROPERTIES LABELS stress SKIP_RETURN_CODE 77 TIMEOUT ${timeout})
