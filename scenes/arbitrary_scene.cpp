@@ -123,9 +123,11 @@ Side arbitrary_side(Random& random, int body, const Shape& shape) {
   if (shape.find("point")) side.point = random.perhaps_vector();
   if (shape.find("vector")) side.vector = random.direction();
   const double s = random.positive();
-  if (shape.find("axis")) side.axis = Vector3{0, s, random.uniform()};
-  if (shape.find("x") && (shape.find("x")->required || random.flip()))
-    side.x = Vector3{s, random.uniform(), 0};
+  const auto wanted = [&](const char* key) {
+    return shape.find(key) && (shape.find(key)->required || random.flip());
+  };
+  if (wanted("axis")) side.axis = Vector3{0, s, random.uniform()};
+  if (side.axis && wanted("x")) side.x = Vector3{s, random.uniform(), 0};
   return side;
 }
 

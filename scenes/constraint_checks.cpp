@@ -42,6 +42,7 @@ void check_side(const Side& side, const Shape& shape, const Path& at) {
   check("vector", side.vector);
   check("axis", side.axis);
   check("x", side.x);
+  if (side.x && !side.axis) fail(at, "x without an axis", "an object with axis, x");
   if (side.axis && side.x) check_axes(*side.axis, *side.x, at);
 }
 

@@ -66,10 +66,11 @@ inline constexpr std::array function_shapes{
     Shape{"step5", {need("kind"), need("t0"), need("f0"), need("t1"), need("f1")}},
 };
 
-// Sides. A key that no row of the type would use is not taken, but `x` always goes with `axis`.
-inline constexpr Shape vector_side{"vector_side", {need("body"), need("vector")}};
+// Sides. Every side may name a point (of a dp1 it says where reactions are taken), and every side of a joint
+// an axis with an x, whether or not a row of the type looks along it.
 inline constexpr Shape vector_point_side{"vector_point_side", {need("body"), need("vector"), may("point")}};
 inline constexpr Shape point_side{"point_side", {need("body"), may("point")}};
+inline constexpr Shape joint_side{"joint_side", {need("body"), may("point"), may("axis"), may("x")}};
 inline constexpr Shape axis_side{"axis_side", {need("body"), may("point"), need("axis"), may("x")}};
 inline constexpr Shape frame_side{"frame_side", {need("body"), may("point"), need("axis"), need("x")}};
 
@@ -95,20 +96,20 @@ constexpr ConstraintShape joint(ConstraintType type, std::string_view name, cons
 
 /// In the order of ConstraintType.
 inline constexpr std::array constraint_shapes{
-    detail::joint(ConstraintType::dp1, "dp1", vector_side, vector_side, may("f")),
+    detail::joint(ConstraintType::dp1, "dp1", vector_point_side, vector_point_side, may("f")),
     detail::joint(ConstraintType::dp2, "dp2", vector_point_side, point_side, may("f")),
     detail::joint(ConstraintType::d, "d", point_side, point_side, need("f")),
     detail::joint(ConstraintType::cd, "cd", point_side, point_side, need("direction"), may("f")),
-    detail::joint(ConstraintType::spherical, "spherical", point_side, point_side),
+    detail::joint(ConstraintType::spherical, "spherical", joint_side, joint_side),
     detail::joint(ConstraintType::universal, "universal", axis_side, axis_side),
     detail::joint(ConstraintType::revolute, "revolute", axis_side, axis_side),
     detail::joint(ConstraintType::cylindrical, "cylindrical", axis_side, axis_side),
     detail::joint(ConstraintType::translational, "translational", frame_side, frame_side),
     detail::joint(ConstraintType::fixed, "fixed", frame_side, frame_side),
     detail::joint(ConstraintType::planar, "planar", axis_side, axis_side),
-    detail::joint(ConstraintType::in_line, "in_line", axis_side, point_side),
-    detail::joint(ConstraintType::in_plane, "in_plane", axis_side, point_side),
-    detail::joint(ConstraintType::distance, "distance", point_side, point_side, need("distance")),
+    detail::joint(ConstraintType::in_line, "in_line", axis_side, joint_side),
+    detail::joint(ConstraintType::in_plane, "in_plane", axis_side, joint_side),
+    detail::joint(ConstraintType::distance, "distance", joint_side, joint_side, need("distance")),
     detail::joint(ConstraintType::rotation_driver, "rotation_driver", frame_side, frame_side, need("angle")),
 };
 static_assert([] {
