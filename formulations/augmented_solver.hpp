@@ -87,12 +87,15 @@ class AugmentedSolver {
     matrix_ = K(kept_, kept_);
     right_side_ = system.right_side()(kept_);
     full_size_ = K.rows();
+    full_nonzeros_ = (K.array() != S(0)).count();
   }
 
   const EquationsOfMotion<F>& equations() const { return eom_; }
   const std::vector<BodyState<F>>& states() const { return states_; }
   const MatrixX<S>& matrix() const { return matrix_; }  ///< printed order, redundant rows left out
   const VectorX<S>& right_side() const { return right_side_; }
+  Eigen::Index printed_size() const { return full_size_; }          ///< of the printed matrix, all rows
+  Eigen::Index printed_nonzeros() const { return full_nonzeros_; }  ///< of the same
 
   /// The unknowns in printed order, redundant rows left out.
   VectorX<S> solve() { return solver().solve(right_side_); }
@@ -138,7 +141,7 @@ class AugmentedSolver {
   std::vector<Eigen::Index> kept_;
   MatrixX<S> matrix_;
   VectorX<S> right_side_;
-  Eigen::Index full_size_ = 0;
+  Eigen::Index full_size_ = 0, full_nonzeros_ = 0;
   std::unique_ptr<DenseSolver<S>> solver_;
 };
 

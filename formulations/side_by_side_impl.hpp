@@ -31,6 +31,8 @@ FormulationResult<typename F::Scalar> solve_one(const SceneIn<typename F::Scalar
   const Unknowns<F> u = solver.unknowns(x);
   result.lambda_internal = u.lambda_internal;
   result.residual = solver.residual(x);
+  result.matrix_size = solver.printed_size();
+  result.matrix_nonzeros = solver.printed_nonzeros();
   for (const Joint<S>& joint : scene.mechanism.joints)
     result.reactions.push_back(joint_reaction<F>(solver.equations(), joint, u.lambda, End::j)
                                    .about(joint_point<F>(solver.equations(), joint)));
