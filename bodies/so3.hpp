@@ -108,9 +108,8 @@ Vector4<Scalar> exponential_parameters(const Vector3<Scalar>& phi) {
   using std::cos, std::sin;
   const Scalar half = phi.norm() / 2;
   Vector4<Scalar> p;
-  // sin(x)/x from its series where the quotient would lose nothing but could divide by zero
-  const Scalar x2 = half * half;
-  const Scalar sinc = half < Scalar(1e-6) ? Scalar(1) - x2 / 6 + x2 * x2 / 120 : Scalar(sin(half) / half);
+  // sin(x)/x needs no series: sin(x) is good to rounding however small x is, in every Scalar
+  const Scalar sinc = half == Scalar(0) ? Scalar(1) : Scalar(sin(half) / half);
   p << Scalar(cos(half)), (sinc / 2) * phi;
   return p / p.norm();
 }

@@ -2,6 +2,7 @@
 /// From mechanism + formulation + state: the equations of motion, body by body and row by row, and the
 /// augmented system as printed in the books.
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -247,7 +248,9 @@ MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar>& mec
   }
   MatrixFreeResidual residual;
   const auto raise = [](double& worst, const S& value, const S& scale) {
-    if (value != S(0)) worst = std::max(worst, static_cast<double>(S(value / scale)));
+    if (value == S(0)) return;
+    const double ratio = static_cast<double>(S(value / scale));
+    if (std::isnan(ratio) || ratio > worst) worst = ratio;  // a NaN goes in and stays
   };
   std::vector<bool> is_redundant(mechanism.rows.size(), false);
   for (int k : redundant) is_redundant[k] = true;

@@ -107,13 +107,24 @@ void decide_rank(const TangentSystem& s, RowAnalysis& out) {
   const int rank = static_cast<int>(qr.rank()), defect = nc - rank;
   out.rank = rank;
 
-  MatrixX<double> Z(nc, defect);  // combinations of the scaled rows that vanish
-  if (defect > 0) {
+  // a row without a gradient holds nothing: it is redundant, and has no share in the null basis
+  std::vector<Eigen::Index> dependent;
+  for (int d = 0; d < defect; ++d) {
+    const int k = qr.colsPermutation().indices()[rank + d];
+    if (row_scale[k] > 0)
+      dependent.push_back(d);
+    else
+      out.unique[k] = false;
+  }
+  const Eigen::Index null = static_cast<Eigen::Index>(dependent.size());
+  MatrixX<double> Z(nc, null);  // combinations of the scaled rows that vanish
+  if (null > 0) {
     const auto& R = qr.matrixR();
-    Z << R.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(-R.topRightCorner(rank, defect)),
-        MatrixX<double>::Identity(defect, defect);
+    const MatrixX<double> shares = R.topRightCorner(rank, defect)(Eigen::all, dependent);
+    Z << R.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(-shares),
+        MatrixX<double>(MatrixX<double>::Identity(defect, defect)(Eigen::all, dependent));
     Z = qr.colsPermutation() * Z;
-    Z = (Eigen::HouseholderQR<MatrixX<double>>(Z).householderQ() * MatrixX<double>::Identity(nc, defect))
+    Z = (Eigen::HouseholderQR<MatrixX<double>>(Z).householderQ() * MatrixX<double>::Identity(nc, null))
             .eval();
     for (int k = 0; k < nc; ++k)
       if (Z.row(k).norm() > rank_tolerance)
@@ -123,14 +134,17 @@ void decide_rank(const TangentSystem& s, RowAnalysis& out) {
     out.redundant = choose_redundant(Z);
   }
   for (int k = 0; k < nc; ++k)
+    if (row_scale[k] == 0) out.redundant.push_back(k);
+  std::sort(out.redundant.begin(), out.redundant.end());
+  for (int k = 0; k < nc; ++k)
     if (!std::binary_search(out.redundant.begin(), out.redundant.end(), k)) out.independent.push_back(k);
 
   // to combinations of the rows themselves, orthonormal in E
   const VectorX<double> to_E = out.E.cwiseProduct(row_scale);
   const MatrixX<double> EN = to_E.asDiagonal() * Z;
-  if (defect > 0) {
+  if (null > 0) {
     MatrixX<double> Q =
-        Eigen::HouseholderQR<MatrixX<double>>(EN).householderQ() * MatrixX<double>::Identity(nc, defect);
+        Eigen::HouseholderQR<MatrixX<double>>(EN).householderQ() * MatrixX<double>::Identity(nc, null);
     for (int k = 0; k < nc; ++k)
       if (out.unique[k]) Q.row(k).setZero();
     out.null_basis = inverse_or_zero(out.E).asDiagonal() * Q;
@@ -220,8 +234,9 @@ RowAnalysis analyse_rows(const TangentSystem& s) {
   const VectorX<double> singular_values =
       Eigen::SelfAdjointEigenSolver<MatrixX<double>>(S, Eigen::EigenvaluesOnly).eigenvalues();
   const Eigen::Index nc = s.Phi.rows();
+  if (out.rank == 0) return out;
   const double largest = singular_values[nc - 1], smallest = singular_values[nc - out.rank];
-  out.kappa = out.rank == 0 ? 1.0 : largest / std::max(smallest, largest * 1e-16);
+  out.kappa = largest / std::max(smallest, largest * 1e-16);
   return out;
 }
 

@@ -82,7 +82,8 @@ struct RowAnalysis {
   int rank = 0;
   std::vector<int> independent, redundant;  ///< rows in file order; a redundant one depends on earlier rows
   std::vector<bool> unique;                 ///< row k of null(Phi^T) is zero: lambda_k is unique
-  /// nc x (nc - rank): E N is orthonormal, Phi^T N = 0, zero in unique rows. lambda is unique up to N y.
+  /// nc x (nc - rank): E N is orthonormal, Phi^T N = 0, zero in unique rows. lambda is unique up to N y. A
+  /// row without a gradient has no column here; its lambda acts on nothing and is 0.
   MatrixX<double> null_basis;
   VectorX<double>
       E;  ///< diag(S)^(1/2), S = Phi M^-1 Phi^T: the norm of lambda, independent of units and of row scaling

@@ -1,0 +1,284 @@
+#include "effects/effects.hpp"
+
+#include "bodies/testing.hpp"
+
+namespace trivium {
+namespace {
+
+using test::distance, test::Random;
+using S = Quad;
+using Vec = Vector3<S>;
+using TF = TimeFunction;
+
+/// Two bodies and the ground on a smooth motion: r(t) = r + t r', A(t) = A exp(t omega_bar~).
+struct Motion {
+  std::vector<RigidBody<S>> bodies;
+  std::vector<BodyMotion<S>> start;
+
+  explicit Motion(std::uint64_t seed) {
+    Random random(seed);
+    for (int b = 0; b < 2; ++b) {
+      bodies.push_back({S(random.uniform(0.5, 2)), Matrix3<S>::Identity()});
+      start.push_back({random.vector<S, 3>(), random.vector<S, 3>(),
+                       rotation_matrix(random.euler_parameters<S>()), random.vector<S, 3>()});
+    }
+    start.push_back({});
+  }
+  std::vector<BodyMotion<S>> at(const S& t) const {
+    std::vector<BodyMotion<S>> motion = start;
+    for (BodyMotion<S>& m : motion) {
+      m.r += t * m.r_dot;
+      m.A = (m.A * rotation_matrix(exponential_parameters<S>(t * m.omega_bar))).eval();
+    }
+    return motion;
+  }
+};
+
+/// Sum over the bodies of F . r' + n_bar . omega_bar.
+template <class E>
+S power_of_wrenches(const E& effect, const Motion& motion) {
+  std::vector<Wrench<S>> wrenches(motion.start.size());
+  effect.apply(EffectView<S>{motion.bodies, motion.start, S(0)}, wrenches);
+  S sum(0);
+  for (std::size_t b = 0; b < wrenches.size(); ++b)
+    sum += wrenches[b].F.dot(motion.start[b].r_dot) + wrenches[b].n_bar.dot(motion.start[b].omega_bar);
+  return sum;
+}
+
+template <class E>
+void expect_power_is_that_of_the_wrenches(const E& effect, const Motion& motion) {
+  const S power = effect.power(EffectView<S>{motion.bodies, motion.start, S(0)});
+  EXPECT_LE(std::abs(static_cast<double>(S(power - power_of_wrenches(effect, motion)))), 1e-30);
+  EXPECT_GT(std::abs(static_cast<double>(power)), 1e-6);  // or there was nothing to see
+}
+
+/// power = -dV/dt along the motion.
+template <class E>
+void expect_conservative(const E& effect, const Motion& motion) {
+  const S h(1e-11);
+  const auto V = [&](const S& t) {
+    const auto moved = motion.at(t);
+    return effect.potential_energy(EffectView<S>{motion.bodies, moved, t});
+  };
+  const S rate = (V(h) - V(-h)) / (2 * h);
+  const S power = effect.power(EffectView<S>{motion.bodies, motion.start, S(0)});
+  EXPECT_LE(std::abs(static_cast<double>(S(power + rate))), 1e-18);
+  EXPECT_GT(std::abs(static_cast<double>(power)), 1e-6);
+}
+
+/// All three components, each with its own f(t).
+std::array<TF, 3> components() { return {TF(1.5), TF::Harmonic{0.5, 2, 3, 1}, TF::Polynomial{{-1, 2, 0.5}}}; }
+std::array<TF, 3> numbers() { return {TF(1.5), TF(-2), TF(0.7)}; }
+
+SpringDamper<S> spring(S damping, const TF& actuator) {
+  Random random(91);
+  return {"spring", 0, 1, random.vector<S, 3>(), random.vector<S, 3>(), S(12), damping, S(0.375), actuator};
+}
+TorsionalSpringDamper<S> torsional(const Motion& motion, S damping, const TF& actuator) {
+  // the axes coincide in the motion's bodies at t = 0, and j turns about z only: omega_j differs along z
+  Random random(92);
+  const Matrix3<S> frame = rotation_matrix(random.euler_parameters<S>());
+  TorsionalSpringDamper<S> e;
+  e.i = 0;
+  e.j = 1;
+  e.u_bar_i = frame.col(0), e.v_bar_i = frame.col(1), e.z_bar_i = frame.col(2);
+  const Vec u_j = motion.start[0].A * (frame * Vec(S(0.6), S(0.8), S(0)));
+  e.u_bar_j = motion.start[1].A.transpose() * u_j;
+  e.stiffness = S(7);
+  e.damping = damping;
+  e.free_angle = S(0.25);
+  e.actuator = actuator;
+  return e;
+}
+/// Body 1 turns with body 0 and about its z besides, as a joint would have it.
+Motion joined_motion(std::uint64_t seed, const S& rate) {
+  Motion motion(seed);
+  const auto e = torsional(motion, S(0), {});
+  const Vec omega_0 = motion.start[0].A * motion.start[0].omega_bar;
+  motion.start[1].omega_bar =
+      motion.start[1].A.transpose() * (omega_0 + rate * (motion.start[0].A * e.z_bar_i));
+  return motion;
+}
+
+constexpr int motions = 20;
+
+TEST(Effects, PowerIsThatOfTheirWrenches) {
+  for (int n = 0; n < motions; ++n) {
+    const Motion motion(100 + n);
+    const Vec s = Random(n).vector<S, 3>();
+    expect_power_is_that_of_the_wrenches(Gravity<S>{Vec(S(1), S(2), S(-9.81))}, motion);
+    for (const ComponentFrame frame : {ComponentFrame::global, ComponentFrame::body}) {
+      expect_power_is_that_of_the_wrenches(Force<S>{1, s, components(), frame}, motion);
+      expect_power_is_that_of_the_wrenches(Torque<S>{1, components(), frame}, motion);
+    }
+    expect_power_is_that_of_the_wrenches(spring(S(3), TF(1.25)), motion);
+    const Motion joined = joined_motion(100 + n, S(1.7));
+    expect_power_is_that_of_the_wrenches(torsional(joined, S(3), TF(1.25)), joined);
+  }
+}
+
+TEST(Effects, PowerOfConservativeOnesIsTheLossOfTheirEnergy) {
+  for (int n = 0; n < motions; ++n) {
+    const Motion motion(200 + n);
+    expect_conservative(Gravity<S>{Vec(S(1), S(2), S(-9.81))}, motion);
+    expect_conservative(Force<S>{1, Random(n).vector<S, 3>(), numbers(), ComponentFrame::global}, motion);
+    expect_conservative(spring(S(0), {}), motion);
+    const Motion joined = joined_motion(200 + n, S(1.7));
+    expect_conservative(torsional(joined, S(0), {}), joined);
+  }
+}
+
+TEST(Effects, SumOfAllIsTheSumOfEach) {
+  const Motion motion = joined_motion(300, S(0.9));
+  Effects<S> all;
+  all.add(Gravity<S>{Vec(S(0), S(0), S(-9.81))});
+  all.add(Force<S>{0, Vec::Zero(), numbers()});
+  all.add(Force<S>{1, Vec::Ones(), components(), ComponentFrame::body});
+  all.add(Torque<S>{0, components()});
+  all.add(spring(S(3), TF(1)));
+  all.add(torsional(motion, S(2), TF(1)));
+  expect_power_is_that_of_the_wrenches(all, motion);
+  const EffectView<S> view{motion.bodies, motion.start, S(0)};
+  const S energy = all.all<Gravity<S>>()[0].potential_energy(view) +
+                   all.all<Force<S>>()[0].potential_energy(view) +
+                   all.all<SpringDamper<S>>()[0].potential_energy(view) +
+                   all.all<TorsionalSpringDamper<S>>()[0].potential_energy(view);
+  EXPECT_LE(std::abs(static_cast<double>(S(all.potential_energy(view) - energy))), 1e-31);
+}
+
+TEST(Gravity, ActsOnBodiesAndNotOnTheGround) {
+  const Motion motion(301);
+  std::vector<Wrench<S>> wrenches(3);
+  Gravity<S>{Vec(S(0), S(0), S(-10))}.apply({motion.bodies, motion.start, S(0)}, wrenches);
+  for (int b = 0; b < 2; ++b) EXPECT_EQ(wrenches[b].F[2], -10 * motion.bodies[b].mass);
+  EXPECT_EQ(wrenches[2].F, Vec::Zero());
+}
+
+TEST(Force, FrameSaysWhichWayItsComponentsPoint) {
+  const Motion motion(302);
+  const Vec F(S(1.5), S(-2), S(0.7));
+  for (const auto& [frame, expected] :
+       {std::pair{ComponentFrame::global, F}, std::pair{ComponentFrame::body, Vec(motion.start[1].A * F)}}) {
+    std::vector<Wrench<S>> wrenches(3);
+    Force<S>{1, Vec::Zero(), numbers(), frame}.apply({motion.bodies, motion.start, S(0)}, wrenches);
+    EXPECT_LE(distance(wrenches[1].F, expected), 1e-32);
+    EXPECT_EQ(wrenches[1].n_bar, Vec::Zero());
+  }
+}
+
+TEST(Torque, FrameSaysWhichWayItsComponentsPoint) {
+  const Motion motion(303);
+  const Vec n(S(1.5), S(-2), S(0.7));
+  for (const auto& [frame, expected] :
+       {std::pair{ComponentFrame::body, n},
+        std::pair{ComponentFrame::global, Vec(motion.start[1].A.transpose() * n)}}) {
+    std::vector<Wrench<S>> wrenches(3);
+    Torque<S>{1, numbers(), frame}.apply({motion.bodies, motion.start, S(0)}, wrenches);
+    EXPECT_LE(distance(wrenches[1].n_bar, expected), 1e-32);
+    EXPECT_EQ(wrenches[1].F, Vec::Zero());
+  }
+}
+
+TEST(Force, OnlyAConstantGlobalOneStoresEnergy) {
+  const Motion motion(304);
+  const EffectView<S> view{motion.bodies, motion.start, S(0)};
+  EXPECT_NE((Force<S>{1, Vec::Ones(), numbers(), ComponentFrame::global}.potential_energy(view)), S(0));
+  EXPECT_EQ((Force<S>{1, Vec::Ones(), numbers(), ComponentFrame::body}.potential_energy(view)), S(0));
+  EXPECT_EQ((Force<S>{1, Vec::Ones(), components(), ComponentFrame::global}.potential_energy(view)), S(0));
+}
+
+// ---- springs
+
+/// A body on the x axis, moving along it, and a spring from the origin.
+struct OnALine {
+  std::vector<RigidBody<double>> bodies{1};
+  std::vector<BodyMotion<double>> motion{2};
+  OnALine(double x, double x_dot) {
+    motion[0].r[0] = x;
+    motion[0].r_dot[0] = x_dot;
+  }
+  double force_on_body(const SpringDamper<double>& s) const {
+    std::vector<Wrench<double>> wrenches(2);
+    s.apply({bodies, motion, 0.0}, wrenches);
+    EXPECT_EQ(wrenches[0].F, -wrenches[1].F);
+    return wrenches[0].F[0];
+  }
+};
+SpringDamper<double> spring_from_origin(double k, double c, double l0, const TF& h) {
+  const Vector3<double> zero = Vector3<double>::Zero();
+  return {"rope", 1, 0, zero, zero, k, c, l0, h};
+}
+
+TEST(SpringDamper, PullsWithItsTension) {
+  EXPECT_DOUBLE_EQ(OnALine(2, 0).force_on_body(spring_from_origin(10, 0, 1.5, {})), -5);
+  EXPECT_DOUBLE_EQ(OnALine(1, 0).force_on_body(spring_from_origin(10, 0, 1.5, {})), 5);
+  EXPECT_DOUBLE_EQ(OnALine(2, 3).force_on_body(spring_from_origin(0, 4, 0, {})), -12);
+  EXPECT_DOUBLE_EQ(OnALine(2, 0).force_on_body(spring_from_origin(0, 0, 0, 7.0)), -7);
+}
+
+TEST(SpringDamper, OfNoLengthIsAnErrorThatNamesItUnlessItsForceVanishes) {
+  const OnALine together(0, 1);
+  EXPECT_EQ(together.force_on_body(spring_from_origin(10, 0, 0, {})), 0);
+  for (const auto& s : {spring_from_origin(10, 0, 1, {}), spring_from_origin(0, 2, 0, {}),
+                        spring_from_origin(0, 0, 0, 3.0)}) {
+    try {
+      together.force_on_body(s);
+      ADD_FAILURE() << "a force without a direction";
+    } catch (const ModelError& error) {
+      const std::string message = error.what();
+      for (const char* part : {"\"rope\"", "coincide", "t = 0", "move an end"})
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+    }
+  }
+}
+
+/// Body j at `angle` about the ground's z.
+struct OnAnAxis {
+  std::vector<RigidBody<double>> bodies{1};
+  std::vector<BodyMotion<double>> motion{2};
+  OnAnAxis(double angle, double rate) {
+    motion[0].A = axis_rotation(2, angle);
+    motion[0].omega_bar[2] = rate;
+  }
+  EffectView<double> view() const { return {bodies, motion, 0.0}; }
+  double torque_on_j(const TorsionalSpringDamper<double>& s) const {
+    std::vector<Wrench<double>> wrenches(2);
+    s.apply(view(), wrenches);
+    EXPECT_LE(distance(wrenches[0].n_bar, -wrenches[1].n_bar), 1e-15);
+    return wrenches[0].n_bar[2];
+  }
+};
+TorsionalSpringDamper<double> about_z(double k, double c, double theta0, const TF& h) {
+  const Vector3<double> x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  return {1, 0, x, y, z, x, k, c, theta0, h};
+}
+
+TEST(TorsionalSpringDamper, DrivesThetaBackAndAPositiveActuatorDrivesItDown) {
+  EXPECT_DOUBLE_EQ(OnAnAxis(0.5, 0).torque_on_j(about_z(10, 0, 0.2, {})), -3);
+  EXPECT_DOUBLE_EQ(OnAnAxis(0.1, 0).torque_on_j(about_z(10, 0, 0.2, {})), 1);
+  EXPECT_DOUBLE_EQ(OnAnAxis(0.5, 3).torque_on_j(about_z(0, 4, 0, {})), -12);
+  EXPECT_DOUBLE_EQ(OnAnAxis(0.5, 0).torque_on_j(about_z(0, 0, 0, 7.0)), -7);
+}
+
+TEST(TorsionalSpringDamper, AngleLiesInTheHalfOpenTurnAndCountsTurns) {
+  const double pi = std::acos(-1.0);
+  auto s = about_z(1, 0, 0, {});
+  for (const double angle : {-3.0, -0.5, 0.0, 0.5, 3.0}) {
+    EXPECT_NEAR(s.angle(OnAnAxis(angle, 0).view()), angle, 1e-15);
+    EXPECT_NEAR(s.angle(OnAnAxis(angle + 2 * pi, 0).view()), angle, 1e-14);
+  }
+  s.turns = 2;
+  EXPECT_NEAR(s.angle(OnAnAxis(0.5, 0).view()), 0.5 + 4 * pi, 1e-14);
+}
+
+TEST(TorsionalSpringDamper, HalfATurnIsPlusPi) {
+  const double pi = std::acos(-1.0);
+  for (const double zero : {0.0, -0.0}) {  // whatever the signs of the zeros in A
+    OnAnAxis half(0, 0);
+    half.motion[0].A << -1, zero, zero, zero, -1, zero, zero, zero, 1;
+    EXPECT_EQ(about_z(1, 0, 0, {}).angle(half.view()), pi);
+  }
+}
+
+}  // namespace
+}  // namespace trivium

@@ -1,0 +1,151 @@
+#include "scenes/mechanism.hpp"
+
+#include "bodies/testing.hpp"
+#include "scenes/test_scenes.hpp"
+
+namespace trivium {
+namespace {
+
+using scenes::ConstraintType;
+using test::distance;
+
+TEST(Mechanism, GroundIsTheLastBody) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("a", 1), test::body("b", 2)};
+  scene.constraints = {test::joint(ConstraintType::spherical, "s", {}, test::side(1))};
+  const auto mechanism = make_mechanism<double>(scene);
+  EXPECT_EQ(mechanism.body_names, (std::vector<std::string>{"a", "b", "ground"}));
+  EXPECT_EQ(mechanism.nb(), 2);
+  EXPECT_EQ(mechanism.joints[0].i, mechanism.ground());
+  EXPECT_EQ(mechanism.joints[0].j, 1);
+  for (const auto& row : mechanism.rows) {
+    EXPECT_EQ(bodies_of(row).i, 2);
+    EXPECT_EQ(bodies_of(row).j, 1);
+  }
+}
+
+TEST(Mechanism, RowsStandInFileOrderUnderTheNamesOfTheirJoints) {
+  const scenes::Vector3 z{0, 0, 1}, x{1, 0, 0};
+  scenes::Scene scene;
+  scene.bodies = {test::body("a", 1)};
+  scenes::Side ground = test::side(scenes::ground, {}, z, x), a = test::side(0, {}, z, x);
+  ground.vector = x;
+  a.vector = z;
+  const std::vector<std::pair<ConstraintType, int>> rows{
+      {ConstraintType::dp1, 1},      {ConstraintType::dp2, 1},         {ConstraintType::d, 1},
+      {ConstraintType::cd, 1},       {ConstraintType::spherical, 3},   {ConstraintType::universal, 4},
+      {ConstraintType::revolute, 5}, {ConstraintType::cylindrical, 4}, {ConstraintType::translational, 5},
+      {ConstraintType::fixed, 6},    {ConstraintType::planar, 3},      {ConstraintType::in_line, 2},
+      {ConstraintType::in_plane, 1}, {ConstraintType::distance, 1},    {ConstraintType::rotation_driver, 1}};
+  for (const auto& [type, count] : rows)
+    scene.constraints.push_back(test::joint(type, "c" + std::to_string(scene.constraints.size()), ground, a));
+  const auto mechanism = make_mechanism<double>(scene);
+  ASSERT_EQ(mechanism.joints.size(), rows.size());
+  int next = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    EXPECT_EQ(mechanism.joints[k].type, rows[k].first);
+    EXPECT_EQ(mechanism.joints[k].first_row, next);
+    EXPECT_EQ(mechanism.joints[k].rows, rows[k].second) << k;
+    next += rows[k].second;
+  }
+  EXPECT_EQ(mechanism.nc(), next);
+  // a basic constraint has one row, of its own name; a joint's rows add their labels
+  EXPECT_EQ(mechanism.row_names[0], "c0");
+  EXPECT_EQ(mechanism.row_names[4], "c4.cd(e_x)");
+  EXPECT_EQ(mechanism.row_names[mechanism.joints[6].first_row + 4], "c6.dp1(v_i, z_j)");
+  EXPECT_EQ(mechanism.row_names.back(), "c14.dp1(w_i, u_j)");
+}
+
+TEST(Mechanism, JointFramesComeFromTheScenesAxes) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("a", 1)};
+  scene.constraints = {
+      test::joint(ConstraintType::revolute, "r",
+                  test::side(scenes::ground, scenes::Vector3{1, 2, 3}, scenes::Vector3{0, 2, 0}),
+                  test::side(0, {}, scenes::Vector3{0, 0, -3}, scenes::Vector3{0, 5, 4}))};
+  const auto joint = make_mechanism<double>(scene).joints[0];
+  EXPECT_EQ(joint.frame_i.point, (Vector3<double>(1, 2, 3)));
+  EXPECT_EQ(joint.frame_i.z, (Vector3<double>(0, 1, 0)));
+  EXPECT_EQ(joint.frame_i.u, (Vector3<double>(1, 0, 0)));
+  EXPECT_EQ(joint.frame_j.point, (Vector3<double>(0, 0, 0)));
+  EXPECT_EQ(joint.frame_j.z, (Vector3<double>(0, 0, -1)));
+  EXPECT_EQ(joint.frame_j.u, (Vector3<double>(0, 1, 0)));
+  EXPECT_EQ(joint.frame_j.v, (Vector3<double>(1, 0, 0)));
+}
+
+TEST(Mechanism, VectorsOfBasicConstraintsAreTakenAsWritten) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("a", 1)};
+  auto dp1 = test::joint(ConstraintType::dp1, "dp1", test::vector_side(scenes::ground, {2, 0, 0}),
+                         test::vector_side(0, {3, 4, 0}));
+  dp1.f = 5.0;
+  scene.constraints = {dp1};
+  const auto mechanism = make_mechanism<double>(scene);
+  const auto& row = std::get<DP1<double>>(mechanism.rows[0]);
+  EXPECT_EQ(row.a_bar_i, (Vector3<double>(2, 0, 0)));
+  EXPECT_EQ(row.a_bar_j, (Vector3<double>(3, 4, 0)));
+  EXPECT_EQ(row.f, TimeFunction(5.0));
+}
+
+TEST(Mechanism, InertiaIsDiagonalOrFull) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("diagonal", 1), test::body("full", 1)};
+  scene.bodies[0].inertia = scenes::Vector3{1, 2, 3};
+  scene.bodies[1].inertia = scenes::Matrix3{{{2, 0.1, 0.2}, {0.1, 3, 0.3}, {0.2, 0.3, 4}}};
+  const auto mechanism = make_mechanism<double>(scene);
+  EXPECT_EQ(mechanism.bodies[0].inertia, (Matrix3<double>(Vector3<double>(1, 2, 3).asDiagonal())));
+  const Matrix3<double> full = (Matrix3<double>() << 2, 0.1, 0.2, 0.1, 3, 0.3, 0.2, 0.3, 4).finished();
+  EXPECT_EQ(mechanism.bodies[1].inertia, full);
+}
+
+TEST(Orientation, IsTheSameInAllFourForms) {
+  const EulerSequence sequence = *parse_euler_sequence("312");
+  const Vector3<Quad> angles(Quad(0.3), Quad(-0.4), Quad(1.2));
+  const Matrix3<Quad> A = euler_rotation(sequence, angles);
+  const auto rotation = [](const scenes::Orientation& o) {
+    return rotation_matrix(euler_parameters_of<Quad>(o));
+  };
+  EXPECT_LE(distance(rotation(scenes::EulerAngles{{0.3, -0.4, 1.2}, sequence}), A), 1e-32);
+
+  scenes::RotationMatrix matrix;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) matrix.A[r][c] = static_cast<double>(A(r, c));
+  EXPECT_LE(distance(rotation(matrix), A), 1e-15);
+
+  const Vector4<double> p = scalar_cast<double>(euler_parameters(A));
+  EXPECT_LE(distance(rotation(scenes::EulerParameters{{3 * p[0], 3 * p[1], 3 * p[2], 3 * p[3]}}), A), 1e-15);
+
+  const Vector3<double> e = p.tail<3>();
+  const double angle = 2 * std::atan2(e.norm(), p[0]);
+  EXPECT_LE(distance(rotation(scenes::AxisAngle{{5 * e[0], 5 * e[1], 5 * e[2]}, angle}), A), 1e-15);
+}
+
+TEST(Orientation, IsUnitToTheLastBitOfEveryScalar) {
+  const scenes::EulerParameters written{{0.7, 0.1, -0.3, 0.2}};
+  EXPECT_NEAR(euler_parameters_of<double>(written).norm(), 1, 2e-16);
+  EXPECT_LE(std::abs(static_cast<double>(Quad(euler_parameters_of<Quad>(written).norm() - 1))), 2e-34);
+  EXPECT_LE(std::abs(static_cast<double>(Real50(euler_parameters_of<Real50>(written).norm() - 1))), 1e-49);
+}
+
+TEST(MechanismState, SurvivesBeingWrittenBack) {
+  test::Random random(81);
+  scenes::Scene scene;
+  scene.bodies = {test::body("a", 1), test::body("b", 2)};
+  MechanismState<double> state;
+  for (int b = 0; b < 2; ++b) {
+    state.pose.push_back({random.vector<double, 3>(), random.euler_parameters<double>()});
+    state.twist.push_back({random.vector<double, 3>(), random.vector<double, 3>()});
+  }
+  set_state(scene, state);
+  const auto back = make_state<double>(scene, 2.5);
+  EXPECT_EQ(back.t, 2.5);
+  for (int b = 0; b < 2; ++b) {
+    EXPECT_EQ(back.pose[b].r, state.pose[b].r);
+    EXPECT_LE(distance(back.pose[b].p, state.pose[b].p), 2e-16);
+    EXPECT_EQ(back.twist[b].r_dot, state.twist[b].r_dot);
+    EXPECT_EQ(back.twist[b].omega_bar, state.twist[b].omega_bar);
+  }
+}
+
+}  // namespace
+}  // namespace trivium
