@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes by name or path, and the exit codes that every executable keeps to.
+/// Scenes by name or path, and how programs on them end.
 
 #include <filesystem>
 #include <functional>
@@ -7,15 +7,9 @@
 #include <vector>
 
 #include "scenes/scene.hpp"
+#include "validation/exit_code.hpp"
 
 namespace trivium {
-
-enum ExitCode : int {
-  exit_done = 0,
-  exit_criterion_failed = 1,
-  exit_input_error = 2,
-  exit_solver_failed = 3
-};
 
 /// The folder of the catalogue: $TRIVIUM_SCENES, else share/trivium/scenes beside the installed program, else
 /// the source tree's.

@@ -99,16 +99,20 @@ std::vector<std::string> columns() {
   return names;
 }
 
-std::vector<std::string> fields(const Answer& a, const char* format) {
+/// `number` writes a number.
+template <class Number>
+std::vector<std::string> fields(const Answer& a, const Number& number) {
   std::vector<std::string> out{a.scene, std::to_string(a.nb), std::to_string(a.nc), std::to_string(a.rank),
-                               fmt::format(fmt::runtime(format), a.kappa)};
+                               number(a.kappa)};
   const bool comparable = a.verdict == Verdict::ok || a.verdict == Verdict::exceeds;
   for (std::size_t k = 0; k < std::size(pairs); ++k)
-    out.push_back(comparable ? fmt::format(fmt::runtime(format), a.difference[k]) : "none");
-  out.push_back(fmt::format(fmt::runtime(format), a.bound));
+    out.push_back(comparable ? number(a.difference[k]) : "none");
+  out.push_back(number(a.bound));
   out.push_back(name_of(a.verdict));
   return out;
 }
+
+std::string short_number(double x) { return fmt::format("{:.1e}", x); }
 
 class Survey {
  public:
@@ -126,7 +130,7 @@ class Survey {
     for (std::size_t k = 0; k < answers_.size(); ++k)
       if (k < scenes || all_rows || answers_[k].verdict == Verdict::exceeds ||
           answers_[k].verdict == Verdict::error)
-        table.add(fields(answers_[k], "{:.1e}"));
+        table.add(fields(answers_[k], short_number));
     std::string out = table.text();
     for (const Answer& a : answers_)
       if (!a.error.empty()) out += fmt::format("{}: {}\n", a.scene, a.error);
@@ -200,7 +204,7 @@ int run(const Arguments& arguments, int argc, char** argv) {
   }
   if (!arguments.csv.empty()) {
     ResultsFile file("lambda_invariance", columns());
-    for (const Answer& answer : survey.answers()) file.add(fields(answer, "{:.3e}"));
+    for (const Answer& answer : survey.answers()) file.add(fields(answer, results_number));
     file.write(arguments.csv, argc, argv);
   }
   fmt::print("{}", arguments.json ? survey.json() : survey.text(scenes.size(), arguments.all_rows));

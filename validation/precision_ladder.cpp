@@ -67,21 +67,19 @@ std::vector<Rung> climb_all(const scenes::Scene& scene) {
 }
 
 std::vector<std::string> columns() {
-  return {"scene", "nb", "nc", "rank", "kappa", "scalar", "u", "difference", "ratio", "bound", "verdict"};
+  return {"scene", "nb", "nc", "rank", "kappa", "scalar", "u", "difference", "bound", "verdict"};
 }
 
 std::vector<std::string> fields(const Rung& r) {
-  const auto number = [](double x) { return fmt::format("{:.3e}", x); };
   return {r.scene,
           std::to_string(r.nb),
           std::to_string(r.nc),
           std::to_string(r.rank),
-          number(r.kappa),
+          results_number(r.kappa),
           r.scalar,
-          number(r.u),
-          r.any_unique ? number(r.difference) : "none",
-          r.any_unique ? number(r.ratio()) : "none",
-          number(r.bound()),
+          results_number(r.u),
+          r.any_unique ? results_number(r.difference) : "none",
+          results_number(r.bound()),
           r.verdict()};
 }
 

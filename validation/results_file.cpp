@@ -4,9 +4,10 @@
 
 #include <fstream>
 
-#include "bodies/error.hpp"
 #include "build_info.hpp"
+#include "validation/checksum.hpp"
 #include "validation/text_output.hpp"
+#include "validation/whole_file.hpp"
 
 namespace trivium {
 
@@ -28,17 +29,6 @@ std::string csv_line(const std::vector<std::string>& fields) {
   return line + "\n";
 }
 
-void write_whole(const fs::path& file, const std::string& text) {
-  const fs::path partial = fs::path(file).concat(".partial");
-  {
-    std::ofstream out(partial, std::ios::binary);
-    out << text;
-    out.flush();
-    if (!out) throw fs::filesystem_error("cannot write", file, std::make_error_code(std::errc::io_error));
-  }
-  fs::rename(partial, file);
-}
-
 std::string cpu_model() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);)
@@ -47,6 +37,8 @@ std::string cpu_model() {
 }
 
 }  // namespace
+
+std::string results_number(double x) { return fmt::format("{:.6e}", x); }
 
 ResultsFile::ResultsFile(std::string name, std::vector<std::string> columns)
     : name_(std::move(name)), columns_(std::move(columns)) {}
@@ -67,6 +59,7 @@ void ResultsFile::write(const fs::path& file, int argc, const char* const* argv)
   manifest.begin_object()
       .text("results", name_)
       .text("command", command)
+      .text("csv_sha1", sha1_of(csv))
       .text("commit", build_info::commit)
       .text("compiler", build_info::compiler)
       .text("flags", build_info::flags)

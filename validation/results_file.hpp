@@ -7,6 +7,9 @@
 
 namespace trivium {
 
+/// A number as results keep it: what rounding left of a difference has no more digits worth keeping.
+std::string results_number(double x);
+
 /// The question that a validation executable answers, as data: one row an answer.
 class ResultsFile {
  public:
@@ -14,8 +17,8 @@ class ResultsFile {
 
   void add(std::vector<std::string> row);
 
-  /// Writes FILE (CSV) and FILE with the extension .manifest.json: commit, compiler, flags, versions, CPU and
-  /// command line. Both appear whole or not at all.
+  /// Writes FILE (CSV) and FILE with the extension .manifest.json: commit, compiler, flags, versions, CPU,
+  /// command line and the CSV's checksum. Both appear whole or not at all.
   void write(const std::filesystem::path& file, int argc, const char* const* argv) const;
 
  private:

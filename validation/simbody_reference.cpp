@@ -7,9 +7,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 
 #include "validation/catalogue.hpp"
+#include "validation/progress.hpp"
+#include "validation/results_file.hpp"
 #include "validation/simbody_comparison.hpp"
 #include "validation/text_output.hpp"
 
@@ -108,53 +109,28 @@ std::string json(const Arguments& arguments, const std::vector<SimbodyComparison
   return json.end_array().end_object().str();
 }
 
-std::string csv_text(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
-/// One row a scene and way; an empty cell where there is nothing to compare.
-std::string csv(const std::vector<SimbodyComparison>& comparisons) {
-  std::string out =
-      "scene,way,twin,nb,nc,rank,mobilizers,constraint_rows,idle_rows,kappa,pose_defect,acceleration,lambda,"
-      "reaction,bound,verdict,refusal\n";
+/// One row a scene and way.
+ResultsFile results(const std::vector<SimbodyComparison>& comparisons) {
+  ResultsFile file(
+      "simbody_reference",
+      {"scene", "way", "twin", "nb", "nc", "rank", "mobilizers", "constraint_rows", "idle_rows", "kappa",
+       "pose_defect", "acceleration", "lambda", "reaction", "bound", "verdict", "refusal"});
   for (const SimbodyComparison& c : comparisons) {
     const SimbodyDistance d = c.worst();
-    const auto cell = [&](bool known, double x) {
-      return known && c.solved() ? number_text(x) : std::string();
+    const auto number_if = [&](bool known, double x) {
+      return known && c.solved() ? results_number(x) : std::string("none");
     };
-    const std::vector<std::string> cells{csv_text(c.scene),
-                                         csv_text(name_of(c.way)),
-                                         number_text(c.twin ? 1.0 : 0.0),
-                                         std::to_string(c.nb),
-                                         std::to_string(c.nc),
-                                         std::to_string(c.rank),
-                                         std::to_string(c.mobilizers),
-                                         std::to_string(c.constraint_rows),
-                                         std::to_string(c.idle_rows),
-                                         number_text(c.kappa),
-                                         number_text(c.pose_defect),
-                                         cell(true, d.acceleration),
-                                         cell(c.any_unique, d.lambda),
-                                         cell(c.any_constraint, d.reaction),
-                                         number_text(c.bound()),
-                                         verdict_of(c),
-                                         csv_text(c.refusal)};
-    out += fmt::format("{}\n", fmt::join(cells, ","));
+    file.add({c.scene, std::string(name_of(c.way)), c.twin ? "yes" : "no", std::to_string(c.nb),
+              std::to_string(c.nc), std::to_string(c.rank), std::to_string(c.mobilizers),
+              std::to_string(c.constraint_rows), std::to_string(c.idle_rows), results_number(c.kappa),
+              results_number(c.pose_defect), number_if(true, d.acceleration),
+              number_if(c.any_unique, d.lambda), number_if(c.any_constraint, d.reaction),
+              results_number(c.bound()), verdict_of(c), c.refusal});
   }
-  return out;
+  return file;
 }
 
-int run(const Arguments& arguments) {
-  std::ofstream csv_file;
-  if (!arguments.csv.empty()) {  // before the work, so that a bad path costs nothing
-    csv_file.open(arguments.csv);
-    if (!csv_file) {
-      fmt::print(stderr, "error: cannot write {}\n", arguments.csv);
-      return exit_input_error;
-    }
-  }
+int run(const Arguments& arguments, int argc, char** argv) {
   std::vector<std::string> paths = arguments.scenes;
   if (paths.empty())
     for (const auto& path : catalogue()) paths.push_back(path.string());
@@ -162,14 +138,18 @@ int run(const Arguments& arguments) {
   for (const std::string& path : paths) scenes.push_back(load_scene(path));
 
   std::vector<SimbodyComparison> comparisons;
-  for (const scenes::Scene& scene : scenes) {
-    fmt::print(stderr, "{}\n", scene.name);
-    for (SimbodyComparison& c : compare_with_simbody(scene, arguments.t)) comparisons.push_back(std::move(c));
+  {
+    Progress progress("simbody_reference", scenes.size());
+    for (const scenes::Scene& scene : scenes) {
+      for (SimbodyComparison& c : compare_with_simbody(scene, arguments.t))
+        comparisons.push_back(std::move(c));
+      progress.step();
+    }
   }
+  if (!arguments.csv.empty()) results(comparisons).write(arguments.csv, argc, argv);
   fmt::print(stderr, "{}", failures(comparisons));
   fmt::print("{}",
              arguments.json ? json(arguments, comparisons) : table(comparisons) + refusals(comparisons));
-  csv_file << csv(comparisons);
 
   const auto all = [&](auto is) { return std::all_of(comparisons.begin(), comparisons.end(), is); };
   if (!all([](const SimbodyComparison& c) { return c.solved(); })) return exit_solver_failed;
@@ -184,14 +164,15 @@ int main(int argc, char** argv) {
   using namespace trivium;
   CLI::App app{"Accelerations, multipliers and reactions of scenes against Simbody", "simbody_reference"};
   Arguments arguments;
-  app.add_option("scenes", arguments.scenes, "Scene files or names of the catalogue (default: all of it)");
+  app.set_version_flag("--version", "trivium " TRIVIUM_VERSION);
+  app.add_option("SCENE", arguments.scenes, "Scene files or catalogue names (default: the whole catalogue)");
   app.add_option("--time", arguments.t, "The time of the scenes' states [s]");
-  app.add_flag("--json", arguments.json, "Print JSON");
-  app.add_option("--csv", arguments.csv, "Also write the table to this file");
+  app.add_flag("--json", arguments.json, "JSON on stdout");
+  app.add_option("--csv", arguments.csv, "Write the table to this CSV file, and a manifest beside it");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? exit_done : exit_input_error;
   }
-  return run_guarded([&] { return run(arguments); });
+  return run_guarded([&] { return run(arguments, argc, argv); });
 }

@@ -1,0 +1,13 @@
+#pragma once
+/// The exit codes that every executable keeps to.
+
+namespace trivium {
+
+enum ExitCode : int {
+  exit_done = 0,
+  exit_criterion_failed = 1,
+  exit_input_error = 2,
+  exit_solver_failed = 3
+};
+
+}  // namespace trivium
