@@ -55,10 +55,11 @@ std::string precision_ladder_table(Results& results, Numbers& numbers) {
       falls = falls && difference < previous;
       previous = difference;
       all[k].difference.add(difference, scene);
-      ratios.add(difference / (table.number(row, "u") * table.number(row, "kappa")));
-      all[k].ratio.add(difference / (table.number(row, "u") * table.number(row, "kappa")), scene);
+      const double in_u_kappa = difference / (table.number(row, "u") * table.number(row, "kappa"));
+      ratios.add(in_u_kappa);
+      all[k].ratio.add(in_u_kappa, scene);
       if (scene == "heavy_top")
-        numbers.define(std::string("HeavyTop") + scalars[k].macro, ratio_in_text(ratios.worst()));
+        numbers.define(std::string("HeavyTop") + scalars[k].macro, ratio_in_text(in_u_kappa));
     }
     if (ratios.size() == 0) {
       cells.push_back(text("none"));
