@@ -43,22 +43,17 @@ struct Group {
     ratio.add(bound_factor * largest / table.number(row, "bound"), scene);
   }
 
+  /// The numbers quoted of every group.
   void define(Numbers& numbers, const std::string& prefix) const {
     numbers.define(prefix + "Count", integer(count));
     numbers.define(prefix + "Compared", integer(worst.size()));
     numbers.define(prefix + "Failed", integer(failed));
-    numbers.define(prefix + "Unconstrained", integer(unconstrained));
-    numbers.define(prefix + "Ambiguous", integer(ambiguous));
     numbers.define(prefix + "MostBodies", whole(bodies.worst()));
-    numbers.define(prefix + "MostRows", whole(rows.worst()));
-    numbers.define(prefix + "KappaMedian", in_text(kappa.median()));
     numbers.define(prefix + "KappaWorst", in_text(kappa.worst()));
     numbers.define(prefix + "Median", in_text(worst.median()));
     numbers.define(prefix + "Worst", in_text(worst.worst()));
-    numbers.define(prefix + "WorstScene", text(worst.worst_name()));
     numbers.define(prefix + "RatioMedian", ratio_in_text(ratio.median()));
     numbers.define(prefix + "RatioWorst", ratio_in_text(ratio.worst()));
-    numbers.define(prefix + "RatioWorstScene", text(ratio.worst_name()));
   }
   static Tex whole(double n) { return integer(static_cast<std::size_t>(n)); }
 };
@@ -87,7 +82,7 @@ std::string lambda_invariance_table(Results& results, Numbers& numbers) {
                 {"r", {"$n_b$"}},
                 {"r", {"$n_c$"}},
                 {"r", {"rank"}},
-                {scientific, {"$\\kappa$"}},
+                {condition, {"$\\kappa$"}},
                 {scientific, {"\\romega/\\rp"}},
                 {scientific, {"\\romega/\\reps"}},
                 {scientific, {"\\rp/\\reps"}},
@@ -115,6 +110,11 @@ std::string lambda_invariance_table(Results& results, Numbers& numbers) {
   out.add(summary_row(name + "median", random, &Sample::median));
   out.add(summary_row(name + "worst", random, &Sample::worst));
   scenes.define(numbers, "Scene");
+  numbers.define("SceneUnconstrained", integer(scenes.unconstrained));
+  numbers.define("SceneAmbiguous", integer(scenes.ambiguous));
+  numbers.define("SceneMostRows", Group::whole(scenes.rows.worst()));
+  numbers.define("SceneWorstScene", text(scenes.worst.worst_name()));
+  numbers.define("SceneRatioWorstScene", text(scenes.ratio.worst_name()));
   random.define(numbers, "Random");
   numbers.define("BoundFactor", ratio_in_text(factor));
   return out.str("results/lambda_invariance.csv");

@@ -27,7 +27,7 @@ std::string precision_ladder_table(Results& results, Numbers& numbers) {
   const ResultsTable& table = results["precision_ladder"];
   constexpr std::size_t rungs = std::size(scalars);
   if (table.rows.size() % rungs != 0) throw ResultsError("precision_ladder: a scene lacks a precision");
-  std::vector<TexColumn> columns{{"l", {"scene"}}, {"r", {"$n_b$"}}, {scientific, {"$\\kappa$"}}};
+  std::vector<TexColumn> columns{{"l", {"scene"}}, {"r", {"$n_b$"}}, {condition, {"$\\kappa$"}}};
   for (const Scalar& scalar : scalars) columns.push_back({scientific, text(scalar.heading)});
   columns.push_back({"S[table-format=2.3]", {"worst$/(u\\kappa)$"}});
   TexTable out(columns);
@@ -75,13 +75,12 @@ std::string precision_ladder_table(Results& results, Numbers& numbers) {
     const std::string macro = std::string("Ladder") + scalars[k].macro;
     numbers.define(macro + "U", in_text(all[k].u.worst()));
     numbers.define(macro + "Median", in_text(all[k].difference.median()));
-    numbers.define(macro + "Worst", in_text(all[k].difference.worst()));
-    numbers.define(macro + "WorstScene", text(all[k].difference.worst_name()));
     numbers.define(macro + "RatioMedian", ratio_in_text(all[k].ratio.median()));
-    numbers.define(macro + "RatioWorst", ratio_in_text(all[k].ratio.worst()));
   }
   numbers.define("LadderFiftyFloor", power_of_ten_in_text(all.back().bound.least()));
-  numbers.define("LadderScenes", integer(table.rows.size() / rungs));
+  numbers.define("LadderFloatWorst", in_text(all.front().difference.worst()));
+  numbers.define("LadderFiftyWorst", in_text(all.back().difference.worst()));
+  numbers.define("LadderFiftyWorstScene", text(all.back().difference.worst_name()));
   numbers.define("LadderCompared", integer(compared));
   numbers.define("LadderFalling", integer(falling));
   numbers.define("LadderFailed", integer(failed));

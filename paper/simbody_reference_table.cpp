@@ -40,7 +40,7 @@ std::string simbody_reference_table(Results& results, Numbers& numbers) {
   std::map<std::string, Sample> distance;
   Sample bound, defect;
   std::set<std::string> twin_scenes;
-  std::size_t agreeing = 0, twins = 0, mobilized = 0, idle = 0, custom_rows = 0;
+  std::size_t agreeing = 0, twins = 0, mobilized = 0, idle = 0;
   for (std::size_t first = 0; first < table.rows.size(); first += ways.size()) {
     const std::string& scene = table.text(first, "scene");
     std::vector<Tex> cells{text(scene)};
@@ -59,7 +59,6 @@ std::string simbody_reference_table(Results& results, Numbers& numbers) {
       if (table.text(row, "verdict") == "agrees") ++agreeing;
       bound.add(table.number(row, "bound"), scene);
       defect.add(table.number(row, "pose_defect"), scene);
-      custom_rows += static_cast<std::size_t>(table.number(row, "constraint_rows"));
       idle += static_cast<std::size_t>(table.number(row, "idle_rows"));
       if (w == 0 && table.number(row, "mobilizers") > 0) ++mobilized;
     }
@@ -70,15 +69,14 @@ std::string simbody_reference_table(Results& results, Numbers& numbers) {
         std::pair{"reaction", "SimbodyReaction"}}) {
     numbers.define(std::string(macro) + "Median", in_text(distance[quantity].median()));
     numbers.define(std::string(macro) + "Worst", in_text(distance[quantity].worst()));
-    numbers.define(std::string(macro) + "WorstScene", text(distance[quantity].worst_name()));
   }
+  numbers.define("SimbodyLambdaWorstScene", text(distance["lambda"].worst_name()));
   numbers.define("SimbodyScenes", integer(table.rows.size() / ways.size()));
   numbers.define("SimbodyComparisons", integer(table.rows.size()));
   numbers.define("SimbodyAgreeing", integer(agreeing));
   numbers.define("SimbodyTwins", integer(twins));
   numbers.define("SimbodyTwinScenes", integer(twin_scenes.size()));
   numbers.define("SimbodyMobilized", integer(mobilized));
-  numbers.define("SimbodyConstraintRows", integer(custom_rows));
   numbers.define("SimbodyIdleRows", integer(idle));
   numbers.define("SimbodyPoseDefect", in_text(defect.worst()));
   numbers.define("SimbodyFloor", power_of_ten_in_text(bound.least()));

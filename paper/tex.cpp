@@ -49,7 +49,9 @@ std::string TexTable::line(const std::vector<Tex>& cells) const {
   std::string out;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const std::string& cell = cells[k].source;
-    const bool as_text = columns_[k].type.starts_with('S') && std::isnan(to_number(cell)) && !cell.empty();
+    // braces centre what is no number, and a bare zero, which has no point to align
+    const bool as_text =
+        columns_[k].type.starts_with('S') && !cell.empty() && (std::isnan(to_number(cell)) || cell == "0");
     out += (k == 0 ? "" : " & ") + (as_text ? "{" + cell + "}" : cell);
   }
   return out + " \\\\\n";

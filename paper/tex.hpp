@@ -33,6 +33,8 @@ struct TexColumn {
 
 /// A floating number column: d.d e +-dd.
 inline const std::string scientific = "S[table-format=1.1e-2]";
+/// The same for numbers of at least 1 and below 10^10.
+inline const std::string condition = "S[table-format=1.1e1]";
 
 class TexTable {
  public:

@@ -23,6 +23,7 @@ string(FIND "${source}" "\\begin{document}" from)
 string(FIND "${source}" "\\begin{thebibliography}" to)
 math(EXPR length "${to} - ${from}")
 string(SUBSTRING "${source}" ${from} ${length} text)
+string(REGEX REPLACE "\\\\setlength{[^}]*}{[^}]*}" "" text "${text}")
 file(READ ${PAPER}/tables/numbers.tex numbers)
 # commands of numbers.tex start with a capital letter, and so do few of LaTeX
 string(REGEX MATCHALL "\\\\[A-Z][A-Za-z]+" used "${text}")
