@@ -67,14 +67,14 @@ AccelerationDistance acceleration_distance(const RowAnalysis& rows, const Physic
   return {relative(r + omega), relative(r), relative(omega)};
 }
 
-/// One formulation's augmented system at one state, factored.
+/// One formulation's augmented system at one state, redundant rows left out, and what a solution of it means.
 template <Formulation F>
-class AugmentedSolver {
+class AugmentedEquations {
  public:
   using S = typename F::Scalar;
 
-  AugmentedSolver(const Mechanism<S>& mechanism, const MechanismState<S>& state, const RowAnalysis& rows,
-                  const ChartOptions& options = {})
+  AugmentedEquations(const Mechanism<S>& mechanism, const MechanismState<S>& state, const RowAnalysis& rows,
+                     const ChartOptions& options = {})
       : mechanism_(mechanism),
         rows_(rows),
         states_(to_coordinates<F>(mechanism, state, options)),
@@ -87,20 +87,12 @@ class AugmentedSolver {
     matrix_ = K(kept_, kept_);
     right_side_ = system.right_side()(kept_);
     full_size_ = K.rows();
-    full_nonzeros_ = (K.array() != S(0)).count();
   }
 
   const EquationsOfMotion<F>& equations() const { return eom_; }
   const std::vector<BodyState<F>>& states() const { return states_; }
   const MatrixX<S>& matrix() const { return matrix_; }  ///< printed order, redundant rows left out
   const VectorX<S>& right_side() const { return right_side_; }
-  Eigen::Index printed_size() const { return full_size_; }          ///< of the printed matrix, all rows
-  Eigen::Index printed_nonzeros() const { return full_nonzeros_; }  ///< of the same
-
-  /// The unknowns in printed order, redundant rows left out.
-  VectorX<S> solve() { return solver().solve(right_side_); }
-  /// K^-1 b by the factors at hand, unrefined.
-  VectorX<S> substitute(const VectorX<S>& b) { return solver().substitute(b); }
 
   /// The unknowns by name; lambda is 0 in redundant rows, or with `minimum_norm` of minimum norm among the
   /// equivalent.
@@ -129,11 +121,6 @@ class AugmentedSolver {
   }
 
  private:
-  DenseSolver<S>& solver() {
-    if (!solver_) solver_ = std::make_unique<DenseSolver<S>>(matrix_);
-    return *solver_;
-  }
-
   const Mechanism<S>& mechanism_;
   const RowAnalysis& rows_;
   std::vector<BodyState<F>> states_;
@@ -141,8 +128,26 @@ class AugmentedSolver {
   std::vector<Eigen::Index> kept_;
   MatrixX<S> matrix_;
   VectorX<S> right_side_;
-  Eigen::Index full_size_ = 0, full_nonzeros_ = 0;
-  std::unique_ptr<DenseSolver<S>> solver_;
+  Eigen::Index full_size_ = 0;
+};
+
+/// The same, factored.
+template <Formulation F>
+class AugmentedSolver : public AugmentedEquations<F> {
+ public:
+  using S = typename F::Scalar;
+
+  AugmentedSolver(const Mechanism<S>& mechanism, const MechanismState<S>& state, const RowAnalysis& rows,
+                  const ChartOptions& options = {})
+      : AugmentedEquations<F>(mechanism, state, rows, options), solver_(this->matrix()) {}
+
+  /// The unknowns in printed order, redundant rows left out.
+  VectorX<S> solve() const { return solver_.solve(this->right_side()); }
+  /// K^-1 b by the factors at hand, unrefined.
+  VectorX<S> substitute(const VectorX<S>& b) const { return solver_.substitute(b); }
+
+ private:
+  DenseSolver<S> solver_;
 };
 
 struct ErrorEstimate {
@@ -156,8 +161,8 @@ struct ErrorEstimate {
 /// gives the solution to well beyond S, and the distance to it is the error. Twice that distance, plus what
 /// the last correction leaves in doubt, plus u, is reported.
 template <Formulation F, Formulation Higher>
-ErrorEstimate estimate_error(AugmentedSolver<F>& solver, const VectorX<typename F::Scalar>& x,
-                             const AugmentedSolver<Higher>& higher, const RowAnalysis& rows) {
+ErrorEstimate estimate_error(const AugmentedSolver<F>& solver, const VectorX<typename F::Scalar>& x,
+                             const AugmentedEquations<Higher>& higher, const RowAnalysis& rows) {
   using S = typename F::Scalar;
   using H = typename Higher::Scalar;
   const PhysicalSolution<S> low = solver.physical(x);

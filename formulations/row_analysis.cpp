@@ -225,8 +225,10 @@ RowAnalysis analyse_rows(const TangentSystem& s) {
   MatrixX<double> W = metric.half_solve(s.Phi.transpose());
   out.E = W.colwise().norm();
   const VectorX<double> E_inverse = inverse_or_zero(out.E);
+  // magnitudes throughout: M^-1 |Q| has components of either sign where the metric couples coordinates
   out.lambda_cause =
-      s.Phi.cwiseAbs() * metric.half_solve_transposed(metric.half_solve(Q_magnitude)) + s.gamma.cwiseAbs();
+      s.Phi.cwiseAbs() * metric.half_solve_transposed(metric.half_solve(Q_magnitude)).cwiseAbs() +
+      s.gamma.cwiseAbs();
   out.acceleration_cause += E_inverse.cwiseProduct(s.gamma).norm();
   decide_rank(s, out);
 

@@ -31,7 +31,6 @@ struct FormulationResult {
   std::vector<std::string> charts;  ///< per body; empty for formulations without charts
   ErrorEstimate estimate;
   MatrixFreeResidual residual;
-  Eigen::Index matrix_size = 0, matrix_nonzeros = 0;  ///< of the printed augmented matrix, all rows
 };
 
 struct Discrepancy {
@@ -74,6 +73,19 @@ extern template SideBySide<double> solve_side_by_side(const scenes::Scene&, doub
 extern template SideBySide<long double> solve_side_by_side(const scenes::Scene&, double, const SolveOptions&);
 extern template SideBySide<Quad> solve_side_by_side(const scenes::Scene&, double, const SolveOptions&);
 extern template SideBySide<Real50> solve_side_by_side(const scenes::Scene&, double, const SolveOptions&);
+
+/// How full a formulation's printed augmented matrix is, all rows of Phi in it.
+struct Sparsity {
+  std::string name;
+  long size = 0, nonzeros = 0;
+  double percent() const {
+    return size == 0 ? 0.0
+                     : 100.0 * static_cast<double>(nonzeros) /
+                           (static_cast<double>(size) * static_cast<double>(size));
+  }
+};
+/// Entries that are not zero at the scene's state, in every formulation; nothing dense is built.
+std::vector<Sparsity> augmented_sparsity(const scenes::Scene& scene, double t);
 
 /// The row analysis of the scene's state, in double.
 RowAnalysis analyse_rows(const scenes::Scene& scene, double t);

@@ -22,7 +22,7 @@ FormulationResult<typename F::Scalar> solve_one(const SceneIn<typename F::Scalar
                                                 const RowAnalysis& rows, const ChartOptions& charts) {
   using S = typename F::Scalar;
   FormulationResult<S> result;
-  AugmentedSolver<F> solver(scene.mechanism, scene.state, rows, charts);
+  const AugmentedSolver<F> solver(scene.mechanism, scene.state, rows, charts);
   const VectorX<S> x = solver.solve();
   if (!x.allFinite())
     throw ModelError(
@@ -31,15 +31,13 @@ FormulationResult<typename F::Scalar> solve_one(const SceneIn<typename F::Scalar
   const Unknowns<F> u = solver.unknowns(x);
   result.lambda_internal = u.lambda_internal;
   result.residual = solver.residual(x);
-  result.matrix_size = solver.printed_size();
-  result.matrix_nonzeros = solver.printed_nonzeros();
   for (const Joint<S>& joint : scene.mechanism.joints)
     result.reactions.push_back(joint_reaction<F>(solver.equations(), joint, u.lambda, End::j)
                                    .about(joint_point<F>(solver.equations(), joint)));
   for (const BodyState<F>& body : solver.states())
     if (const std::string chart(body.chart.name()); !chart.empty()) result.charts.push_back(chart);
   if (higher) {
-    const AugmentedSolver<Higher> judge(higher->mechanism, higher->state, rows, charts);
+    const AugmentedEquations<Higher> judge(higher->mechanism, higher->state, rows, charts);
     result.estimate = estimate_error<F, Higher>(solver, x, judge, rows);
   }
   return result;

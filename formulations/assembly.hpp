@@ -1,0 +1,41 @@
+#pragma once
+/// Does a state satisfy its constraints, and the projection of one that does not.
+
+#include <string>
+#include <vector>
+
+#include "formulations/row_analysis.hpp"
+
+namespace trivium {
+
+/// How far one row is from holding: |Phi| or |Phi_q q' - nu| divided by the norm of the row's Jacobian, so
+/// metres or radians (per second), whatever the scaling of the row.
+struct Violation {
+  std::string row;
+  double residual = 0;  ///< Phi, or Phi_q q' - nu
+  double size = 0;      ///< in m or rad (per second)
+  bool exceeds = false;
+};
+
+struct Consistency {
+  std::vector<Violation> positions, velocities;  ///< every row, in order
+  std::vector<std::string> wrong_branches;  ///< joints whose rows hold on a branch that is not the joint's
+  double position_tolerance = 0, velocity_tolerance = 0;
+
+  bool holds() const;
+  /// The offending rows, worst first, with their residuals; empty where all holds.
+  std::string report() const;
+};
+
+/// A state is consistent to 1e-8 of the scene's own lengths and speeds (and 1e-12 where nothing moves).
+Consistency check_consistency(const Mechanism<double>& mechanism, const MechanismState<double>& state);
+
+/// Projects positions, then velocities, onto the constraints: mass-weighted least change (Metric), by
+/// Gauss-Newton steps to the rounding level; redundant rows are allowed. Throws a ModelError naming the rows
+/// that cannot be met together.
+MechanismState<double> assemble(const Mechanism<double>& mechanism, MechanismState<double> state);
+
+/// The velocity part alone.
+void project_velocities(const Mechanism<double>& mechanism, MechanismState<double>& state);
+
+}  // namespace trivium

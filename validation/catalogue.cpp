@@ -1,0 +1,58 @@
+#include "validation/catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "bodies/error.hpp"
+#include "scenes/scene_file.hpp"
+
+namespace trivium {
+
+namespace fs = std::filesystem;
+
+fs::path catalogue_directory() {
+  if (const char* from_environment = std::getenv("TRIVIUM_SCENES")) return from_environment;
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    const fs::path installed = program.parent_path().parent_path() / "share" / "trivium" / "scenes";
+    if (fs::is_directory(installed)) return installed;
+  }
+  return TRIVIUM_SOURCE_SCENES;
+}
+
+std::vector<fs::path> catalogue() {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(catalogue_directory()))
+    if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema")
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+scenes::Scene load_scene(const std::string& path_or_name) {
+  const fs::path by_name = catalogue_directory() / (path_or_name + ".json");
+  const bool is_name =
+      path_or_name.find('/') == std::string::npos && !fs::exists(path_or_name) && fs::exists(by_name);
+  return scenes::read_scene_file(is_name ? by_name : fs::path(path_or_name));
+}
+
+int run_guarded(const std::function<int()>& program) {
+  try {
+    return program();
+  } catch (const scenes::SceneError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return exit_input_error;
+  } catch (const ModelError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return exit_solver_failed;
+  } catch (const fs::filesystem_error& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return exit_input_error;
+  }
+}
+
+}  // namespace trivium

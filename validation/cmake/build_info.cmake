@@ -1,0 +1,9 @@
+cmake_minimum_required(VERSION 3.25)
+# Writes build_info.hpp: what results say about the program that made them. Run at every build, so that the commit is
+# that of the sources; the file changes only when what it says does.
+execute_process(COMMAND git -C ${SOURCE_DIR} describe --always --dirty --abbrev=12
+                OUTPUT_VARIABLE COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(NOT COMMIT)
+  set(COMMIT "unknown")
+endif()
+configure_file(${SOURCE_DIR}/validation/cmake/build_info.hpp.in ${OUTPUT} @ONLY)

@@ -1,0 +1,13 @@
+cmake_minimum_required(VERSION 3.25)
+# Every source is formatted as .clang-format says; skipped (by its message) where clang-format is not installed.
+find_program(CLANG_FORMAT NAMES clang-format clang-format-14)
+if(NOT CLANG_FORMAT)
+  message("clang-format is not installed")
+  return()
+endif()
+file(GLOB_RECURSE sources ${SOURCE_DIR}/*.hpp ${SOURCE_DIR}/*.cpp)
+list(FILTER sources EXCLUDE REGEX "^${SOURCE_DIR}/build/")
+execute_process(COMMAND ${CLANG_FORMAT} --dry-run -Werror ${sources} RESULT_VARIABLE result ERROR_VARIABLE output)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${output}")
+endif()

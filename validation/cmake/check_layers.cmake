@@ -1,0 +1,38 @@
+cmake_minimum_required(VERSION 3.25)
+# Who may import whom. Reads the includes of every source below SOURCE_DIR and fails on one that the layers do not allow.
+#   bodies <- constraints <- effects <- scenes <- formulations <- validation, app;  integrators import none of them
+# Of the constraints, effects may see the functions of time alone; app shares validation's output helpers.
+set(bodies_may bodies)
+set(constraints_may bodies constraints)
+set(effects_may bodies effects constraints/time_function.hpp)
+set(scenes_may bodies constraints effects scenes)
+set(formulations_may bodies constraints effects scenes formulations)
+set(integrators_may integrators)
+set(validation_may bodies constraints effects scenes formulations integrators validation)
+set(app_may bodies constraints effects scenes formulations integrators validation app)
+set(paper_may validation paper)
+
+set(layers bodies constraints effects scenes formulations integrators validation app paper)
+set(errors "")
+foreach(layer IN LISTS layers)
+  file(GLOB_RECURSE sources ${SOURCE_DIR}/${layer}/*.hpp ${SOURCE_DIR}/${layer}/*.cpp)
+  foreach(source IN LISTS sources)
+    file(RELATIVE_PATH name ${SOURCE_DIR} ${source})
+    file(STRINGS ${source} includes REGEX "^#include \"")
+    foreach(line IN LISTS includes)
+      string(REGEX REPLACE "^#include \"([^\"]*)\".*" "\\1" included "${line}")
+      string(REGEX REPLACE "/.*" "" folder "${included}")
+      if(NOT folder IN_LIST layers)
+        continue()  # a generated header
+      endif()
+      # a test may use what its own layer's tests share, and nothing above it either
+      if(NOT folder IN_LIST ${layer}_may AND NOT included IN_LIST ${layer}_may)
+        string(APPEND errors "${name} includes \"${included}\", which ${layer}/ may not\n")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+if(errors)
+  message(FATAL_ERROR "${errors}")
+endif()
+message(STATUS "layers hold")

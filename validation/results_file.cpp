@@ -1,0 +1,84 @@
+#include "validation/results_file.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "bodies/error.hpp"
+#include "build_info.hpp"
+#include "validation/text_output.hpp"
+
+namespace trivium {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Quoted where CSV needs it (RFC 4180).
+std::string csv_field(const std::string& s) {
+  if (s.find_first_of(",\"\n") == std::string::npos) return s;
+  std::string out = "\"";
+  for (char c : s) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+std::string csv_line(const std::vector<std::string>& fields) {
+  std::string line;
+  for (const std::string& field : fields) line += (line.empty() ? "" : ",") + csv_field(field);
+  return line + "\n";
+}
+
+void write_whole(const fs::path& file, const std::string& text) {
+  const fs::path partial = fs::path(file).concat(".partial");
+  {
+    std::ofstream out(partial, std::ios::binary);
+    out << text;
+    out.flush();
+    if (!out) throw fs::filesystem_error("cannot write", file, std::make_error_code(std::errc::io_error));
+  }
+  fs::rename(partial, file);
+}
+
+std::string cpu_model() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+}  // namespace
+
+ResultsFile::ResultsFile(std::string name, std::vector<std::string> columns)
+    : name_(std::move(name)), columns_(std::move(columns)) {}
+
+void ResultsFile::add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+
+void ResultsFile::write(const fs::path& file, int argc, const char* const* argv) const {
+  std::string csv = csv_line(columns_);
+  for (const auto& row : rows_) csv += csv_line(row);
+
+  std::string command = name_;  // names of files, not where they lie on this machine
+  for (int k = 1; k < argc; ++k) {
+    const std::string argument = argv[k];
+    command +=
+        " " + (argument.find('/') == std::string::npos ? argument : fs::path(argument).filename().string());
+  }
+  JsonWriter manifest;
+  manifest.begin_object()
+      .text("results", name_)
+      .text("command", command)
+      .text("commit", build_info::commit)
+      .text("compiler", build_info::compiler)
+      .text("flags", build_info::flags)
+      .text("build_type", build_info::build_type)
+      .text("trivium", build_info::version)
+      .text("eigen", build_info::eigen)
+      .text("boost", build_info::boost)
+      .text("simbody", build_info::simbody)
+      .text("cpu", cpu_model())
+      .end_object();
+  write_whole(file, csv);
+  write_whole(fs::path(file).replace_extension(".manifest.json"), manifest.str());
+}
+
+}  // namespace trivium

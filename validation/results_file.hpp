@@ -1,0 +1,27 @@
+#pragma once
+/// What a validation executable leaves behind: a CSV and, beside it, a manifest that says what made it.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace trivium {
+
+/// The question that a validation executable answers, as data: one row an answer.
+class ResultsFile {
+ public:
+  ResultsFile(std::string name, std::vector<std::string> columns);
+
+  void add(std::vector<std::string> row);
+
+  /// Writes FILE (CSV) and FILE with the extension .manifest.json: commit, compiler, flags, versions, CPU and
+  /// command line. Both appear whole or not at all.
+  void write(const std::filesystem::path& file, int argc, const char* const* argv) const;
+
+ private:
+  std::string name_;
+  std::vector<std::string> columns_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace trivium

@@ -1,0 +1,215 @@
+#include "validation/simbody_comparison.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+
+#include "validation/physical_twin.hpp"
+#include "validation/simbody_translation.hpp"
+
+namespace trivium {
+
+namespace {
+
+using Vector6 = Vector<double, 6>;
+
+Vector3<double> eigen(const simbody::Vector3& v) { return {v[0], v[1], v[2]}; }
+
+/// What both sides' reactions are turned into for comparison.
+class ReactionFrame {
+ public:
+  ReactionFrame(const scenes::Scene& scene, double t, const RowAnalysis& rows)
+      : mechanism_(make_mechanism<double>(scene)), state_(make_state<double>(scene, t)), rows_(rows) {
+    Phi_ = tangent_system(mechanism_, state_).Phi;
+  }
+
+  const Mechanism<double>& mechanism() const { return mechanism_; }
+
+  /// The metric wrenches of all unique joint reactions, then those of all joints together on every body.
+  /// `reactions` are on body j, about the joint's point on i.
+  VectorX<double> stack(const std::vector<Reaction<double>>& reactions) const {
+    VectorX<double> out = VectorX<double>::Zero(6 * (mechanism_.nb() + unique_joints()));
+    Eigen::Index next = 6 * mechanism_.nb();
+    for (std::size_t k = 0; k < reactions.size(); ++k) {
+      const Joint<double>& joint = mechanism_.joints[k];
+      if (joint.j != mechanism_.ground()) out.segment<6>(6 * joint.j) += metric_wrench(joint.j, reactions[k]);
+      if (joint.i != mechanism_.ground()) out.segment<6>(6 * joint.i) -= metric_wrench(joint.i, reactions[k]);
+      if (!is_unique(joint)) continue;
+      out.segment<6>(next) = metric_wrench(body_of(joint), reactions[k]);
+      next += 6;
+    }
+    return out;
+  }
+
+  /// The lambda of a joint's own rows (independent among themselves) that its reaction stands for.
+  VectorX<double> multipliers(const Joint<double>& joint, const Reaction<double>& reaction) const {
+    const int body = body_of(joint);
+    MatrixX<double> B = Phi_.block(joint.first_row, 6 * body, joint.rows, 6).transpose();
+    B = rows_.acceleration_scale.segment<6>(6 * body).cwiseInverse().asDiagonal() * B;
+    const double on_body = body == joint.j ? 1 : -1;
+    return -on_body * B.colPivHouseholderQr().solve(metric_wrench(body, reaction));
+  }
+
+ private:
+  int body_of(const Joint<double>& joint) const { return joint.j != mechanism_.ground() ? joint.j : joint.i; }
+
+  /// Force over sqrt(m) and torque about the centre of mass, body frame, over sqrt(J).
+  Vector6 metric_wrench(int body, const Reaction<double>& reaction) const {
+    const Pose<double>& pose = state_.pose[static_cast<std::size_t>(body)];
+    const Reaction<double> moved = reaction.about(pose.r);
+    Vector6 wrench;
+    wrench << moved.force, rotation_matrix(pose.p).transpose() * moved.torque;
+    return wrench.cwiseQuotient(rows_.acceleration_scale.segment<6>(6 * body));
+  }
+
+  /// No combination of rows that vanishes has a wrench at this joint.
+  bool is_unique(const Joint<double>& joint) const {
+    if (rows_.redundant.empty()) return true;
+    const MatrixX<double> wrench = Phi_.middleRows(joint.first_row, joint.rows).transpose() *
+                                   rows_.null_basis.middleRows(joint.first_row, joint.rows);
+    const MatrixX<double> scaled = rows_.acceleration_scale.cwiseInverse().asDiagonal() * wrench;
+    return scaled.norm() <= rank_tolerance;
+  }
+  int unique_joints() const {
+    return static_cast<int>(std::count_if(mechanism_.joints.begin(), mechanism_.joints.end(),
+                                          [this](const Joint<double>& j) { return is_unique(j); }));
+  }
+
+  Mechanism<double> mechanism_;
+  MechanismState<double> state_;
+  const RowAnalysis& rows_;
+  MatrixX<double> Phi_;
+};
+
+/// Simbody's answer in the terms of a formulation's. Where a joint became a mobilizer its lambda is the one
+/// that its reaction stands for.
+FormulationResult<double> to_result(const simbody::Model& model, const simbody::Answer& answer,
+                                    const ReactionFrame& frame) {
+  FormulationResult<double> out;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    out.solution.r_ddot.push_back(eigen(answer.r_ddot[b]));
+    out.solution.omega_bar_dot.push_back(eigen(answer.omega_bar_dot[b]));
+  }
+  out.solution.lambda = Eigen::Map<const VectorX<double>>(answer.lambda.data(), frame.mechanism().nc());
+  const Mechanism<double>& mechanism = frame.mechanism();
+  for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
+    const Joint<double>& joint = mechanism.joints[k];
+    const Reaction<double> reaction{eigen(answer.reactions[k].force), eigen(answer.reactions[k].torque),
+                                    eigen(answer.reactions[k].point)};
+    if (!answer.lambda_known[static_cast<std::size_t>(joint.first_row)])
+      out.solution.lambda.segment(joint.first_row, joint.rows) = frame.multipliers(joint, reaction);
+    out.reactions.push_back(reaction);
+  }
+  return out;
+}
+
+double relative_distance(const VectorX<double>& a, const VectorX<double>& b, double cause) {
+  const double difference = (a - b).norm();
+  return difference == 0 ? 0.0 : difference / std::max({a.norm(), b.norm(), cause});
+}
+
+/// Everything that one scene's comparisons share.
+struct Subject {
+  Subject(const scenes::Scene& scene, double t)
+      : model(to_simbody(scene, t)), side(solve(scene, t)), frame(scene, t, side.rows) {}
+  static SideBySide<double> solve(const scenes::Scene& scene, double t) {
+    SolveOptions options;
+    options.estimate_errors = false;
+    return solve_side_by_side<double>(scene, t, options);
+  }
+
+  simbody::Model model;
+  SideBySide<double> side;
+  ReactionFrame frame;
+};
+
+void compare(const Subject& subject, SimbodyComparison& out) {
+  const simbody::Answer answer = simbody::solve(subject.model, out.way);
+  const auto& [model, side, frame] = subject;
+  const FormulationResult<double> theirs = to_result(model, answer, frame);
+  const VectorX<double> their_reactions = frame.stack(theirs.reactions);
+  out.nc = frame.mechanism().nc();
+  out.rank = side.rows.rank;
+  out.kappa = side.rows.kappa;
+  out.mobilizers = answer.mobilizers;
+  out.constraint_rows = answer.constraint_rows;
+  out.idle_rows = answer.idle_rows;
+  out.pose_defect = answer.pose_defect;
+  out.any_unique = side.any_unique();
+  out.any_constraint = out.nc > 0;
+  for (const FormulationResult<double>& ours : side.formulations) {
+    SimbodyDistance d;
+    d.formulation = ours.name;
+    d.error = ours.error;
+    if (ours.error.empty()) {
+      d.acceleration = acceleration_distance(side.rows, ours.solution, theirs.solution).all;
+      d.lambda = lambda_distance(side.rows, ours.solution.lambda, theirs.solution.lambda);
+      d.reaction =
+          relative_distance(frame.stack(ours.reactions), their_reactions, side.rows.acceleration_cause);
+    }
+    out.formulations.push_back(d);
+  }
+}
+
+}  // namespace
+
+double SimbodyComparison::bound() const { return std::max(1e-10, 100 * unit_roundoff<double>() * kappa); }
+
+SimbodyDistance SimbodyComparison::worst() const {
+  SimbodyDistance worst;
+  for (const SimbodyDistance& d : formulations) {
+    worst.acceleration = std::max(worst.acceleration, d.acceleration);
+    worst.lambda = std::max(worst.lambda, d.lambda);
+    worst.reaction = std::max(worst.reaction, d.reaction);
+  }
+  return worst;
+}
+
+bool SimbodyComparison::solved() const {
+  return failure.empty() && std::all_of(formulations.begin(), formulations.end(),
+                                        [](const SimbodyDistance& d) { return d.error.empty(); });
+}
+
+bool SimbodyComparison::agrees() const {
+  const SimbodyDistance d = worst();
+  return solved() && std::max({d.acceleration, d.lambda, d.reaction}) <= bound();
+}
+
+std::string_view name_of(simbody::Way way) {
+  switch (way) {
+    case simbody::Way::mobilizers:
+      return "mobilizers";
+    case simbody::Way::free_bodies:
+      return "free bodies";
+    case simbody::Way::built_in:
+      return "built-in";
+  }
+  return "";
+}
+
+std::vector<SimbodyComparison> compare_with_simbody(const scenes::Scene& scene, double t) {
+  const Subject subject(scene, t);
+  std::optional<Subject> twin;
+  std::vector<SimbodyComparison> ways;
+  for (const auto way : {simbody::Way::mobilizers, simbody::Way::free_bodies, simbody::Way::built_in}) {
+    SimbodyComparison& out = ways.emplace_back();
+    out.scene = scene.name;
+    out.way = way;
+    out.nb = static_cast<int>(scene.bodies.size());
+    try {
+      compare(subject, out);
+      continue;
+    } catch (const simbody::Refused& refused) {
+      out.twin = true;
+      out.refusal = refused.what();
+    }
+    try {
+      if (!twin) twin.emplace(physical_twin(scene), t);
+      compare(*twin, out);
+    } catch (const simbody::Refused& refused) {
+      out.failure = refused.what();
+    }
+  }
+  return ways;
+}
+
+}  // namespace trivium

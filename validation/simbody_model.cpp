@@ -1,0 +1,220 @@
+#include "validation/simbody_model.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "validation/simbody_effects.hpp"
+
+namespace trivium::simbody {
+
+namespace {
+
+using SimTK::MobilizedBody;
+using SimTK::Rotation;
+using SimTK::SpatialVec;
+using SimTK::Transform;
+using SimTK::Vec3;
+
+/// A model rebuilt in Simbody, at its state.
+class System {
+ public:
+  System(const Model& model, Way way)
+      : model_(model), matter_(system_), forces_(system_), bodies_{matter_, {}} {
+    matter_.setShowDefaultGeometry(false);
+    tree_ = spanning_tree(model, way == Way::mobilizers);
+    bodies_.index.resize(model.bodies.size());
+    branch_of_joint_.assign(model.joints.size(), nullptr);
+    for (const Branch& branch : tree_) {
+      bodies_.index[static_cast<std::size_t>(branch.body)] = add_mobilizer(model, branch, bodies_);
+      if (branch.joint != Branch::none) branch_of_joint_[static_cast<std::size_t>(branch.joint)] = &branch;
+    }
+    for (std::size_t k = 0; k < model.joints.size(); ++k) {
+      if (branch_of_joint_[k]) continue;
+      const auto add = way == Way::built_in ? add_built_in_rows : add_custom_rows;
+      add(model, static_cast<int>(k), bodies_, constraints_);
+    }
+    add_effects(model, tree_, bodies_, forces_);
+    state_ = system_.realizeTopology();
+    system_.realizeModel(state_);
+    state_.updTime() = model.t;
+    for (const Branch& branch : tree_) fit_mobilizer(model, branch, bodies_, state_);
+    if (way == Way::mobilizers) disable_idle_rows();
+    system_.realize(state_, SimTK::Stage::Acceleration);
+  }
+
+  Answer answer() const {
+    Answer out;
+    read_bodies(out);
+    read_multipliers(out);
+    read_reactions(out);
+    out.jacobian_defect = jacobian_defect();
+    for (const Branch* branch : branch_of_joint_) out.mobilizers += branch ? 1 : 0;
+    for (const LinkedConstraint& c : constraints_) out.constraint_rows += static_cast<int>(c.rows.size());
+    out.idle_rows = static_cast<int>(idle_rows_.size());
+    return out;
+  }
+
+ private:
+  Vec3 point_on_i(const Joint& joint) const {
+    return bodies_[joint.i].findStationLocationInGround(state_, vec(joint.frame_i.point));
+  }
+
+  /// A row is idle where its forces on the bodies do no work along any mobility.
+  void disable_idle_rows() {
+    system_.realize(state_, SimTK::Stage::Velocity);
+    std::vector<LinkedConstraint> active, idle;
+    for (const LinkedConstraint& c : constraints_)
+      (is_idle(matter_.getConstraint(c.index)) ? idle : active).push_back(c);
+    for (const LinkedConstraint& c : idle) {
+      matter_.getConstraint(c.index).disable(state_);
+      idle_rows_.push_back(c.rows.front().row);
+    }
+    constraints_ = active;
+  }
+  bool is_idle(const SimTK::Constraint& row) const {
+    const SimTK::Vector one(1, 1.0);
+    SimTK::Vector lambda, mobility_forces, along_mobilities;
+    SimTK::Vector_<SpatialVec> body_forces;
+    row.calcConstraintForcesFromMultipliers(state_, one, body_forces, mobility_forces);
+    row.setMyPartInConstraintSpaceVector(state_, one, lambda);
+    matter_.multiplyByGTranspose(state_, lambda, along_mobilities);
+    double size = 0;
+    for (int b = 0; b < body_forces.size(); ++b) size += body_forces[b].norm();
+    return along_mobilities.norm() <= 1e-10 * size;
+  }
+
+  /// Simbody forms G^T from the forces of its constraints and G from their errors: they must be the same.
+  double jacobian_defect() const {
+    if (constraints_.empty()) return 0;
+    SimTK::Matrix G, G_transposed;
+    matter_.calcG(state_, G);
+    matter_.calcGTranspose(state_, G_transposed);
+    double defect = 0;
+    for (int row = 0; row < G.nrow(); ++row)
+      for (int u = 0; u < G.ncol(); ++u)
+        defect = std::max(defect, std::abs(G(row, u) - G_transposed(u, row)));
+    return defect;
+  }
+
+  void read_bodies(Answer& out) const {
+    for (int b = 0; b < static_cast<int>(model_.bodies.size()); ++b) {
+      const MobilizedBody& body = bodies_[b];
+      const SpatialVec& A = body.getBodyAcceleration(state_);
+      out.r_ddot.push_back(array(A[1]));
+      out.omega_bar_dot.push_back(array(~body.getBodyRotation(state_) * A[0]));
+      const Transform X = pose_of(model_, b);
+      const SpatialVec V = velocity_of(model_, b), dV = body.getBodyVelocity(state_) - V;
+      const Rotation dR = ~X.R() * body.getBodyRotation(state_);
+      out.pose_defect = std::max({out.pose_defect, (body.getBodyOriginLocation(state_) - X.p()).norm(),
+                                  std::abs(dR.convertRotationToAngleAxis()[0]), dV[0].norm(), dV[1].norm()});
+    }
+  }
+
+  void read_multipliers(Answer& out) const {
+    out.lambda.assign(model_.rows.size(), 0.0);
+    out.lambda_known.assign(model_.rows.size(), false);
+    for (const int row : idle_rows_) out.lambda_known[static_cast<std::size_t>(row)] = true;
+    for (const LinkedConstraint& c : constraints_) {
+      const SimTK::Vector multipliers = matter_.getConstraint(c.index).getMultipliersAsVector(state_);
+      for (std::size_t k = 0; k < c.rows.size(); ++k) {
+        const std::size_t row = static_cast<std::size_t>(c.rows[k].row);
+        out.lambda[row] = c.rows[k].scale * multipliers[static_cast<int>(k)];
+        out.lambda_known[row] = true;
+      }
+    }
+  }
+
+  void read_reactions(Answer& out) const {
+    std::vector<SpatialVec> reactions(model_.joints.size(), SpatialVec(Vec3(0), Vec3(0)));
+    SimTK::Vector_<SpatialVec> on_child;
+    matter_.calcMobilizerReactionForces(state_, on_child);
+    for (std::size_t k = 0; k < reactions.size(); ++k)
+      if (branch_of_joint_[k])
+        reactions[k] = mobilizer_reaction(model_.joints[k], *branch_of_joint_[k], on_child);
+    for (const LinkedConstraint& c : constraints_)
+      reactions[static_cast<std::size_t>(c.joint)] += constraint_reaction(
+          model_.joints[static_cast<std::size_t>(c.joint)], matter_.getConstraint(c.index));
+    for (std::size_t k = 0; k < reactions.size(); ++k)
+      out.reactions.push_back(
+          {array(reactions[k][1]), array(reactions[k][0]), array(point_on_i(model_.joints[k]))});
+  }
+
+  /// From the child at M to body j at the joint's point on i.
+  SpatialVec mobilizer_reaction(const Joint& joint, const Branch& branch,
+                                const SimTK::Vector_<SpatialVec>& on_child) const {
+    const MobilizedBody& child = bodies_[branch.body];
+    const SpatialVec& at_M = on_child[child.getMobilizedBodyIndex()];
+    const Vec3 M = child.findStationLocationInGround(state_, child.getOutboardFrame(state_).p());
+    const SpatialVec moved(at_M[0] + (M - point_on_i(joint)) % at_M[1], at_M[1]);
+    return branch.reversed ? SpatialVec(-moved[0], -moved[1]) : moved;
+  }
+
+  /// -G^T lambda on body j, which Simbody gives at j's origin, at the joint's point on i.
+  SpatialVec constraint_reaction(const Joint& joint, const SimTK::Constraint& constraint) const {
+    SimTK::Vector_<SpatialVec> applied;
+    SimTK::Vector mobility_forces;
+    constraint.calcConstraintForcesFromMultipliers(state_, constraint.getMultipliersAsVector(state_), applied,
+                                                   mobility_forces);
+    const MobilizedBody& j = bodies_[joint.j];
+    const Vec3 arm = j.getBodyOriginLocation(state_) - point_on_i(joint);
+    SpatialVec sum(Vec3(0), Vec3(0));
+    for (SimTK::ConstrainedBodyIndex b(0); b < constraint.getNumConstrainedBodies(); ++b)
+      if (constraint.getMobilizedBodyFromConstrainedBody(b).getMobilizedBodyIndex() ==
+          j.getMobilizedBodyIndex())
+        sum -= SpatialVec(applied[b][0] + arm % applied[b][1], applied[b][1]);
+    return sum;
+  }
+
+  const Model& model_;
+  SimTK::MultibodySystem system_;
+  SimTK::SimbodyMatterSubsystem matter_;
+  SimTK::GeneralForceSubsystem forces_;
+  BodyMap bodies_;
+  std::vector<Branch> tree_;
+  std::vector<const Branch*> branch_of_joint_;  ///< where the joint became a mobilizer
+  std::vector<LinkedConstraint> constraints_;
+  std::vector<int> idle_rows_;
+  SimTK::State state_;
+};
+
+/// Simbody's messages run over lines and begin with the place in its source.
+std::string on_one_line(const std::string& message) {
+  std::string line;
+  for (const char c : message) {
+    const char printable = std::isspace(static_cast<unsigned char>(c)) ? ' ' : c;
+    if (printable != ' ' || (!line.empty() && line.back() != ' ')) line += printable;
+  }
+  while (!line.empty() && line.back() == ' ') line.pop_back();
+  const std::string prefix = "SimTK Exception thrown at ";
+  const std::size_t end = line.rfind(prefix, 0) == 0 ? line.find(": ") : std::string::npos;
+  return end == std::string::npos ? line : line.substr(end + 2);
+}
+
+bool is_finite(const Vector3& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
+
+bool is_finite(const Answer& answer) {
+  const auto finite = [](const auto& v) { return is_finite(v); };
+  return std::all_of(answer.r_ddot.begin(), answer.r_ddot.end(), finite) &&
+         std::all_of(answer.omega_bar_dot.begin(), answer.omega_bar_dot.end(), finite) &&
+         std::all_of(answer.lambda.begin(), answer.lambda.end(), [](double x) { return std::isfinite(x); }) &&
+         std::all_of(answer.reactions.begin(), answer.reactions.end(),
+                     [](const Reaction& r) { return is_finite(r.force) && is_finite(r.torque); });
+}
+
+}  // namespace
+
+Answer solve(const Model& model, Way way) {
+  Answer answer;
+  try {
+    answer = System(model, way).answer();
+  } catch (const Refused&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Refused(on_one_line(error.what()));
+  }
+  if (!is_finite(answer)) throw Refused("Simbody's accelerations or multipliers are not finite");
+  return answer;
+}
+
+}  // namespace trivium::simbody
