@@ -242,16 +242,28 @@ TEST(SideBySide, ReportsChartsWhereThereAreAny) {
   }
 }
 
-TEST(SideBySide, MatrixSizesAreThoseOfTheTextbooks) {
-  const auto scene = test::random_scene(2, {.bodies = 3});
-  const auto nc = make_mechanism<double>(scene).nc();
-  const auto result = solve_side_by_side<double>(scene, 0);
-  for (const auto& formulation : result.formulations)
-    EXPECT_EQ(formulation.matrix_size, (formulation.name == "r-p" ? 8 : 6) * 3 + nc) << formulation.name;
-  // one free body: m I and, of the inertia, its diagonal
-  scenes::Scene free;
-  free.bodies = {test::body("free", 1, {1, 2, 2.5})};
-  EXPECT_EQ(solve_side_by_side<double>(free, 0).formulations[0].matrix_nonzeros, 6);
+/// Size and nonzeros of the printed matrix of a scene, all rows in it.
+template <class F>
+std::pair<long, long> printed_matrix(const scenes::Scene& scene) {
+  const Solved<F> s(scene);
+  const MatrixX<double> K = augmented_system(s.solver.equations()).matrix();
+  return {K.rows(), (K.array() != 0.0).count()};
+}
+
+TEST(Sparsity, IsThatOfThePrintedMatrix) {
+  for (int seed = 0; seed < 10; ++seed) {
+    const auto scene = test::random_scene(seed, {.bodies = 3, .doubled = seed % 2});
+    const auto nc = make_mechanism<double>(scene).nc();
+    const auto found = augmented_sparsity(scene, 0);
+    ASSERT_EQ(found.size(), 3u);
+    const std::array expected{printed_matrix<ROmega<double>>(scene), printed_matrix<RP<double>>(scene),
+                              printed_matrix<REpsilon<double>>(scene)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(found[k].size, (found[k].name == "r-p" ? 8 : 6) * 3 + nc);
+      EXPECT_EQ(found[k].size, expected[k].first) << found[k].name;
+      EXPECT_EQ(found[k].nonzeros, expected[k].second) << found[k].name;
+    }
+  }
 }
 
 }  // namespace
