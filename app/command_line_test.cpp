@@ -83,7 +83,7 @@ TEST(Solve, FiftyDigitsArePrintedWithAllTheirDigits) {
   ASSERT_EQ(r.exit_code, 0) << r.err;
   const std::string lambda = r.out.substr(r.out.find("\"lambda\": [") + 11, 52);
   EXPECT_EQ(lambda.find(','), std::string::npos) << lambda;
-  EXPECT_NO_THROW((void)json::parse(r.out));
+  EXPECT_TRUE(json::accept(r.out));
 }
 
 TEST(Solve, ASingularRawChartIsTheErrorOfItsFormulationAlone) {
@@ -109,9 +109,10 @@ TEST(Solve, NearGimbalLockThePrintedFormSaysSoItself) {
   const Outcome r = run("trivium solve " + scene + " --no-reframe --json");
   ASSERT_EQ(r.exit_code, 0) << r.err;
   const json s = json::parse(r.out);
-  EXPECT_GT(std::max<double>(formulation(s, "r-epsilon")["lambda_error_estimate"],
-                             formulation(s, "r-epsilon")["acceleration_error_estimate"]),
-            1e-6);
+  const json& printed = formulation(s, "r-epsilon");
+  EXPECT_GT(
+      printed["lambda_error_estimate"].get<double>() + printed["acceleration_error_estimate"].get<double>(),
+      1e-6);
   EXPECT_LT(formulation(s, "r-omega")["lambda_error_estimate"], 1e-14);
   EXPECT_LT(formulation(s, "r-epsilon-omega-first")["lambda_error_estimate"], 1e-9);
   EXPECT_NE(r.err.find("r-epsilon: "), std::string::npos) << r.err;
@@ -119,7 +120,8 @@ TEST(Solve, NearGimbalLockThePrintedFormSaysSoItself) {
 
 TEST(Solve, AnInconsistentStartIsAnInputErrorThatNamesItsRows) {
   std::string text = slurp(TRIVIUM_SCENES_DIR "/simple_pendulum.json");
-  text.replace(text.find("\"position\": ["), 13, "\"position\": [9");
+  const std::size_t at = text.find("\"position\": [") + 13;
+  text.replace(at, text.find(']', at) - at, "9, 9, 9");
   const std::string scene = temporary_scene("moved.json", text);
   const Outcome r = run("trivium solve " + scene);
   EXPECT_EQ(r.exit_code, 2);
@@ -208,7 +210,8 @@ TEST(PrecisionLadder, HoldsOnTheCatalogue) {
   EXPECT_EQ(r.exit_code, 0) << r.err;
   // on one scene, rung by rung: the difference falls with the precision
   double last = 1;
-  for (const json& rung : json::parse(r.out)["rungs"])
+  const json ladder = json::parse(r.out);
+  for (const json& rung : ladder["rungs"])
     if (rung["scene"] == "stewart_platform") {
       EXPECT_LT(rung["difference"], last) << rung["scalar"];
       last = rung["difference"];
