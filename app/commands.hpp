@@ -12,5 +12,6 @@ using Command = std::function<int()>;
 Command add_solve_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
 Command add_list_command(CLI::App& app);
+Command add_generate_command(CLI::App& app);
 
 }  // namespace trivium

@@ -1,4 +1,4 @@
-/// trivium: solve, check and list scenes from the command line.
+/// trivium: solve, check, list and generate scenes from the command line.
 
 #include <fmt/format.h>
 
@@ -12,8 +12,10 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "trivium " TRIVIUM_VERSION);
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
-  const std::pair<const char*, Command> commands[] = {
-      {"solve", add_solve_command(app)}, {"check", add_check_command(app)}, {"list", add_list_command(app)}};
+  const std::pair<const char*, Command> commands[] = {{"solve", add_solve_command(app)},
+                                                      {"check", add_check_command(app)},
+                                                      {"list", add_list_command(app)},
+                                                      {"generate", add_generate_command(app)}};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

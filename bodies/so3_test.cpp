@@ -10,7 +10,7 @@ using test::distance, test::draw_euler_parameters, test::draw_vector, test::for_
 
 template <class S>
 class Rotations : public testing::Test {};
-using Scalars = testing::Types<float, double, long double, Quad, Real50>;
+using Scalars = testing::Types<float, double, Quad, Real50>;
 TYPED_TEST_SUITE(Rotations, Scalars);
 
 TYPED_TEST(Rotations, TildeIsTheCrossProduct) {

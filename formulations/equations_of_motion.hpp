@@ -210,8 +210,9 @@ Unknowns<F> split_unknowns(const VectorX<typename F::Scalar>& x, int nb, int nc)
   return u;
 }
 
-/// The matrix-free form: the residual of every body's own equations and of every row, nothing assembled, each
-/// relative to the sum of its terms' magnitudes. Rows listed in `redundant` are measured apart.
+/// The matrix-free form: the residual of every body's own equations and of every row, nothing assembled. A
+/// body's is relative to the sum of its terms' magnitudes; a row's to the sum of its own, with accelerations
+/// as large as those terms could make them. Rows listed in `redundant` are measured apart.
 struct MatrixFreeResidual {
   double bodies = 0, rows = 0, redundant_rows = 0;
 };
@@ -256,16 +257,28 @@ MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar>& mec
   for (int k : redundant) is_redundant[k] = true;
   for (int k = 0; k < eom.nc(); ++k) {
     const auto [i, j] = eom.pair[k];
-    const auto row = evaluate_row(mechanism.rows[k], eom.body[i], eom.body[j], eom.t);
+    const auto& row = eom.row[k];
     balance[i].add_r(u.lambda[k] * row.r_i.transpose());
     balance[i].add_q(u.lambda[k] * row.rot_i.transpose());
     balance[j].add_r(u.lambda[k] * row.r_j.transpose());
     balance[j].add_q(u.lambda[k] * row.rot_j.transpose());
+  }
+  // how large a body's accelerations are, or its forces could make them: those of a body at rest are rounding
+  struct Reach {
+    S r{0}, q{0};
+  };
+  std::vector<Reach> reach(nb + 1);
+  for (int b = 0; b < nb; ++b) {
+    reach[b] = {balance[b].r_scale / eom.mass[b], u.body[b].q_ddot.norm()};
+    if (const S J = eom.mass_block[b].norm(); J > S(0)) reach[b].q += balance[b].q_scale / J;
+  }
+  for (int k = 0; k < eom.nc(); ++k) {
+    const auto [i, j] = eom.pair[k];
+    const auto& row = eom.row[k];
     const S phi_ddot =
         row_acceleration(mechanism.rows[k], eom.body[i], eom.body[j], eom.t, u.body[i], u.body[j]);
-    const S scale = abs(row.gamma) + row.r_i.norm() * u.body[i].r_ddot.norm() +
-                    row.r_j.norm() * u.body[j].r_ddot.norm() + row.rot_i.norm() * u.body[i].q_ddot.norm() +
-                    row.rot_j.norm() * u.body[j].q_ddot.norm();
+    const S scale = abs(row.gamma) + row.r_i.norm() * reach[i].r + row.r_j.norm() * reach[j].r +
+                    row.rot_i.norm() * reach[i].q + row.rot_j.norm() * reach[j].q;
     raise(is_redundant[k] ? residual.redundant_rows : residual.rows, abs(phi_ddot), scale);
   }
   for (int b = 0; b < nb; ++b) {

@@ -38,7 +38,9 @@ MatrixX<double> mass_matrix(const TangentSystem& s) {
       size = turn;
       worst = b;
     }
-  const Vector3<double> axis = direction.segment<3>(6 * worst + 3).normalized();
+  const Vector3<double> axis = direction.segment<3>(6 * worst + 3).normalized().unaryExpr([](double x) {
+    return std::abs(x) < 1e-9 ? 0.0 : x;
+  });  // the eigenvector's rounding
   throw ModelError(
       fmt::format("body \"{}\" has no inertia about its axis ({:.3g}, {:.3g}, {:.3g}) and no constraint "
                   "holds it there, so its "
@@ -178,13 +180,14 @@ void Metric::factor_augmented(const TangentSystem& s) {
   mu_ = phi2 > 0 ? M.trace() / phi2 : 0.0;
   const MatrixX<double> H = M + mu_ * s.Phi.transpose() * s.Phi;
   diagonal_ = H.diagonal();
-  const VectorX<double> scale = inverse_or_zero(diagonal_.cwiseSqrt());
+  // a direction without mass or rows keeps its zero pivot, to be found below
+  const VectorX<double> scale = diagonal_.unaryExpr([](double x) { return x > 0 ? 1 / std::sqrt(x) : 1.0; });
   const MatrixX<double> scaled = scale.asDiagonal() * H * scale.asDiagonal();
   const Eigen::LLT<MatrixX<double>> llt(scaled);
   // a pivot of the equilibrated metric is the square of a distance: below 1e-13 it is rounding
   if (llt.info() != Eigen::Success || llt.matrixLLT().diagonal().minCoeff() < std::sqrt(1e-13))
     throw_without_inertia(s, H, scale);
-  dense_factor_ = inverse_or_zero(scale).asDiagonal() * MatrixX<double>(llt.matrixL());
+  dense_factor_ = scale.cwiseInverse().asDiagonal() * MatrixX<double>(llt.matrixL());
 }
 
 MatrixX<double> Metric::half_solve(const MatrixX<double>& x) const {

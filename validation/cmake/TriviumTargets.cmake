@@ -12,6 +12,9 @@ if(TRIVIUM_SANITIZE)
   target_link_options(trivium_options INTERFACE -fsanitize=address,undefined)
 endif()
 
+# All test executables of the label unit: what the sanitizers build.
+add_custom_target(unit_tests)
+
 # trivium_test(<name> <label> <source>...): one GoogleTest executable, each of its tests a CTest test.
 function(trivium_test name label)
   if(NOT TRIVIUM_BUILD_TESTS OR (TRIVIUM_SANITIZE AND NOT label STREQUAL "unit"))
@@ -20,5 +23,8 @@ function(trivium_test name label)
   add_executable(${name} ${ARGN})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_link_libraries(${name} PRIVATE trivium trivium_options GTest::gtest_main rapidcheck)
+  if(label STREQUAL "unit")
+    add_dependencies(unit_tests ${name})
+  endif()
   gtest_discover_tests(${name} PROPERTIES LABELS ${label} DISCOVERY_TIMEOUT 60 TEST_PREFIX ${name}.)
 endfunction()

@@ -7,7 +7,9 @@ if [ ! -x "$fuzzer" ]; then
   echo "skipped: no fuzzer, because no clang++ with libFuzzer was found"
   exit 77
 fi
-mkdir -p "$work/seeds" "$work/corpus" "$work/findings"
-cp "$scenes"/*.json "$scenes"/wellformed/*.json "$scenes"/malformed/*.json "$work/seeds"
+mkdir -p "$work/seeds/catalogue" "$work/seeds/wellformed" "$work/seeds/malformed" "$work/corpus" "$work/findings"
+cp "$scenes"/*.json "$work/seeds/catalogue"
+cp "$scenes"/wellformed/*.json "$work/seeds/wellformed"
+cp "$scenes"/malformed/*.json "$work/seeds/malformed"
 exec "$fuzzer" -max_total_time="$seconds" -max_len=20000 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
   -dict="$scenes/scene.dict" -artifact_prefix="$work/findings/" "$work/corpus" "$work/seeds"

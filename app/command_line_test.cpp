@@ -1,0 +1,222 @@
+/// The programs as a user meets them: output, messages and exit codes.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+struct Outcome {
+  int exit_code = -1;
+  std::string out, err;
+};
+
+std::string slurp(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Runs one of the project's programs with the words given.
+Outcome run(const std::string& words) {
+  const fs::path errors =
+      fs::path(testing::TempDir()) /
+      (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".err");
+  FILE* pipe = popen((TRIVIUM_BIN "/" + words + " 2>" + errors.string()).c_str(), "r");
+  Outcome result;
+  std::array<char, 4096> buffer;
+  for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    result.out.append(buffer.data(), n);
+  result.exit_code = WEXITSTATUS(pclose(pipe));
+  result.err = slurp(errors);
+  return result;
+}
+
+std::string temporary_scene(const std::string& name, const std::string& text) {
+  const fs::path file = fs::path(testing::TempDir()) / name;
+  std::ofstream(file) << text;
+  return file.string();
+}
+
+const json& formulation(const json& solution, const std::string& name) {
+  for (const json& f : solution["formulations"])
+    if (f["name"] == name) return f;
+  throw std::out_of_range(name);
+}
+
+TEST(Solve, PrintsTheDocumentedJson) {
+  const Outcome r = run("trivium solve four_bar --json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const json s = json::parse(r.out);
+  EXPECT_EQ(s["scene"], "four_bar");
+  EXPECT_EQ(s["nb"], 3);
+  EXPECT_EQ(s["nc"], 20);
+  EXPECT_EQ(s["rank"], 17);
+  EXPECT_EQ(s["dof"], 1);
+  EXPECT_EQ(s["rows"].size(), 20u);
+  EXPECT_GT(s["condition"], 1.0);
+  for (const char* key : {"lambda", "r_ddot", "omega_bar_dot"})
+    EXPECT_LT(s["discrepancy"][key], 1e-13) << key;
+  ASSERT_EQ(s["formulations"].size(), 4u);
+  for (const json& f : s["formulations"]) {
+    EXPECT_EQ(f["lambda"].size(), 20u);
+    EXPECT_EQ(f["lambda_unique"], json(std::vector<bool>(20, false)));
+    EXPECT_EQ(f["r_ddot"].size(), 3u);
+    EXPECT_EQ(f["omega_bar_dot"][2].size(), 3u);
+    EXPECT_GT(f["lambda_error_estimate"], 0.0);
+    EXPECT_GT(f["acceleration_error_estimate"], 0.0);
+    EXPECT_EQ(f["reactions"].size(), 4u);
+    EXPECT_EQ(f["reactions"][0]["force"].size(), 3u);
+    EXPECT_TRUE(f["reactions"][0].contains("joint") && f["reactions"][0].contains("body"));
+  }
+}
+
+TEST(Solve, FiftyDigitsArePrintedWithAllTheirDigits) {
+  const Outcome r = run("trivium solve simple_pendulum --scalar 50 --formulation r-p --json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const std::string lambda = r.out.substr(r.out.find("\"lambda\": [") + 11, 52);
+  EXPECT_EQ(lambda.find(','), std::string::npos) << lambda;
+  EXPECT_TRUE(json::accept(r.out));
+}
+
+TEST(Solve, ASingularRawChartIsTheErrorOfItsFormulationAlone) {
+  const Outcome upright = run("trivium solve asymmetric_free_body --sequence 313 --no-reframe --json");
+  ASSERT_EQ(upright.exit_code, 0) << upright.err;
+  const json s = json::parse(upright.out);
+  EXPECT_TRUE(formulation(s, "r-epsilon").contains("error"));
+  EXPECT_TRUE(formulation(s, "r-omega").contains("lambda"));
+  EXPECT_TRUE(formulation(s, "r-p").contains("lambda"));
+  EXPECT_NE(upright.err.find("r-epsilon"), std::string::npos);
+  const Outcome alone = run("trivium solve asymmetric_free_body --formulation r-epsilon --no-reframe");
+  EXPECT_EQ(alone.exit_code, 3);
+}
+
+TEST(Solve, NearGimbalLockThePrintedFormSaysSoItself) {
+  const std::string scene = temporary_scene("near_lock.json", R"({
+    "trivium": 1, "name": "near_lock",
+    "bodies": [{"name": "top", "mass": 2, "inertia": [[0.3, 0.02, 0], [0.02, 0.4, 0.01], [0, 0.01, 0.5]],
+                "position": [0, 0, 0], "orientation": {"euler_angles": [0.3, 1e-5, 0.7], "sequence": "313"},
+                "angular_velocity": [0, 0, 0]}],
+    "constraints": [{"type": "spherical", "name": "pivot", "i": {"body": "ground"}, "j": {"body": "top"}}],
+    "effects": [{"type": "torque", "body": "top", "torque": [1, 2, 3]}, {"type": "force", "body": "top", "point": [0.1, 0.2, 0.3], "force": [4, 5, 6]}]})");
+  const Outcome r = run("trivium solve " + scene + " --no-reframe --json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const json s = json::parse(r.out);
+  const json& printed = formulation(s, "r-epsilon");
+  EXPECT_GT(
+      printed["lambda_error_estimate"].get<double>() + printed["acceleration_error_estimate"].get<double>(),
+      1e-6);
+  EXPECT_LT(formulation(s, "r-omega")["lambda_error_estimate"], 1e-14);
+  EXPECT_LT(formulation(s, "r-epsilon-omega-first")["lambda_error_estimate"], 1e-9);
+  EXPECT_NE(r.err.find("r-epsilon: "), std::string::npos) << r.err;
+}
+
+TEST(Solve, AnInconsistentStartIsAnInputErrorThatNamesItsRows) {
+  std::string text = slurp(TRIVIUM_SCENES_DIR "/simple_pendulum.json");
+  const std::size_t at = text.find("\"position\": [") + 13;
+  text.replace(at, text.find(']', at) - at, "9, 9, 9");
+  const std::string scene = temporary_scene("moved.json", text);
+  const Outcome r = run("trivium solve " + scene);
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_EQ(r.out, "");
+  EXPECT_NE(r.err.find("position: residual"), std::string::npos) << r.err;
+  EXPECT_NE(r.err.find("--assemble"), std::string::npos);
+}
+
+TEST(Solve, AssembleProjectsAndSaves) {
+  std::string text = slurp(TRIVIUM_SCENES_DIR "/simple_pendulum.json");
+  const std::size_t at = text.find("\"velocity\": [") + 13;
+  text.replace(at, text.find(']', at) - at, "1, 2, 3");
+  const std::string scene = temporary_scene("pushed.json", text);
+  const std::string saved = (fs::path(testing::TempDir()) / "assembled.json").string();
+  EXPECT_EQ(run("trivium check " + scene).exit_code, 2);
+  EXPECT_EQ(run("trivium solve " + scene + " --assemble --save " + saved).exit_code, 0);
+  EXPECT_EQ(run("trivium check " + saved).exit_code, 0);
+}
+
+TEST(Solve, AMassThatNothingHoldsIsAnErrorThatNamesTheBody) {
+  const std::string scene =
+      temporary_scene("free_point.json", R"({"trivium": 1, "name": "free_point", "bodies":
+    [{"name": "speck", "mass": 1, "inertia": [0, 0, 0], "position": [0, 0, 0]}]})");
+  const Outcome r = run("trivium solve " + scene);
+  EXPECT_EQ(r.exit_code, 3);
+  EXPECT_NE(r.err.find("speck"), std::string::npos) << r.err;
+}
+
+TEST(Check, ReportsRankRedundancyAndSparsity) {
+  const Outcome r = run("trivium check n_four_bar_40 --json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const json c = json::parse(r.out);
+  EXPECT_EQ(c["rank"], 485);
+  EXPECT_EQ(c["redundant"].size(), 120u);
+  for (const json& matrix : c["augmented_matrix"]) EXPECT_LT(matrix["percent"], 3.0) << matrix["formulation"];
+}
+
+TEST(List, NamesScenesFormulationsJointsAndEffects) {
+  const Outcome r = run("trivium list --json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const json l = json::parse(r.out);
+  EXPECT_GE(l["scenes"].size(), 30u);
+  EXPECT_EQ(l["formulations"].size(), 4u);
+  EXPECT_EQ(l["constraints"].size(), 15u);
+  EXPECT_EQ(l["effects"].size(), 5u);
+}
+
+TEST(Generate, WritesWhatCheckAccepts) {
+  const std::string file = (fs::path(testing::TempDir()) / "chain.json").string();
+  ASSERT_EQ(run("trivium generate chain 12 --out " + file).exit_code, 0);
+  EXPECT_EQ(run("trivium check " + file).exit_code, 0);
+}
+
+TEST(EveryProgram, HasHelpAndVersion) {
+  for (const std::string program : {"trivium", "lambda_invariance", "precision_ladder"})
+    for (const std::string flag : {"--help", "--version"}) {
+      const Outcome r = run(program + " " + flag);
+      EXPECT_EQ(r.exit_code, 0) << program << flag;
+      EXPECT_NE(r.out, "");
+    }
+  for (const std::string command : {"solve", "check", "list", "generate"})
+    EXPECT_EQ(run("trivium " + command + " --help").exit_code, 0);
+}
+
+TEST(EveryProgram, AnswersMisuseWithExitCodeTwo) {
+  for (const std::string words :
+       {"trivium", "trivium solv heavy_top", "trivium solve", "trivium solve no_such_scene",
+        "trivium solve heavy_top --scalar half", "trivium solve heavy_top --sequence 312x",
+        "lambda_invariance no_such_scene", "precision_ladder --no-such-option"}) {
+    const Outcome r = run(words);
+    EXPECT_EQ(r.exit_code, 2) << words;
+    EXPECT_NE(r.err, "") << words;
+  }
+}
+
+TEST(LambdaInvariance, HoldsOnAThousandRandomMechanisms) {
+  const Outcome r = run("lambda_invariance --random 1000 --json");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const json answer = json::parse(r.out);
+  EXPECT_TRUE(answer["passed"]);
+  EXPECT_GE(answer["scenes"].size(), 1030u);
+}
+
+TEST(PrecisionLadder, HoldsOnTheCatalogue) {
+  const Outcome r = run("precision_ladder --json");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  // on one scene, rung by rung: the difference falls with the precision
+  double last = 1;
+  const json ladder = json::parse(r.out);
+  for (const json& rung : ladder["rungs"])
+    if (rung["scene"] == "stewart_platform") {
+      EXPECT_LT(rung["difference"], last) << rung["scalar"];
+      last = rung["difference"];
+    }
+  EXPECT_LT(last, 1e-45);
+}
+
+}  // namespace

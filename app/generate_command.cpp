@@ -1,0 +1,53 @@
+/// trivium generate: regular scenes of any size, as scene files.
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/commands.hpp"
+#include "scenes/generators.hpp"
+#include "scenes/scene_file.hpp"
+#include "validation/catalogue.hpp"
+
+namespace trivium {
+
+namespace {
+
+struct GenerateArguments {
+  std::string kind, out;
+  int n = 1;
+  std::uint64_t seed = 1;
+};
+
+scenes::Scene generate(const GenerateArguments& arguments) {
+  if (arguments.kind == "chain") return scenes::chain(arguments.n);
+  if (arguments.kind == "ladder") return scenes::ladder(arguments.n);
+  return scenes::tree(arguments.n, arguments.seed);
+}
+
+int run_generate(const GenerateArguments& arguments) {
+  const scenes::Scene scene = generate(arguments);
+  if (arguments.out.empty())
+    fmt::print("{}", scenes::write_scene(scene));
+  else
+    scenes::write_scene_file(arguments.out, scene);
+  return exit_done;
+}
+
+}  // namespace
+
+Command add_generate_command(CLI::App& app) {
+  auto arguments = std::make_shared<GenerateArguments>();
+  CLI::App* command = app.add_subcommand("generate", "A chain, ladder or tree of N as a scene file");
+  command->add_option("KIND", arguments->kind, "chain, ladder or tree")
+      ->required()
+      ->check(CLI::IsMember({"chain", "ladder", "tree"}));
+  command->add_option("N", arguments->n, "Bars, or loops of the ladder")
+      ->required()
+      ->check(CLI::Range(1, 100000));
+  command->add_option("--seed", arguments->seed, "Seed of the tree")->capture_default_str();
+  command->add_option("--out", arguments->out, "Write to this file instead of stdout");
+  return [arguments] { return run_generate(*arguments); };
+}
+
+}  // namespace trivium

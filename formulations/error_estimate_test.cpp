@@ -1,0 +1,122 @@
+/// The error estimate is honest: over easy states and hard ones it covers the true error, and not by much
+/// more. The truth is the same scene solved in quad precision.
+
+#include <algorithm>
+#include <map>
+
+#include "bodies/testing.hpp"
+#include "formulations/side_by_side.hpp"
+#include "formulations/test_mechanisms.hpp"
+
+namespace trivium {
+namespace {
+
+/// Random states of one kind of hardship.
+struct Hardship {
+  const char* name;
+  ChartOptions charts;
+  double hardest;  ///< some state costs lambda this much in r-epsilon
+  test::MechanismOptions (*options)(test::Random&);
+};
+
+constexpr ChartOptions reframed{EulerSequence{{2, 0, 2}}, true}, raw{EulerSequence{{2, 0, 2}}, false};
+
+test::MechanismOptions any(test::Random& random) {
+  return {.bodies = 1 + random.index(3), .closings = random.index(2), .driven = random.chance(0.3)};
+}
+
+const Hardship hardships[] = {
+    {"none", reframed, 1e-15, any},
+    {"gimbal lock in a raw chart", raw, 1e-3,
+     [](test::Random& random) {
+       auto o = any(random);
+       o.gimbal_distance = std::pow(10.0, -random.uniform(1, 7));
+       return o;
+     }},
+    {"mass ratios up to 1e9", reframed, 1e-15,
+     [](test::Random& random) {
+       auto o = any(random);
+       o.bodies = 3;
+       o.mass_decades = 4.5;
+       return o;
+     }},
+    {"nearly dependent rows", reframed, 1e-11,
+     [](test::Random& random) {
+       test::MechanismOptions o{.bodies = 2 + random.index(2), .closings = 0};
+       o.near_rows = std::pow(10.0, -random.uniform(1, 6));
+       return o;
+     }},
+    {"redundant rows", reframed, 1e-14,
+     [](test::Random& random) {
+       test::MechanismOptions o{.bodies = 2 + random.index(2), .closings = random.index(2)};
+       o.doubled = 1;
+       return o;
+     }},
+};
+
+PhysicalSolution<Quad> in_quad(const PhysicalSolution<double>& s) {
+  PhysicalSolution<Quad> out;
+  for (std::size_t b = 0; b < s.r_ddot.size(); ++b) {
+    out.r_ddot.push_back(scalar_cast<Quad>(s.r_ddot[b]));
+    out.omega_bar_dot.push_back(scalar_cast<Quad>(s.omega_bar_dot[b]));
+  }
+  out.lambda = scalar_cast<Quad>(s.lambda);
+  return out;
+}
+
+/// estimate / max(true error, u) of one formulation, over many states.
+struct Ratios {
+  std::vector<double> lambda, acceleration;
+};
+
+void expect_honest(std::vector<double> ratios, const std::string& what) {
+  ASSERT_FALSE(ratios.empty()) << what;
+  std::sort(ratios.begin(), ratios.end());
+  const auto covered = std::count_if(ratios.begin(), ratios.end(), [](double r) { return r >= 1; });
+  EXPECT_GE(static_cast<double>(covered), 0.99 * static_cast<double>(ratios.size()))
+      << what << ": " << ratios.size() << " states, the worst ratio " << ratios.front();
+  EXPECT_LE(ratios[ratios.size() / 2], 100) << what;
+}
+
+class ErrorEstimate : public testing::TestWithParam<int> {};
+
+TEST_P(ErrorEstimate, CoversTheTrueErrorAndIsWithinAHundredOfIt) {
+  const Hardship& hardship = hardships[GetParam()];
+  constexpr int states = 200;
+  const double u = unit_roundoff<double>();
+  std::map<std::string, Ratios> ratios;
+  std::map<std::string, double> worst;
+  test::Random random(1000 + GetParam());
+  for (int n = 0; n < states; ++n) {
+    const auto scene = test::random_scene(10000 * GetParam() + n, hardship.options(random));
+    SolveOptions options;
+    options.charts = hardship.charts;
+    const auto result = solve_side_by_side<double>(scene, 0, options);
+    SolveOptions exactly;
+    exactly.formulations = {"r-omega"};
+    exactly.estimate_errors = false;
+    const auto truth = solve_side_by_side<Quad>(scene, 0, exactly);
+    const PhysicalSolution<Quad>& exact = truth.formulations[0].solution;
+    for (const auto& formulation : result.formulations) {
+      ASSERT_EQ(formulation.error, "");
+      const PhysicalSolution<Quad> found = in_quad(formulation.solution);
+      const double lambda = lambda_distance(truth.rows, found.lambda, exact.lambda),
+                   acceleration = acceleration_distance(truth.rows, found, exact).all;
+      if (lambda > worst[formulation.name]) worst[formulation.name] = lambda;
+      ratios[formulation.name].lambda.push_back(formulation.estimate.lambda / std::max(lambda, u));
+      ratios[formulation.name].acceleration.push_back(formulation.estimate.acceleration /
+                                                      std::max(acceleration, u));
+    }
+  }
+  // the states are as hard as they claim to be
+  EXPECT_GE(worst["r-epsilon"], hardship.hardest) << hardship.name;
+  for (const auto& [name, r] : ratios) {
+    expect_honest(r.lambda, std::string(hardship.name) + ", lambda in " + name);
+    expect_honest(r.acceleration, std::string(hardship.name) + ", acceleration in " + name);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Hardships, ErrorEstimate, testing::Range(0, static_cast<int>(std::size(hardships))));
+
+}  // namespace
+}  // namespace trivium

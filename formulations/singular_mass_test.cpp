@@ -1,0 +1,83 @@
+/// Bodies without inertia about an axis, and the metric that stands in for a singular mass matrix.
+
+#include "bodies/testing.hpp"
+#include "formulations/side_by_side.hpp"
+#include "formulations/test_mechanisms.hpp"
+#include "scenes/test_scenes.hpp"
+
+namespace trivium {
+namespace {
+
+using scenes::ConstraintType;
+using test::distance;
+
+/// A slender rod along its x, held at one end.
+scenes::Scene rod(ConstraintType type) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("crank", 1, {0.1, 0.1, 0.1}, {-0.5, 0, 0}),
+                  test::body("rod", 2, {0, 0.3, 0.3}, {0.7, 0, 0})};
+  const scenes::Vector3 y{0, 1, 0};
+  scene.constraints = {
+      test::joint(ConstraintType::revolute, "A", test::side(scenes::ground, scenes::Vector3{-1, 0, 0}, y),
+                  test::side(0, scenes::Vector3{-0.5, 0, 0}, y)),
+      test::joint(type, "B", test::side(0, scenes::Vector3{0.5, 0, 0}, y),
+                  {1,
+                   scenes::Vector3{-0.7, 0, 0},
+                   {},
+                   type == ConstraintType::universal ? scenes::Vector3{0, 0, 1} : y,
+                   {}})};
+  scene.effects = {test::gravity()};
+  return scene;
+}
+
+TEST(SingularMass, ThatIsHeldByAJointIsNoError) {
+  for (const auto type : {ConstraintType::revolute, ConstraintType::universal, ConstraintType::fixed}) {
+    auto scene = rod(type);
+    if (type == ConstraintType::fixed)
+      scene.constraints[1].i.x = scene.constraints[1].j.x = scenes::Vector3{1, 0, 0};
+    const RowAnalysis rows = analyse_rows(scene, 0);
+    EXPECT_EQ(rows.rank, static_cast<int>(rows.unique.size()));
+    EXPECT_GT(rows.mu, 0);
+    EXPECT_TRUE(std::isfinite(rows.kappa) && rows.E.allFinite());
+  }
+}
+
+TEST(SingularMass, ThatNothingHoldsIsAnErrorThatNamesTheBodyAndItsAxis) {
+  try {
+    analyse_rows(rod(ConstraintType::spherical), 0);
+    FAIL() << "the rod may spin at any acceleration";
+  } catch (const ModelError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("\"rod\""), std::string::npos) << message;
+    EXPECT_TRUE(message.find("(1, 0, 0)") != std::string::npos ||
+                message.find("(-1, 0, 0)") != std::string::npos)
+        << message;
+  }
+}
+
+TEST(SingularMass, WithoutAnyConstraintIsAnError) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("rod", 2, {0, 0.3, 0.3})};
+  EXPECT_THROW(analyse_rows(scene, 0), ModelError);
+}
+
+TEST(Metric, IsTheMassMatrixWhereThatIsRegular) {
+  TangentSystem s = [] {
+    const auto scene = test::random_scene(3, {.bodies = 2});
+    return tangent_system(make_mechanism<double>(scene), make_state<double>(scene));
+  }();
+  const Metric metric(s);
+  EXPECT_EQ(metric.mu(), 0);
+  const MatrixX<double> half = metric.half_solve(MatrixX<double>::Identity(12, 12));
+  MatrixX<double> M = MatrixX<double>::Zero(12, 12);
+  for (int b = 0; b < 2; ++b) {
+    M.block<3, 3>(6 * b, 6 * b).diagonal().setConstant(s.mass[b]);
+    M.block<3, 3>(6 * b + 3, 6 * b + 3) = s.inertia[b];
+  }
+  EXPECT_LE(distance(half * M * half.transpose(), MatrixX<double>::Identity(12, 12)), 1e-13);
+  const MatrixX<double> both = metric.half_solve_transposed(half);
+  EXPECT_LE(distance(both * M, MatrixX<double>::Identity(12, 12)), 1e-13);
+}
+
+}  // namespace
+}  // namespace trivium

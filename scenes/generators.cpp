@@ -1,0 +1,167 @@
+#include "scenes/generators.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "bodies/so3.hpp"
+
+namespace trivium::scenes {
+
+namespace {
+
+using V = trivium::Vector3<double>;
+using P = trivium::Vector4<double>;
+
+Vector3 plain(const V& v) { return {v[0], v[1], v[2]}; }
+
+void require_positive(int n) {
+  if (n < 1) throw std::invalid_argument(fmt::format("a scene needs n >= 1, not {}", n));
+}
+
+/// A bar along its x axis, joints at both ends, and how it moves.
+struct Bar {
+  P p = P::Unit(0);
+  V r = V::Zero(), r_dot = V::Zero(), omega = V::Zero();  ///< omega is global
+
+  V end(double x) const { return r + rotation_matrix(p) * V(x, 0, 0); }
+  V end_velocity(double x) const { return r_dot + omega.cross(end(x) - r); }
+};
+
+/// The bar that hangs on `inboard` (or on the ground's origin), turned by `angle` about `axis` (inboard
+/// frame) at `rate`.
+Bar hang(const Bar* inboard, const V& axis, double angle, double rate) {
+  Bar bar;
+  const P turn = exponential_parameters<double>(angle * axis);
+  const P base = inboard ? inboard->p : P(P::Unit(0));
+  bar.p = multiply_parameters<double>(base, turn);
+  bar.p /= bar.p.norm();
+  bar.omega = (inboard ? inboard->omega : V(V::Zero())) + rotation_matrix(base) * (rate * axis);
+  const V hinge = inboard ? inboard->end(0.5) : V(V::Zero());
+  const V hinge_velocity = inboard ? inboard->end_velocity(0.5) : V(V::Zero());
+  const V arm = rotation_matrix(bar.p) * V(0.5, 0, 0);
+  bar.r = hinge + arm;
+  bar.r_dot = hinge_velocity + bar.omega.cross(arm);
+  return bar;
+}
+
+Body body_of(const std::string& name, const Bar& bar) {
+  Body body;
+  body.name = name;
+  body.mass = 1;
+  body.inertia = Vector3{1.0 / 600, 1.01 / 12, 1.01 / 12};
+  body.position = plain(bar.r);
+  body.orientation = EulerParameters{{bar.p[0], bar.p[1], bar.p[2], bar.p[3]}};
+  body.velocity = plain(bar.r_dot);
+  body.angular_velocity = plain(rotation_matrix(bar.p).transpose() * bar.omega);
+  return body;
+}
+
+/// The revolute at the end of body i (the origin of the ground) and the start of body j; the axis is the same
+/// in both.
+Constraint hinge(const std::string& name, int i, int j, const V& axis) {
+  Constraint c;
+  c.type = ConstraintType::revolute;
+  c.name = name;
+  c.i.body = i;
+  c.i.point = i == ground ? Vector3{0, 0, 0} : Vector3{0.5, 0, 0};
+  c.j.body = j;
+  c.j.point = Vector3{-0.5, 0, 0};
+  c.i.axis = c.j.axis = plain(axis);
+  return c;
+}
+
+Constraint revolute_about_z(const std::string& name, int i, const Vector3& point_i, int j,
+                            const Vector3& point_j) {
+  Constraint c;
+  c.type = ConstraintType::revolute;
+  c.name = name;
+  c.i = {i, point_i, {}, Vector3{0, 0, 1}, {}};
+  c.j = {j, point_j, {}, Vector3{0, 0, 1}, {}};
+  return c;
+}
+
+Body rod(const std::string& name, const Vector3& inertia, const Vector3& position, const Vector3& velocity,
+         double turn) {
+  Body body;
+  body.name = name;
+  body.mass = 1;
+  body.inertia = inertia;
+  body.position = position;
+  body.velocity = velocity;
+  body.angular_velocity = {0, 0, turn};
+  return body;
+}
+
+}  // namespace
+
+Scene chain(int n) {
+  require_positive(n);
+  Scene scene;
+  scene.name = fmt::format("chain_{}", n);
+  scene.description = fmt::format("{} bars in series on revolutes with alternating axes", n);
+  Bar last;
+  for (int k = 0; k < n; ++k) {
+    const V axis = V::Unit(k % 2 == 0 ? 1 : 2);
+    last = hang(k == 0 ? nullptr : &last, axis, 0.3 * std::sin(1.3 * k + 0.7), 0.2 * std::cos(0.9 * k));
+    scene.bodies.push_back(body_of(fmt::format("bar_{}", k + 1), last));
+    scene.constraints.push_back(hinge(fmt::format("J{}", k + 1), k == 0 ? ground : k - 1, k, axis));
+  }
+  scene.effects.push_back(Gravity{"", {0, 0, -9.81}});
+  return scene;
+}
+
+Scene ladder(int n) {
+  require_positive(n);
+  Scene scene;
+  scene.name = fmt::format("ladder_{}", n);
+  scene.description = fmt::format("IFToMM A02 with {} loops", n);
+  const double J = 1.0 / 12;
+  for (int k = 0; k <= n; ++k)
+    scene.bodies.push_back(rod(fmt::format("rod_{}", k), {J, 0, J}, {1.0 * k, 0.5, 0}, {0.5, 0, 0}, -1));
+  for (int k = 1; k <= n; ++k)
+    scene.bodies.push_back(rod(fmt::format("coupler_{}", k), {0, J, J}, {k - 0.5, 1, 0}, {1, 0, 0}, 0));
+  const auto pivot = [&](int k) {
+    scene.constraints.push_back(
+        revolute_about_z(fmt::format("A{}", k), ground, {1.0 * k, 0, 0}, k, {0, -0.5, 0}));
+  };
+  pivot(0);
+  for (int k = 1; k <= n; ++k) {
+    const int coupler = n + k;
+    scene.constraints.push_back(
+        revolute_about_z(fmt::format("B{}", k - 1), k - 1, {0, 0.5, 0}, coupler, {-0.5, 0, 0}));
+    pivot(k);
+    scene.constraints.push_back(
+        revolute_about_z(fmt::format("B{}_left", k), coupler, {0.5, 0, 0}, k, {0, 0.5, 0}));
+  }
+  scene.effects.push_back(Gravity{"", {0, -9.81, 0}});
+  return scene;
+}
+
+Scene tree(int n, std::uint64_t seed) {
+  require_positive(n);
+  Scene scene;
+  scene.name = fmt::format("tree_{}", n);
+  scene.description = fmt::format("{} bars, each hung on one drawn among those before it, seed {}", n, seed);
+  std::mt19937_64 engine(seed);
+  const auto uniform = [&](double low, double high) {  // the same on every standard library
+    return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1.0p-53;
+  };
+  std::vector<Bar> bars;
+  bars.reserve(static_cast<std::size_t>(n));
+  for (int k = 0; k < n; ++k) {
+    const int inboard = k == 0 ? ground : static_cast<int>(engine() % static_cast<std::uint64_t>(k));
+    const V axis = V(uniform(-1, 1), uniform(-1, 1), uniform(0.2, 1)).normalized();
+    bars.push_back(
+        hang(inboard == ground ? nullptr : &bars[inboard], axis, uniform(-1.5, 1.5), uniform(-1, 1)));
+    scene.bodies.push_back(body_of(fmt::format("bar_{}", k + 1), bars.back()));
+    scene.constraints.push_back(hinge(fmt::format("J{}", k + 1), inboard, k, axis));
+  }
+  scene.effects.push_back(Gravity{"", {0, 0, -9.81}});
+  return scene;
+}
+
+}  // namespace trivium::scenes

@@ -1,0 +1,22 @@
+#pragma once
+/// Regular scenes of any size, consistent by construction.
+
+#include <cstdint>
+
+#include "scenes/scene.hpp"
+
+namespace trivium::scenes {
+
+/// n bars (1 kg, 1 m, 0.1 m square) in series on revolutes whose axes alternate between y and z, bent and
+/// turning, under gravity along -z. Throws std::invalid_argument for n < 1, as the others do.
+Scene chain(int n);
+
+/// The N-four-bar ladder of IFToMM benchmark A02: 2 n + 1 slender rods without axial inertia, 3 n + 1
+/// revolutes about z, upright, the top moving at 1 m/s; the catalogue's n_four_bar_* with n loops.
+Scene ladder(int n);
+
+/// n bars, each hung on a bar drawn among those before it by a revolute with an axis of its own, turning; the
+/// same tree for the same seed.
+Scene tree(int n, std::uint64_t seed = 1);
+
+}  // namespace trivium::scenes

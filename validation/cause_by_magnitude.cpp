@@ -1,0 +1,117 @@
+#include "validation/cause_by_magnitude.hpp"
+
+#include <cmath>
+
+namespace trivium {
+
+namespace {
+
+using V = Vector3<double>;
+
+/// Bounds of a feature's value, rate and bias by magnitudes alone, nothing cancelling.
+struct Magnitude {
+  double value = 0, rate = 0, bias = 0;
+};
+
+/// What could cause lambda with every term taken by its magnitude: |Phi| M^-1 |Q| + |gamma| in which neither
+/// the parts of a force nor those of gamma cancel.
+class CauseByMagnitude {
+ public:
+  CauseByMagnitude(const Mechanism<double>& mechanism, const MechanismState<double>& state)
+      : mechanism_(mechanism),
+        t_(state.t),
+        body_(body_kinematics(to_coordinates<ROmega<double>>(mechanism, state, {}))) {}
+
+  /// |Q| of one body: its rotational part alone holds the gyroscopic moment.
+  VectorX<double> forces() const {
+    VectorX<double> Q = VectorX<double>::Zero(6 * mechanism_.nb());
+    const auto wrenches = applied_wrenches(mechanism_, body_, t_);
+    for (int b = 0; b < mechanism_.nb(); ++b) {
+      const double omega = body_[b].omega_bar.norm();
+      Q.segment<3>(6 * b) = wrenches[b].F.cwiseAbs();
+      Q.segment<3>(6 * b + 3).array() =
+          wrenches[b].n_bar.cwiseAbs().array() + omega * omega * mechanism_.bodies[b].inertia.norm();
+    }
+    for (const SpringDamper<double>& spring : mechanism_.effects.all<SpringDamper<double>>()) add(spring, Q);
+    return Q;
+  }
+
+  VectorX<double> gamma() const {
+    VectorX<double> gamma(mechanism_.nc());
+    for (int k = 0; k < mechanism_.nc(); ++k)
+      gamma[k] = std::visit([&](const auto& row) { return of(row); }, mechanism_.rows[k]);
+    return gamma;
+  }
+
+ private:
+  using Body = ROmega<double>::Kinematics;
+
+  static Magnitude vector(const Body& body, const V& a_bar) {
+    const double omega = body.omega_bar.norm(), a = a_bar.norm();
+    return {a, omega * a, omega * omega * a};
+  }
+  Magnitude offset(const BodyPair& pair, const V& s_i, const V& s_j) const {
+    const Magnitude i = vector(body_[pair.i], s_i), j = vector(body_[pair.j], s_j);
+    return {(body_[pair.j].point(s_j) - body_[pair.i].point(s_i)).norm(),
+            body_[pair.i].r_dot.norm() + body_[pair.j].r_dot.norm() + i.rate + j.rate, i.bias + j.bias};
+  }
+  static double product(const Magnitude& x, const Magnitude& y, double f_tt) {
+    return x.bias * y.value + x.value * y.bias + 2 * x.rate * y.rate + std::abs(f_tt);
+  }
+  double of(const DP1<double>& c) const {
+    return product(vector(body_[c.i], c.a_bar_i), vector(body_[c.j], c.a_bar_j), c.f(t_).f_tt);
+  }
+  double of(const TurningDP1<double>& c) const {
+    const double rate = std::abs(c.alpha(t_).f_t) + body_[c.i].omega_bar.norm();
+    return product({1, rate, rate * rate}, vector(body_[c.j], c.a_bar_j), c.alpha(t_).f_tt);
+  }
+  double of(const DP2<double>& c) const {
+    return product(vector(body_[c.i], c.a_bar_i), offset(c, c.s_bar_i, c.s_bar_j), c.f(t_).f_tt);
+  }
+  double of(const D<double>& c) const {
+    const Magnitude d = offset(c, c.s_bar_i, c.s_bar_j);
+    return product(d, d, c.f(t_).f_tt);
+  }
+  double of(const CD<double>& c) const {
+    return product({c.c.norm(), 0, 0}, offset(c, c.s_bar_i, c.s_bar_j), c.f(t_).f_tt);
+  }
+  /// The parts of a tension, each pulling for itself.
+  void add(const SpringDamper<double>& spring, VectorX<double>& Q) const {
+    const auto &i = body_[spring.i], &j = body_[spring.j];
+    const V d = j.point(spring.s_bar_j) - i.point(spring.s_bar_i);
+    const V d_dot = j.point_velocity(spring.s_bar_j) - i.point_velocity(spring.s_bar_i);
+    const double pull = spring.stiffness * (d.norm() + std::abs(spring.free_length)) +
+                        std::abs(spring.damping * d.dot(d_dot) / d.norm()) + std::abs(spring.actuator(t_).f);
+    const auto load = [&](int body, const V& s_bar) {
+      if (body == mechanism_.ground()) return;
+      Q.segment<3>(6 * body) += pull * d.normalized().cwiseAbs();
+      Q.segment<3>(6 * body + 3).array() += pull * s_bar.norm();
+    };
+    load(spring.i, spring.s_bar_i);
+    load(spring.j, spring.s_bar_j);
+  }
+
+  const Mechanism<double>& mechanism_;
+  double t_;
+  std::vector<Body> body_;
+};
+
+}  // namespace
+
+bool causes_cancel(const Mechanism<double>& mechanism, const MechanismState<double>& state) {
+  TangentSystem system = tangent_system(mechanism, state);
+  const RowAnalysis rows = analyse_rows(system);
+  const CauseByMagnitude magnitude(mechanism, state);
+  system.Q = magnitude.forces();
+  system.gamma = magnitude.gamma();
+  const RowAnalysis by_magnitude = analyse_rows(system);
+  double cause = 0, largest = 0;
+  for (int k = 0; k < mechanism.nc(); ++k) {
+    if (!rows.unique[k]) continue;
+    cause += std::pow(rows.lambda_cause[k] / rows.E[k], 2);
+    largest += std::pow(by_magnitude.lambda_cause[k] / rows.E[k], 2);
+  }
+  return cause < 0.01 * largest;
+}
+
+}  // namespace trivium
