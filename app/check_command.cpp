@@ -174,6 +174,7 @@ Command add_check_command(CLI::App& app) {
   command->add_option("SCENE", arguments->scene, "A scene file, or the name of a catalogue scene")
       ->required();
   command->add_option("--t", arguments->t, "The time at which the file's state is taken [s]")
+      ->check(finite_time())
       ->capture_default_str();
   command->add_flag("--assemble", arguments->assemble, "First project the state onto its constraints");
   command->add_option("--save", arguments->save, "With --assemble: write the assembled scene to this file");

@@ -190,6 +190,7 @@ TEST(EveryProgram, AnswersMisuseWithExitCodeTwo) {
   for (const std::string words :
        {"trivium", "trivium solv heavy_top", "trivium solve", "trivium solve no_such_scene",
         "trivium solve heavy_top --scalar half", "trivium solve heavy_top --sequence 312x",
+        "trivium solve heavy_top --t nan", "trivium check heavy_top --t inf",
         "lambda_invariance no_such_scene", "precision_ladder --no-such-option"}) {
     const Outcome r = run(words);
     EXPECT_EQ(r.exit_code, 2) << words;

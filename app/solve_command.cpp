@@ -257,7 +257,7 @@ Command add_solve_command(CLI::App& app) {
       ->check(CLI::IsMember({"float", "double", "quad", "50"}))
       ->capture_default_str();
   command->add_option("--t", arguments->t, "The time at which the file's state is taken [s]")
-      ->check(CLI::Number)
+      ->check(finite_time())
       ->capture_default_str();
   command->add_flag("--assemble", arguments->assemble, "First project the state onto its constraints");
   command->add_option("--save", arguments->save, "With --assemble: write the assembled scene to this file");

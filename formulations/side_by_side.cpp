@@ -40,7 +40,19 @@ std::vector<std::string> formulation_names() {
 }
 
 RowAnalysis analyse_rows(const scenes::Scene& scene, double t) {
-  return analyse_rows(tangent_system(make_mechanism<double>(scene), make_state<double>(scene, t)));
+  const auto mechanism = make_mechanism<double>(scene);
+  const int unknowns = 6 * mechanism.nb() + mechanism.nc();
+  if (unknowns > most_dense_unknowns)
+    throw ModelError(
+        fmt::format("{}: {} bodies and {} rows make a dense augmented matrix of {} unknowns, beyond the {} "
+                    "that the printed form is "
+                    "solved for; take fewer bodies",
+                    scene.name, mechanism.nb(), mechanism.nc(), unknowns, most_dense_unknowns));
+  try {
+    return analyse_rows(tangent_system(mechanism, make_state<double>(scene, t)));
+  } catch (const ModelError& error) {
+    throw ModelError(fmt::format("{} at t = {}: {}", scene.name, t, error.what()));
+  }
 }
 
 }  // namespace trivium

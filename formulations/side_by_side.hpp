@@ -87,7 +87,11 @@ struct Sparsity {
 /// Entries that are not zero at the scene's state, in every formulation; nothing dense is built.
 std::vector<Sparsity> augmented_sparsity(const scenes::Scene& scene, double t);
 
-/// The row analysis of the scene's state, in double.
+/// The printed form is dense: beyond this many unknowns (6 nb + nc) it takes minutes and gigabytes, and is
+/// refused.
+inline constexpr int most_dense_unknowns = 6000;
+
+/// The row analysis of the scene's state, in double; throws a ModelError that names scene and time.
 RowAnalysis analyse_rows(const scenes::Scene& scene, double t);
 
 }  // namespace trivium
