@@ -71,6 +71,11 @@ struct Report {
   std::vector<std::string> not_unique() const {
     return names([](const RowAnalysis& r, int k) { return !r.unique[k]; });
   }
+  std::vector<std::string> contradictory() const {
+    return names([](const RowAnalysis& r, int k) {
+      return std::find(r.contradictory.begin(), r.contradictory.end(), k) != r.contradictory.end();
+    });
+  }
   std::vector<std::string> unphysical() const {
     std::vector<std::string> out;
     for (const scenes::Body& body : scene.bodies)
@@ -95,6 +100,7 @@ std::string Report::json() const {
       .number("mu", rows.mu)
       .texts("redundant", redundant())
       .texts("not_unique", not_unique())
+      .texts("contradictory", contradictory())
       .texts("unphysical_inertia", unphysical())
       .flag("consistent", consistency.holds())
       .texts("wrong_branches", consistency.wrong_branches)
@@ -162,6 +168,11 @@ int run_check(const CheckArguments& arguments) {
                       energy_of(mechanism, state),
                       augmented_sparsity(scene, arguments.t)};
   fmt::print("{}", arguments.json ? report.json() : report.text());
+  if (!rows.contradictory.empty()) {
+    fmt::print(stderr, "error: {}: no acceleration satisfies all rows: {} against the rows before\n",
+               arguments.scene, fmt::join(report.contradictory(), ", "));
+    return exit_input_error;
+  }
   return report_consistency(arguments, consistency) ? exit_done : exit_input_error;
 }
 
@@ -171,13 +182,16 @@ Command add_check_command(CLI::App& app) {
   auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command =
       app.add_subcommand("check", "Rank, redundant rows, residuals, energy and sparsity of a scene");
+  command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
   command->add_option("SCENE", arguments->scene, "A scene file, or the name of a catalogue scene")
       ->required();
   command->add_option("--t", arguments->t, "The time at which the file's state is taken [s]")
       ->check(finite_time())
       ->capture_default_str();
-  command->add_flag("--assemble", arguments->assemble, "First project the state onto its constraints");
-  command->add_option("--save", arguments->save, "With --assemble: write the assembled scene to this file");
+  CLI::Option* assemble =
+      command->add_flag("--assemble", arguments->assemble, "First project the state onto its constraints");
+  command->add_option("--save", arguments->save, "With --assemble: write the assembled scene to this file")
+      ->needs(assemble);
   command->add_flag("--json", arguments->json, "JSON on stdout");
   return [arguments] { return run_check(*arguments); };
 }

@@ -150,6 +150,38 @@ TEST(Solve, AMassThatNothingHoldsIsAnErrorThatNamesTheBody) {
   EXPECT_NE(r.err.find("speck"), std::string::npos) << r.err;
 }
 
+TEST(Solve, RowsThatNoAccelerationSatisfiesAreAnErrorThatNamesThem) {
+  const std::string scene = temporary_scene("dead_point.json", R"({"trivium": 1, "name": "dead_point",
+    "bodies": [{"name": "bead", "mass": 1, "inertia": [1, 1, 1], "position": [0, 0, 0], "velocity": [0, 1, 0]}],
+    "constraints": [
+      {"type": "distance", "name": "left", "i": {"body": "ground", "point": [-1, 0, 0]}, "j": {"body": "bead"}, "distance": 1},
+      {"type": "distance", "name": "right", "i": {"body": "ground", "point": [1, 0, 0]}, "j": {"body": "bead"}, "distance": 1}]})");
+  const Outcome r = run("trivium solve " + scene);
+  EXPECT_EQ(r.exit_code, 3);
+  EXPECT_EQ(r.out, "");
+  EXPECT_NE(r.err.find("right.d"), std::string::npos) << r.err;
+  EXPECT_EQ(run("trivium check " + scene).exit_code, 2);
+}
+
+TEST(LambdaInvariance, ARowThatCarriesNothingIsMeasuredAgainstItsNeighbours) {
+  std::string legs;
+  for (const char* corner : {"1, 1, 0", "-1, 1, 0", "-1, -1, 0", "1, -1, 0"})
+    for (const char* c : {"0, 0, 1"})
+      legs += std::string(R"({"type": "cd", "name": "leg)") + corner + R"(", "direction": [)" + c +
+              R"(], "i": {"body": "ground", "point": [)" + corner +
+              R"(]}, "j": {"body": "table", "point": [)" + corner + "]}},";
+  const std::string scene = temporary_scene(
+      "table.json",
+      R"({"trivium": 1, "name": "table",
+    "bodies": [{"name": "table", "mass": 1, "inertia": [1, 1.1, 1.2], "position": [0, 0, 0]}], "constraints": [)" +
+          legs +
+          R"({"type": "cd", "name": "x", "direction": [1, 0, 0], "i": {"body": "ground"}, "j": {"body": "table"}},
+       {"type": "cd", "name": "y", "direction": [0, 1, 0], "i": {"body": "ground"}, "j": {"body": "table"}}],
+    "effects": [{"type": "gravity", "acceleration": [0, 0, -9.81]}]})");
+  EXPECT_EQ(run("lambda_invariance " + scene).exit_code, 0);
+  EXPECT_EQ(run("trivium solve " + scene).err, "");
+}
+
 TEST(Check, ReportsRankRedundancyAndSparsity) {
   const Outcome r = run("trivium check n_four_bar_40 --json");
   ASSERT_EQ(r.exit_code, 0) << r.err;
@@ -183,7 +215,8 @@ TEST(EveryProgram, HasHelpAndVersion) {
       EXPECT_NE(r.out, "");
     }
   for (const std::string command : {"solve", "check", "list", "generate"})
-    EXPECT_EQ(run("trivium " + command + " --help").exit_code, 0);
+    for (const std::string flag : {" --help", " --version"})
+      EXPECT_EQ(run("trivium " + command + flag).exit_code, 0) << command << flag;
 }
 
 TEST(EveryProgram, AnswersMisuseWithExitCodeTwo) {

@@ -39,6 +39,7 @@ int run_generate(const GenerateArguments& arguments) {
 Command add_generate_command(CLI::App& app) {
   auto arguments = std::make_shared<GenerateArguments>();
   CLI::App* command = app.add_subcommand("generate", "A chain, ladder or tree of N as a scene file");
+  command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
   command->add_option("KIND", arguments->kind, "chain, ladder or tree")
       ->required()
       ->check(CLI::IsMember({"chain", "ladder", "tree"}));

@@ -63,6 +63,7 @@ int run_list(bool json) {
 Command add_list_command(CLI::App& app) {
   auto json = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand("list", "Scenes, formulations, joints and effects");
+  command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
   command->add_flag("--json", *json, "JSON on stdout");
   return [json] { return run_list(*json); };
 }

@@ -240,6 +240,7 @@ Command add_solve_command(CLI::App& app) {
   auto arguments = std::make_shared<SolveArguments>();
   CLI::App* command = app.add_subcommand(
       "solve", "Accelerations, lambda and reactions of a scene's state, in every formulation");
+  command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
   command->add_option("SCENE", arguments->scene, "A scene file, or the name of a catalogue scene")
       ->required();
   std::vector<std::string> formulations = formulation_names();
@@ -259,8 +260,10 @@ Command add_solve_command(CLI::App& app) {
   command->add_option("--t", arguments->t, "The time at which the file's state is taken [s]")
       ->check(finite_time())
       ->capture_default_str();
-  command->add_flag("--assemble", arguments->assemble, "First project the state onto its constraints");
-  command->add_option("--save", arguments->save, "With --assemble: write the assembled scene to this file");
+  CLI::Option* assemble =
+      command->add_flag("--assemble", arguments->assemble, "First project the state onto its constraints");
+  command->add_option("--save", arguments->save, "With --assemble: write the assembled scene to this file")
+      ->needs(assemble);
   command->add_flag("--json", arguments->json, "JSON on stdout");
   return [arguments] { return run_solve(*arguments); };
 }

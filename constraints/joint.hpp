@@ -23,8 +23,9 @@ JointFrame<Scalar> joint_frame(const Vector3<Scalar>& point, const Vector3<Scala
                                const Vector3<Scalar>& x) {
   JointFrame<Scalar> frame;
   frame.point = point;
-  frame.z = axis / axis.norm();
-  frame.u = x - frame.z.dot(x) * frame.z;
+  frame.z = axis / axis.stableNorm();
+  const Vector3<Scalar> e = x / x.stableNorm();  // first to unit size: no square may over- or underflow
+  frame.u = e - frame.z.dot(e) * frame.z;
   frame.u /= frame.u.norm();
   frame.v = frame.z.cross(frame.u);
   return frame;

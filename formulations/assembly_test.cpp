@@ -128,6 +128,47 @@ TEST(Consistency, AnAntiparallelAxisIsAWrongBranch) {
   EXPECT_NE(result.wrong_branches[0].find(scene.constraints[0].name), std::string::npos);
 }
 
+/// A body welded to the ground in every joint's sense, its frame turned so that the rows hold and the joint
+/// does not.
+struct Turned {
+  const char* name;
+  scenes::ConstraintType type;
+  scenes::Vector3 axis_j, x_j;
+};
+
+class WrongBranch : public testing::TestWithParam<Turned> {};
+
+TEST_P(WrongBranch, IsNamedThoughItsRowsHold) {
+  scenes::Scene scene;
+  scenes::Body body;
+  body.name = "body";
+  body.mass = 1;
+  body.inertia = scenes::Vector3{1, 1, 1};
+  scene.bodies = {body};
+  scenes::Constraint joint;
+  joint.type = GetParam().type;
+  joint.name = "joint";
+  joint.i = {scenes::ground, {}, {}, scenes::Vector3{0, 0, 1}, scenes::Vector3{1, 0, 0}};
+  joint.j = {0, {}, {}, GetParam().axis_j, GetParam().x_j};
+  scene.constraints = {joint};
+  const Consistency result = consistency(scene);
+  EXPECT_LT(worst(result.positions), 1e-15);
+  ASSERT_FALSE(result.wrong_branches.empty());
+  EXPECT_NE(result.wrong_branches[0].find("joint"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Joints, WrongBranch,
+    testing::Values(
+        Turned{"antiparallel_revolute", scenes::ConstraintType::revolute, {0, 0, -1}, {1, 0, 0}},
+        Turned{"antiparallel_cylindrical", scenes::ConstraintType::cylindrical, {0, 0, -1}, {1, 0, 0}},
+        Turned{"antiparallel_translational", scenes::ConstraintType::translational, {0, 0, -1}, {1, 0, 0}},
+        Turned{"antiparallel_fixed", scenes::ConstraintType::fixed, {0, 0, -1}, {1, 0, 0}},
+        Turned{"antiparallel_planar", scenes::ConstraintType::planar, {0, 0, -1}, {1, 0, 0}},
+        Turned{"half_turned_translational", scenes::ConstraintType::translational, {0, 0, 1}, {-1, 0, 0}},
+        Turned{"half_turned_fixed", scenes::ConstraintType::fixed, {0, 0, 1}, {-1, 0, 0}}),
+    [](const auto& test) { return std::string(test.param.name); });
+
 TEST(Consistency, ADriverAHalfTurnOffIsAWrongBranch) {
   scenes::Scene scene = catalogue_scene("driven_crank");
   for (scenes::Constraint& c : scene.constraints)

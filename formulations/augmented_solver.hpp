@@ -23,19 +23,22 @@ struct PhysicalSolution {
   VectorX<Scalar> lambda;                      ///< one per row; non-unique ones of minimum |E lambda|
 };
 
-/// |E (lambda_1 - lambda_2)| / max(|E lambda|, |E^-1 b|) over the unique rows; 0 where there are none.
+/// |E (lambda_1 - lambda_2)| / max(|E lambda|, |E^-1 b|); differences and lambda over the unique rows, 0
+/// where there are none. What could cause lambda is taken over all rows: a row that carries nothing is
+/// measured against its neighbours.
 template <class Scalar>
 double lambda_distance(const RowAnalysis& rows, const VectorX<Scalar>& lambda_1,
                        const VectorX<Scalar>& lambda_2) {
   double difference = 0, size_1 = 0, size_2 = 0, cause = 0;
   for (Eigen::Index k = 0; k < lambda_1.size(); ++k) {
     const double E = rows.E[k];
-    if (!rows.unique[k] || E == 0) continue;
+    if (E == 0) continue;
     const auto square = [](double x) { return x * x; };
+    cause += square(rows.lambda_cause[k] / E);
+    if (!rows.unique[k]) continue;
     difference += square(E * static_cast<double>(Scalar(lambda_1[k] - lambda_2[k])));
     size_1 += square(E * static_cast<double>(lambda_1[k]));
     size_2 += square(E * static_cast<double>(lambda_2[k]));
-    cause += square(rows.lambda_cause[k] / E);
   }
   const double scale = std::sqrt(std::max({size_1, size_2, cause}));
   return difference == 0 ? 0.0 : std::sqrt(difference) / scale;

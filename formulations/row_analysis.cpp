@@ -155,6 +155,33 @@ void decide_rank(const TangentSystem& s, RowAnalysis& out) {
   }
 }
 
+/// Redundant rows: gamma_k against what the independent rows make of it.
+void find_contradictions(const TangentSystem& s, RowAnalysis& out) {
+  if (out.redundant.empty()) return;
+  MatrixX<double> rows = s.Phi * geometric_column_scale(s).asDiagonal();
+  VectorX<double> gamma = s.gamma;
+  for (Eigen::Index k = 0; k < gamma.size(); ++k) {
+    const double size = rows.row(k).norm();
+    if (size == 0) continue;
+    rows.row(k) /= size;
+    gamma[k] /= size;
+  }
+  // the least acceleration that meets the independent rows shows what they make of the others
+  VectorX<double> acceleration = VectorX<double>::Zero(rows.cols());
+  if (out.rank > 0) {
+    const MatrixX<double> independent = rows(out.independent, Eigen::all).transpose();
+    const Eigen::HouseholderQR<MatrixX<double>> qr(independent);
+    const MatrixX<double> R = qr.matrixQR().topRows(out.rank);
+    const VectorX<double> y = R.transpose().triangularView<Eigen::Lower>().solve(gamma(out.independent));
+    const MatrixX<double> Q = qr.householderQ() * MatrixX<double>::Identity(rows.cols(), out.rank);
+    acceleration = Q * y;
+  }
+  const double largest = std::max(gamma.cwiseAbs().maxCoeff(), acceleration.norm());
+  for (int k : out.redundant)
+    if (std::abs(rows.row(k).dot(acceleration) - gamma[k]) > contradiction_tolerance * largest + 1e-12)
+      out.contradictory.push_back(k);
+}
+
 }  // namespace
 
 Metric::Metric(const TangentSystem& system) {
@@ -231,6 +258,7 @@ RowAnalysis analyse_rows(const TangentSystem& s) {
       s.gamma.cwiseAbs();
   out.acceleration_cause += E_inverse.cwiseProduct(s.gamma).norm();
   decide_rank(s, out);
+  find_contradictions(s, out);
 
   W = W * E_inverse.asDiagonal();
   const MatrixX<double> S = W.transpose() * W;

@@ -85,6 +85,9 @@ struct RowAnalysis {
   /// nc x (nc - rank): E N is orthonormal, Phi^T N = 0, zero in unique rows. lambda is unique up to N y. A
   /// row without a gradient has no column here; its lambda acts on nothing and is 0.
   MatrixX<double> null_basis;
+  /// Redundant rows whose right side contradicts that of the rows they follow from: no acceleration satisfies
+  /// all.
+  std::vector<int> contradictory;
   VectorX<double>
       E;  ///< diag(S)^(1/2), S = Phi M^-1 Phi^T: the norm of lambda, independent of units and of row scaling
   double kappa = 1;  ///< condition number of E^-1 S E^-1 over its nonzero singular values
@@ -101,6 +104,10 @@ struct RowAnalysis {
 inline constexpr double rank_tolerance = 1e-8;
 
 RowAnalysis analyse_rows(const TangentSystem& system);
+
+/// A redundant row contradicts the others where its right side misses theirs by more than this, relative to
+/// the terms of gamma: well above what inconsistent positions within their tolerance can leave.
+inline constexpr double contradiction_tolerance = 1e-6;
 
 /// Makes lambda the one of minimum |E lambda| among those with the same Phi^T lambda. Unique components do
 /// not change.

@@ -39,6 +39,19 @@ std::vector<std::string> formulation_names() {
           std::string(REpsilon<double>::name), std::string(REpsilonOmegaFirst<double>::name)};
 }
 
+namespace {
+
+std::string contradiction(const Mechanism<double>& mechanism, const RowAnalysis& rows) {
+  std::string names;
+  for (int k : rows.contradictory) names += (names.empty() ? "" : ", ") + mechanism.row_names[k];
+  return fmt::format(
+      "no acceleration satisfies all rows: {} against the rows before; remove a row, or make their "
+      "functions of time agree",
+      names);
+}
+
+}  // namespace
+
 RowAnalysis analyse_rows(const scenes::Scene& scene, double t) {
   const auto mechanism = make_mechanism<double>(scene);
   const int unknowns = 6 * mechanism.nb() + mechanism.nc();
@@ -49,7 +62,9 @@ RowAnalysis analyse_rows(const scenes::Scene& scene, double t) {
                     "solved for; take fewer bodies",
                     scene.name, mechanism.nb(), mechanism.nc(), unknowns, most_dense_unknowns));
   try {
-    return analyse_rows(tangent_system(mechanism, make_state<double>(scene, t)));
+    RowAnalysis rows = analyse_rows(tangent_system(mechanism, make_state<double>(scene, t)));
+    if (!rows.contradictory.empty()) throw ModelError(contradiction(mechanism, rows));
+    return rows;
   } catch (const ModelError& error) {
     throw ModelError(fmt::format("{} at t = {}: {}", scene.name, t, error.what()));
   }

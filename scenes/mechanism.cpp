@@ -93,6 +93,7 @@ JointRows<Scalar> rows_of(const scenes::Constraint& c, const Joint<Scalar>& join
 template <class Scalar>
 struct EffectBuilder {
   Mechanism<Scalar>& mechanism;
+  std::size_t effect = 0;  ///< its place in the file, which names an effect that has no name
 
   int index(int scene_body) const { return scene_body == scenes::ground ? mechanism.ground() : scene_body; }
   static ComponentFrame frame(scenes::Frame f) {
@@ -109,9 +110,10 @@ struct EffectBuilder {
     mechanism.effects.add(Torque<Scalar>{index(e.body), e.torque, frame(e.frame)});
   }
   void operator()(const scenes::SpringDamper& e) const {
-    mechanism.effects.add(SpringDamper<Scalar>{
-        e.name, index(e.i.body), index(e.j.body), vector_of<Scalar>(e.i.point), vector_of<Scalar>(e.j.point),
-        Scalar(e.stiffness), Scalar(e.damping), Scalar(e.free_length), e.actuator});
+    mechanism.effects.add(SpringDamper<Scalar>{e.name.empty() ? fmt::format("/effects/{}", effect) : e.name,
+                                               index(e.i.body), index(e.j.body), vector_of<Scalar>(e.i.point),
+                                               vector_of<Scalar>(e.j.point), Scalar(e.stiffness),
+                                               Scalar(e.damping), Scalar(e.free_length), e.actuator});
   }
   void operator()(const scenes::TorsionalSpringDamper& e) const {
     const Joint<Scalar>& joint = mechanism.joints[e.joint];
@@ -184,7 +186,8 @@ Mechanism<Scalar> make_mechanism(const scenes::Scene& scene) {
     joint.rows = m.nc() - joint.first_row;
     m.joints.push_back(std::move(joint));
   }
-  for (const scenes::Effect& effect : scene.effects) std::visit(EffectBuilder<Scalar>{m}, effect);
+  for (std::size_t k = 0; k < scene.effects.size(); ++k)
+    std::visit(EffectBuilder<Scalar>{m, k}, scene.effects[k]);
   return m;
 }
 

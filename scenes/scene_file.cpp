@@ -46,6 +46,7 @@ fs::path temporary_beside(const fs::path& path) {
 
 Scene parse_scene(std::string_view text, std::string_view file_name) {
   const Path root(file_name);
+  if (text.find('\0') != std::string_view::npos) fail(root, "a NUL character", "a JSON document");
   const Json json = parse_json(text, root);
   check_magnitudes(json, root);
   Scene scene = read_scene(json, root);

@@ -101,6 +101,7 @@ class CauseByMagnitude {
 bool causes_cancel(const Mechanism<double>& mechanism, const MechanismState<double>& state) {
   TangentSystem system = tangent_system(mechanism, state);
   const RowAnalysis rows = analyse_rows(system);
+  if (!rows.contradictory.empty()) return true;
   const CauseByMagnitude magnitude(mechanism, state);
   system.Q = magnitude.forces();
   system.gamma = magnitude.gamma();
