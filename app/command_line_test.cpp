@@ -163,6 +163,18 @@ TEST(Solve, RowsThatNoAccelerationSatisfiesAreAnErrorThatNamesThem) {
   EXPECT_EQ(run("trivium check " + scene).exit_code, 2);
 }
 
+TEST(EveryValidation, RefusesAnInconsistentStart) {
+  std::string text = slurp(TRIVIUM_SCENES_DIR "/simple_pendulum.json");
+  const std::size_t at = text.find("\"velocity\": [") + 13;
+  text.replace(at, text.find(']', at) - at, "1, 2, 3");
+  const std::string scene = temporary_scene("moving_wrongly.json", text);
+  for (const std::string program : {"lambda_invariance ", "precision_ladder "}) {
+    const Outcome r = run(program + scene);
+    EXPECT_EQ(r.exit_code, 2) << program;
+    EXPECT_NE(r.err.find("velocity: residual"), std::string::npos) << r.err;
+  }
+}
+
 TEST(LambdaInvariance, ARowThatCarriesNothingIsMeasuredAgainstItsNeighbours) {
   std::string legs;
   for (const char* corner : {"1, 1, 0", "-1, 1, 0", "-1, -1, 0", "1, -1, 0"})

@@ -124,7 +124,10 @@ class SceneBuilder {
       remove_last();
     }
   }
-  bool is_independent() const { return analyse_rows(scene_, 0).redundant.empty(); }
+  bool is_independent() const {
+    const auto system = tangent_system(make_mechanism<double>(scene_), make_state<double>(scene_));
+    return analyse_rows(system).redundant.empty();
+  }
   void remove_last() {
     scene_.constraints.pop_back();
     geometry_.pop_back();

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "bodies/error.hpp"
+#include "formulations/assembly.hpp"
 #include "scenes/scene_file.hpp"
 
 namespace trivium {
@@ -40,11 +41,24 @@ scenes::Scene load_scene(const std::string& path_or_name) {
   return scenes::read_scene_file(is_name ? by_name : fs::path(path_or_name));
 }
 
+scenes::Scene load_consistent_scene(const std::string& path_or_name, double t) {
+  scenes::Scene scene = load_scene(path_or_name);
+  const Consistency consistency =
+      check_consistency(make_mechanism<double>(scene), make_state<double>(scene, t));
+  if (!consistency.holds())
+    throw InconsistentState(fmt::format("{}: the state at t = {} does not satisfy its constraints:\n{}",
+                                        path_or_name, t, consistency.report()));
+  return scene;
+}
+
 int run_guarded(const std::function<int()>& program) {
   try {
     return program();
   } catch (const scenes::SceneError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
+    return exit_input_error;
+  } catch (const InconsistentState& error) {
+    fmt::print(stderr, "error: {}", error.what());
     return exit_input_error;
   } catch (const ModelError& error) {
     fmt::print(stderr, "error: {}\n", error.what());

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,15 @@ std::vector<std::filesystem::path> catalogue();
 
 /// A path as given, or the catalogue's scene of that name. Throws scenes::SceneError.
 scenes::Scene load_scene(const std::string& path_or_name);
+
+/// A scene whose state at time t does not satisfy its constraints, with the offending rows.
+class InconsistentState : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The same, and its state at time t must satisfy its constraints; throws InconsistentState otherwise.
+scenes::Scene load_consistent_scene(const std::string& path_or_name, double t);
 
 /// Runs a program: what its input did wrong becomes exit code 2, what a solver could not do 3, each with its
 /// message on stderr.

@@ -194,7 +194,7 @@ int run(const Arguments& arguments, int argc, char** argv) {
   Survey survey;
   Progress progress("lambda_invariance", scenes.size() + static_cast<std::size_t>(random_count));
   for (const std::string& file : scenes) {
-    survey.add(ask(load_scene(file), 0));
+    survey.add(ask(load_consistent_scene(file, 0), 0));
     progress.step();
   }
   for (int k = 0; k < random_count; ++k) {

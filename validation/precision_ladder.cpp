@@ -127,7 +127,7 @@ std::string json(const std::vector<Rung>& rungs, bool passed) {
 
 int run(const Arguments& arguments, int argc, char** argv) {
   std::vector<scenes::Scene> scenes;
-  for (const std::string& name : arguments.scenes) scenes.push_back(load_scene(name));
+  for (const std::string& name : arguments.scenes) scenes.push_back(load_consistent_scene(name, 0));
   if (scenes.empty())
     for (const auto& file : catalogue())
       if (scenes::Scene scene = load_scene(file.string());

@@ -135,7 +135,7 @@ int run(const Arguments& arguments, int argc, char** argv) {
   if (paths.empty())
     for (const auto& path : catalogue()) paths.push_back(path.string());
   std::vector<scenes::Scene> scenes;
-  for (const std::string& path : paths) scenes.push_back(load_scene(path));
+  for (const std::string& path : paths) scenes.push_back(load_consistent_scene(path, arguments.t));
 
   std::vector<SimbodyComparison> comparisons;
   {
