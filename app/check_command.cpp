@@ -183,15 +183,7 @@ Command add_check_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("check", "Rank, redundant rows, residuals, energy and sparsity of a scene");
   command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
-  command->add_option("SCENE", arguments->scene, "A scene file, or the name of a catalogue scene")
-      ->required();
-  command->add_option("--t", arguments->t, "The time at which the file's state is taken [s]")
-      ->check(finite_time())
-      ->capture_default_str();
-  CLI::Option* assemble =
-      command->add_flag("--assemble", arguments->assemble, "First project the state onto its constraints");
-  command->add_option("--save", arguments->save, "With --assemble: write the assembled scene to this file")
-      ->needs(assemble);
+  add_scene_options(*command, *arguments);
   command->add_flag("--json", arguments->json, "JSON on stdout");
   return [arguments] { return run_check(*arguments); };
 }

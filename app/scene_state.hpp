@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/commands.hpp"
 #include "formulations/assembly.hpp"
 #include "scenes/scene_file.hpp"
 #include "validation/catalogue.hpp"
@@ -19,6 +20,18 @@ struct SceneArguments {
   bool assemble = false;
   std::string save;  ///< file for the assembled scene; empty for none
 };
+
+/// The options that say which scene, at what time and whether to assemble it.
+inline void add_scene_options(CLI::App& command, SceneArguments& arguments) {
+  command.add_option("SCENE", arguments.scene, "A scene file, or the name of a catalogue scene")->required();
+  command.add_option("--t", arguments.t, "The time at which the file's state is taken [s]")
+      ->check(finite_time())
+      ->capture_default_str();
+  CLI::Option* assemble =
+      command.add_flag("--assemble", arguments.assemble, "First project the state onto its constraints");
+  command.add_option("--save", arguments.save, "With --assemble: write the assembled scene to this file")
+      ->needs(assemble);
+}
 
 /// Reads the scene and, with `assemble`, projects its state onto the constraints and saves it if asked.
 inline scenes::Scene load_state(const SceneArguments& arguments) {

@@ -241,8 +241,7 @@ Command add_solve_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "solve", "Accelerations, lambda and reactions of a scene's state, in every formulation");
   command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
-  command->add_option("SCENE", arguments->scene, "A scene file, or the name of a catalogue scene")
-      ->required();
+  add_scene_options(*command, *arguments);
   std::vector<std::string> formulations = formulation_names();
   formulations.push_back("all");
   command->add_option("--formulation", arguments->formulation, "Which formulation")
@@ -257,13 +256,6 @@ Command add_solve_command(CLI::App& app) {
   command->add_option("--scalar", arguments->scalar, "Arithmetic")
       ->check(CLI::IsMember({"float", "double", "quad", "50"}))
       ->capture_default_str();
-  command->add_option("--t", arguments->t, "The time at which the file's state is taken [s]")
-      ->check(finite_time())
-      ->capture_default_str();
-  CLI::Option* assemble =
-      command->add_flag("--assemble", arguments->assemble, "First project the state onto its constraints");
-  command->add_option("--save", arguments->save, "With --assemble: write the assembled scene to this file")
-      ->needs(assemble);
   command->add_flag("--json", arguments->json, "JSON on stdout");
   return [arguments] { return run_solve(*arguments); };
 }
