@@ -97,7 +97,7 @@ std::string Report::json() const {
       .number("dof", 6 * mechanism.nb() - rows.rank)
       .number("rank", rows.rank)
       .number("condition", rows.kappa)
-      .number("mu", rows.mu)
+      .numbers("mu", rows.mu)
       .texts("redundant", redundant())
       .texts("not_unique", not_unique())
       .texts("contradictory", contradictory())
@@ -133,8 +133,9 @@ std::string Report::text() const {
                      scene.constraints.size(), joint_summary(scene));
   out += fmt::format("rows, rank          {}, {}\ndegrees of freedom  {}\ncondition           {:.2e}\n",
                      mechanism.nc(), rows.rank, 6 * mechanism.nb() - rows.rank, rows.kappa);
-  if (rows.mu > 0)
-    out += fmt::format("singular mass       norms use M + mu Phi^T Phi, mu = {:.3g}\n", rows.mu);
+  if (rows.mu.size() > 0 && rows.mu.maxCoeff() > 0)
+    out += fmt::format("singular mass       norms use M + Phi^T diag(mu) Phi, mu from {:.3g} to {:.3g}\n",
+                       rows.mu.minCoeff(), rows.mu.maxCoeff());
   for (const std::string& body : unphysical())
     out += fmt::format("unphysical inertia  body \"{}\", by its own word\n", body);
   if (!rows.redundant.empty()) {

@@ -11,6 +11,7 @@
 
 #include "formulations/dense_solver.hpp"
 #include "formulations/equations_of_motion.hpp"
+#include "formulations/redundancy.hpp"
 #include "formulations/row_analysis.hpp"
 
 namespace trivium {
@@ -70,7 +71,8 @@ AccelerationDistance acceleration_distance(const RowAnalysis& rows, const Physic
   return {relative(r + omega), relative(r), relative(omega)};
 }
 
-/// One formulation's augmented system at one state, redundant rows left out, and what a solution of it means.
+/// One formulation's augmented system at one state, and what a solution of it means. The system is solved
+/// with its redundant rows left out: x is a solution of that reduced system, in printed order.
 template <Formulation F>
 class AugmentedEquations {
  public:
@@ -83,32 +85,34 @@ class AugmentedEquations {
         states_(to_coordinates<F>(mechanism, state, options)),
         eom_(equations_of_motion<F>(mechanism, states_, state.t)) {
     const AugmentedSystem<F> system = augmented_system(eom_);
-    const MatrixX<S> K = system.matrix();
-    const Eigen::Index fixed = K.rows() - system.nc;
+    K_ = system.matrix();
+    b_ = system.right_side();
+    const Eigen::Index fixed = K_.rows() - system.nc;
     for (Eigen::Index k = 0; k < fixed; ++k) kept_.push_back(k);
     for (int k : rows.independent) kept_.push_back(fixed + k);
-    matrix_ = K(kept_, kept_);
-    right_side_ = system.right_side()(kept_);
-    full_size_ = K.rows();
   }
 
   const EquationsOfMotion<F>& equations() const { return eom_; }
   const std::vector<BodyState<F>>& states() const { return states_; }
-  const MatrixX<S>& matrix() const { return matrix_; }  ///< printed order, redundant rows left out
-  const VectorX<S>& right_side() const { return right_side_; }
+  const RowAnalysis& rows() const { return rows_; }
 
-  /// The unknowns by name; lambda is 0 in redundant rows, or with `minimum_norm` of minimum norm among the
-  /// equivalent.
-  Unknowns<F> unknowns(const VectorX<S>& x, bool minimum_norm = true) const {
-    VectorX<S> full = VectorX<S>::Zero(full_size_);
+  MatrixX<S> reduced_matrix() const { return rows_.redundant.empty() ? K_ : MatrixX<S>(K_(kept_, kept_)); }
+  VectorX<S> reduced_right_side() const { return b_(kept_); }
+
+  /// All unknowns, lambda 0 in redundant rows.
+  VectorX<S> expand(const VectorX<S>& x) const {
+    VectorX<S> full = VectorX<S>::Zero(K_.rows());
     full(kept_) = x;
-    Unknowns<F> u = split_unknowns<F>(full, eom_.nb(), eom_.nc());
-    if (minimum_norm) to_minimum_norm(rows_, u.lambda);
-    return u;
+    return full;
   }
+  VectorX<S> reduce(const VectorX<S>& full) const { return full(kept_); }
+  /// b - K x over all equations and unknowns, redundant rows among them.
+  VectorX<S> defect(const VectorX<S>& full) const { return b_ - K_ * full; }
+  /// The unknowns by name.
+  Unknowns<F> split(const VectorX<S>& full) const { return split_unknowns<F>(full, eom_.nb(), eom_.nc()); }
 
-  PhysicalSolution<S> physical(const VectorX<S>& x) const {
-    const Unknowns<F> u = unknowns(x);
+  PhysicalSolution<S> physical(const VectorX<S>& full) const {
+    const Unknowns<F> u = split(full);
     PhysicalSolution<S> out;
     for (int b = 0; b < eom_.nb(); ++b) {
       out.r_ddot.push_back(u.body[b].r_ddot);
@@ -118,9 +122,9 @@ class AugmentedEquations {
     return out;
   }
 
-  /// The residual of every body's own equations and of every row at x.
-  MatrixFreeResidual residual(const VectorX<S>& x) const {
-    return matrix_free_residual<F>(mechanism_, eom_, unknowns(x, false), rows_.redundant);
+  /// The residual of every body's own equations and of every row.
+  MatrixFreeResidual residual(const VectorX<S>& full) const {
+    return matrix_free_residual<F>(mechanism_, eom_, split(full), rows_.redundant);
   }
 
  private:
@@ -129,9 +133,8 @@ class AugmentedEquations {
   std::vector<BodyState<F>> states_;
   EquationsOfMotion<F> eom_;
   std::vector<Eigen::Index> kept_;
-  MatrixX<S> matrix_;
-  VectorX<S> right_side_;
-  Eigen::Index full_size_ = 0;
+  MatrixX<S> K_;  ///< as printed, all rows
+  VectorX<S> b_;
 };
 
 /// The same, factored.
@@ -142,33 +145,70 @@ class AugmentedSolver : public AugmentedEquations<F> {
 
   AugmentedSolver(const Mechanism<S>& mechanism, const MechanismState<S>& state, const RowAnalysis& rows,
                   const ChartOptions& options = {})
-      : AugmentedEquations<F>(mechanism, state, rows, options), solver_(this->matrix()) {}
+      : AugmentedEquations<F>(mechanism, state, rows, options),
+        solver_(this->reduced_matrix()),
+        redundancy_(mechanism, state, rows) {}
 
-  /// The unknowns in printed order, redundant rows left out.
-  VectorX<S> solve() const { return solver_.solve(this->right_side()); }
-  /// K^-1 b by the factors at hand, unrefined.
+  /// All unknowns in printed order, lambda of minimum norm among the equivalent.
+  VectorX<S> solve() const { return to_minimum_norm(this->expand(solve_reduced())); }
+  /// Redundant rows left out.
+  VectorX<S> solve_reduced() const { return solver_.solve(this->reduced_right_side()); }
+  /// The reduced K^-1 b by the factors at hand, unrefined.
   VectorX<S> substitute(const VectorX<S>& b) const { return solver_.substitute(b); }
+
+  VectorX<S> to_minimum_norm(VectorX<S> full) const {
+    VectorX<S> lambda = full.tail(this->equations().nc());
+    redundancy_.to_minimum_norm(lambda);
+    full.tail(lambda.size()) = lambda;
+    return full;
+  }
+  const Redundancy<S>& redundancy() const { return redundancy_; }
 
  private:
   DenseSolver<S> solver_;
+  Redundancy<S> redundancy_;
 };
 
 struct ErrorEstimate {
   double lambda = 0, acceleration = 0;
 };
 
+namespace detail {
+
+/// How far x would move if the rows called redundant were met as well as the others, in the least-squares
+/// sense, and if their multipliers' share acted on nothing exactly: what dropping just these rows decided.
+template <Formulation F, Formulation Higher>
+VectorX<typename F::Scalar> ambiguity(const AugmentedSolver<F>& solver, const VectorX<typename F::Scalar>& x,
+                                      const AugmentedEquations<Higher>& higher) {
+  using S = typename F::Scalar;
+  using H = typename Higher::Scalar;
+  const VectorX<S> full = solver.expand(x), shared = solver.to_minimum_norm(full);
+  const Eigen::Index nc = solver.equations().nc();
+  // with minimum-norm multipliers in place of x's the bodies' equations change by what Phi^T N keeps
+  const VectorX<H> missed = higher.defect(scalar_cast<H>(full));
+  VectorX<S> change = scalar_cast<S>(VectorX<H>(higher.defect(scalar_cast<H>(shared)) - missed));
+  VectorX<S> redundant = VectorX<S>::Zero(nc);
+  for (int k : solver.rows().redundant) redundant[k] = static_cast<S>(missed.tail(nc)[k]);
+  change.tail(nc) = -solver.redundancy().disagreement(redundant);
+  return solver.substitute(solver.reduce(change));
+}
+
+}  // namespace detail
+
 /// How far a solution is from that of the same scene in exact arithmetic, relative, in the norms above.
 ///
 /// The next rung of the precision ladder forms the same system from the same data; its residual at x sees
 /// every error, those of forming K and b in S included. Substituted through the factors of S and repeated, it
-/// gives the solution to well beyond S, and the distance to it is the error. Twice that distance, plus what
-/// the last correction leaves in doubt, plus u, is reported.
+/// gives the solution to well beyond S, and the distance to it is the error. Reported is twice the sum of
+/// that distance, of what the last correction leaves in doubt and, where rows are redundant only to the
+/// rounding of the scene's numbers, of what leaving out these rows and not others decided; plus u.
 template <Formulation F, Formulation Higher>
 ErrorEstimate estimate_error(const AugmentedSolver<F>& solver, const VectorX<typename F::Scalar>& x,
-                             const AugmentedEquations<Higher>& higher, const RowAnalysis& rows) {
+                             const AugmentedEquations<Higher>& higher) {
   using S = typename F::Scalar;
   using H = typename Higher::Scalar;
-  const PhysicalSolution<S> low = solver.physical(x);
+  const RowAnalysis& rows = solver.rows();
+  const PhysicalSolution<S> low = solver.physical(solver.expand(x));
   PhysicalSolution<H> reported;
   for (std::size_t b = 0; b < low.r_ddot.size(); ++b) {
     reported.r_ddot.push_back(scalar_cast<H>(low.r_ddot[b]));
@@ -176,28 +216,33 @@ ErrorEstimate estimate_error(const AugmentedSolver<F>& solver, const VectorX<typ
   }
   reported.lambda = scalar_cast<H>(low.lambda);
 
-  VectorX<H> better = scalar_cast<H>(x);
+  VectorX<H> better = higher.expand(scalar_cast<H>(x));
   PhysicalSolution<H> best = higher.physical(better), previous = best;
   ErrorEstimate doubt;
   const auto distance = [&rows](const PhysicalSolution<H>& a, const PhysicalSolution<H>& b) {
     return ErrorEstimate{lambda_distance(rows, a.lambda, b.lambda), acceleration_distance(rows, a, b).all};
   };
-  for (int step = 0; step < 4; ++step) {
-    const VectorX<H> residual = higher.right_side() - higher.matrix() * better;
-    better += scalar_cast<H>(solver.substitute(scalar_cast<S>(residual)));
+  const auto correct = [&](const VectorX<S>& step) {
+    better += higher.expand(scalar_cast<H>(step));
     previous = best;
     best = higher.physical(better);
-    doubt = distance(best, previous);
+    return distance(best, previous);
+  };
+  for (int step = 0; step < 4; ++step) {
+    doubt = correct(solver.substitute(scalar_cast<S>(higher.reduce(higher.defect(better)))));
     const ErrorEstimate found = distance(best, reported);
     if (doubt.lambda <= 0.05 * found.lambda && doubt.acceleration <= 0.05 * found.acceleration) break;
   }
   const ErrorEstimate found = distance(best, reported);
+  ErrorEstimate ambiguous;
+  if (!solver.redundancy().none()) ambiguous = correct(detail::ambiguity(solver, x, higher));
   const double u = static_cast<double>(unit_roundoff<S>());
-  const auto honest = [u](double error, double remaining) {
-    const double estimate = 2 * (error + remaining) + u;
+  const auto honest = [u](double error, double remaining, double undecided) {
+    const double estimate = 2 * (error + remaining + undecided) + u;
     return std::isfinite(estimate) ? estimate : std::numeric_limits<double>::max();
   };
-  return {honest(found.lambda, doubt.lambda), honest(found.acceleration, doubt.acceleration)};
+  return {honest(found.lambda, doubt.lambda, ambiguous.lambda),
+          honest(found.acceleration, doubt.acceleration, ambiguous.acceleration)};
 }
 
 }  // namespace trivium

@@ -47,7 +47,7 @@ struct Solved {
   MechanismState<double> state;
   RowAnalysis rows;
   AugmentedSolver<F> solver;
-  VectorX<double> x;
+  VectorX<double> x;  ///< all unknowns, lambda of minimum norm
   Unknowns<F> u;
   PhysicalSolution<double> physical;
 
@@ -57,7 +57,7 @@ struct Solved {
         rows(analyse_rows(scene, 0)),
         solver(mechanism, state, rows),
         x(solver.solve()),
-        u(solver.unknowns(x)),
+        u(solver.split(x)),
         physical(solver.physical(x)) {}
 
   /// The size of lambda's effects: what rounding is to be measured against.
@@ -77,7 +77,7 @@ TYPED_TEST(Solutions, MatrixFreeResidualIsAtRoundingLevel) {
   for_all(
       [] {
         Solved<F> s(draw_scene());
-        const MatrixFreeResidual residual = s.solver.residual(s.x);
+        const MatrixFreeResidual residual = s.solver.residual(s.solver.expand(s.solver.solve_reduced()));
         RC_ASSERT(residual.bodies <= 1e-13);
         RC_ASSERT(residual.rows <= 1e-13);
         // what was left out holds by itself, to what the consistency of the scene is worth
@@ -167,7 +167,7 @@ TYPED_TEST(Solutions, LambdaHasMinimumNormAmongTheEquivalent) {
     const MatrixX<double> EN = s.rows.E.asDiagonal() * s.rows.null_basis;
     EXPECT_LE((EN.transpose() * E_lambda).cwiseAbs().maxCoeff(), 1e-12 * E_lambda.norm());
     // the same forces as with the redundant multipliers at zero
-    const Unknowns<F> plain = s.solver.unknowns(s.x, false);
+    const Unknowns<F> plain = s.solver.split(s.solver.expand(s.solver.solve_reduced()));
     const TangentSystem tangent = tangent_system(s.mechanism, s.state);
     for (int k : s.rows.redundant) EXPECT_EQ(plain.lambda[k], 0);
     EXPECT_LE(distance(tangent.Phi.transpose() * plain.lambda, tangent.Phi.transpose() * s.u.lambda),
@@ -181,6 +181,26 @@ TYPED_TEST(Solutions, LambdaHasMinimumNormAmongTheEquivalent) {
 }
 
 // ---- all formulations together
+
+TEST(NonUniqueLambda, IsAsPreciseAsTheScalar) {
+  for (int seed = 0; seed < 5; ++seed) {
+    const auto scene = test::random_scene(seed, {.bodies = 2, .closings = 1, .doubled = 1});
+    SolveOptions options;
+    options.estimate_errors = false;
+    const auto result = solve_side_by_side<Quad>(scene, 0, options);
+    ASSERT_FALSE(result.rows.redundant.empty());
+    const auto& reference = result.formulations[0].solution.lambda;
+    const auto in_double = solve_side_by_side<double>(scene, 0, options);
+    for (std::size_t f = 0; f < result.formulations.size(); ++f) {
+      const double size = static_cast<double>(reference.norm());
+      EXPECT_LE(static_cast<double>((result.formulations[f].solution.lambda - reference).norm()),
+                1e-28 * size)
+          << result.formulations[f].name;
+      EXPECT_LE((in_double.formulations[f].solution.lambda - scalar_cast<double>(reference)).norm(),
+                1e-11 * size);
+    }
+  }
+}
 
 template <class S>
 void expect_lambda_is_invariant(int scenes, const ChartOptions& charts = {}) {

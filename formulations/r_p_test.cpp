@@ -68,7 +68,7 @@ struct Solved {
         rows(analyse_rows(scene, 0)),
         solver(mechanism, state, rows),
         system(augmented_system(solver.equations())),
-        u(solver.unknowns(solver.solve())) {}
+        u(solver.split(solver.solve())) {}
   int nb() const { return mechanism.nb(); }
   VectorX<S> lambda() const { return u.lambda; }
   const F::Kinematics& body(int b) const { return solver.equations().body[b]; }

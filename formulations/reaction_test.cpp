@@ -40,7 +40,7 @@ struct Solved {
         state(make_state<double>(scene)),
         rows(analyse_rows(scene, 0)),
         solver(mechanism, state, rows),
-        u(solver.unknowns(solver.solve())) {}
+        u(solver.split(solver.solve())) {}
   /// Global frame, about the body's centre of mass.
   Reaction<double> on(End end, int joint = 0) const {
     return joint_reaction<F>(solver.equations(), mechanism.joints[joint], u.lambda, end);

@@ -5,14 +5,18 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace trivium {
 
 namespace {
 
+/// A principal moment below this share of the trace is none: the tolerance of the scene format.
+constexpr double singular_moment = 1e-12;
+
 bool is_singular(const Matrix3<double>& J) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(J, Eigen::EigenvaluesOnly).eigenvalues()[0] <=
-         1e-12 * J.trace();
+         singular_moment * J.trace();
 }
 
 MatrixX<double> mass_matrix(const TangentSystem& s) {
@@ -25,12 +29,34 @@ MatrixX<double> mass_matrix(const TangentSystem& s) {
   return M;
 }
 
+/// mu, see Metric.
+VectorX<double> row_weights(const TangentSystem& s) {
+  VectorX<double> mu = VectorX<double>::Zero(s.Phi.rows());
+  for (Eigen::Index k = 0; k < s.Phi.rows(); ++k) {
+    double least = std::numeric_limits<double>::infinity();
+    // a row between bodies without any inertia weighs rotations as if over a metre
+    double fallback = std::numeric_limits<double>::infinity();
+    for (std::size_t b = 0; b < s.mass.size(); ++b) {
+      const Eigen::Index at = 6 * static_cast<Eigen::Index>(b);
+      const double r2 = s.Phi.block<1, 3>(k, at).squaredNorm();
+      const double rot2 = s.Phi.block<1, 3>(k, at + 3).squaredNorm();
+      const double J = s.inertia[b].trace();
+      if (r2 > 0) least = std::min(least, s.mass[b] / r2);
+      if (rot2 > 0 && J > 0) least = std::min(least, J / rot2);
+      if (rot2 > 0) fallback = std::min(fallback, s.mass[b] / rot2);
+    }
+    if (!std::isfinite(least)) least = fallback;
+    if (std::isfinite(least)) mu[k] = std::exp2(std::round(std::log2(least)));
+  }
+  return mu;
+}
+
+VectorX<double> least_direction(const MatrixX<double>& H) {
+  return Eigen::SelfAdjointEigenSolver<MatrixX<double>>(H).eigenvectors().col(0);
+}
+
 /// Where the metric cannot be factored: the body that moves most in the direction without mass or constraint.
-[[noreturn]] void throw_without_inertia(const TangentSystem& s, const MatrixX<double>& H,
-                                        const VectorX<double>& scale) {
-  const MatrixX<double> scaled = scale.asDiagonal() * H * scale.asDiagonal();
-  const VectorX<double> direction =
-      scale.cwiseProduct(Eigen::SelfAdjointEigenSolver<MatrixX<double>>(scaled).eigenvectors().col(0));
+[[noreturn]] void throw_without_inertia(const TangentSystem& s, const VectorX<double>& direction) {
   Eigen::Index worst = 0;
   double size = -1;
   for (Eigen::Index b = 0; b < static_cast<Eigen::Index>(s.mass.size()); ++b)
@@ -155,30 +181,31 @@ void decide_rank(const TangentSystem& s, RowAnalysis& out) {
   }
 }
 
+/// The least-squares inverse of the independent rows' transpose, in geometric scaling.
+MatrixX<double> combination_of(const TangentSystem& s, const std::vector<int>& independent) {
+  const VectorX<double> columns = geometric_column_scale(s);
+  const Eigen::Index rank = static_cast<Eigen::Index>(independent.size());
+  MatrixX<double> rows = s.Phi(independent, Eigen::all) * columns.asDiagonal();
+  const VectorX<double> row_scale = inverse_or_zero(rows.rowwise().norm());
+  rows = row_scale.asDiagonal() * rows;
+  const Eigen::HouseholderQR<MatrixX<double>> qr(rows.transpose());
+  const MatrixX<double> Q = qr.householderQ() * MatrixX<double>::Identity(rows.cols(), rank);
+  const MatrixX<double> R = qr.matrixQR().topRows(rank);
+  return row_scale.asDiagonal() * R.triangularView<Eigen::Upper>().solve(Q.transpose()) *
+         columns.asDiagonal();
+}
+
 /// Redundant rows: gamma_k against what the independent rows make of it.
 void find_contradictions(const TangentSystem& s, RowAnalysis& out) {
-  if (out.redundant.empty()) return;
-  MatrixX<double> rows = s.Phi * geometric_column_scale(s).asDiagonal();
-  VectorX<double> gamma = s.gamma;
-  for (Eigen::Index k = 0; k < gamma.size(); ++k) {
-    const double size = rows.row(k).norm();
-    if (size == 0) continue;
-    rows.row(k) /= size;
-    gamma[k] /= size;
-  }
+  const VectorX<double> columns = geometric_column_scale(s);
+  const VectorX<double> row_scale = inverse_or_zero((s.Phi * columns.asDiagonal()).rowwise().norm());
+  const VectorX<double> gamma = (row_scale.array() > 0).select(row_scale, 1.0).cwiseProduct(s.gamma);
   // the least acceleration that meets the independent rows shows what they make of the others
-  VectorX<double> acceleration = VectorX<double>::Zero(rows.cols());
-  if (out.rank > 0) {
-    const MatrixX<double> independent = rows(out.independent, Eigen::all).transpose();
-    const Eigen::HouseholderQR<MatrixX<double>> qr(independent);
-    const MatrixX<double> R = qr.matrixQR().topRows(out.rank);
-    const VectorX<double> y = R.transpose().triangularView<Eigen::Lower>().solve(gamma(out.independent));
-    const MatrixX<double> Q = qr.householderQ() * MatrixX<double>::Identity(rows.cols(), out.rank);
-    acceleration = Q * y;
-  }
-  const double largest = std::max(gamma.cwiseAbs().maxCoeff(), acceleration.norm());
+  const VectorX<double> acceleration = out.combination.transpose() * s.gamma(out.independent);
+  const double largest = std::max(gamma.cwiseAbs().maxCoeff(), acceleration.cwiseQuotient(columns).norm());
   for (int k : out.redundant)
-    if (std::abs(rows.row(k).dot(acceleration) - gamma[k]) > contradiction_tolerance * largest + 1e-12)
+    if (std::abs(row_scale[k] * s.Phi.row(k).dot(acceleration) - gamma[k]) >
+        contradiction_tolerance * largest + 1e-12)
       out.contradictory.push_back(k);
 }
 
@@ -193,6 +220,7 @@ void Metric::factor_blocks(const TangentSystem& s) {
   const Eigen::Index nb = static_cast<Eigen::Index>(s.mass.size());
   diagonal_.resize(6 * nb);
   root_mass_.resize(nb);
+  mu_ = VectorX<double>::Zero(s.Phi.rows());
   for (Eigen::Index b = 0; b < nb; ++b) {
     root_mass_[b] = std::sqrt(s.mass[b]);
     block_factor_.push_back(s.inertia[b].llt().matrixL());
@@ -202,23 +230,40 @@ void Metric::factor_blocks(const TangentSystem& s) {
 }
 
 void Metric::factor_augmented(const TangentSystem& s) {
-  const MatrixX<double> M = mass_matrix(s);
-  const double phi2 = s.Phi.squaredNorm();
-  mu_ = phi2 > 0 ? M.trace() / phi2 : 0.0;
-  const MatrixX<double> H = M + mu_ * s.Phi.transpose() * s.Phi;
+  const Eigen::Index nb = static_cast<Eigen::Index>(s.mass.size());
+  mu_ = row_weights(s);
+  const MatrixX<double> H = mass_matrix(s) + s.Phi.transpose() * mu_.asDiagonal() * s.Phi;
   diagonal_ = H.diagonal();
+  // an axis without inertia must be a coordinate axis for the scaling to reach it: principal axes
+  MatrixX<double> axes = MatrixX<double>::Identity(6 * nb, 6 * nb);
+  for (Eigen::Index b = 0; b < nb; ++b)
+    axes.block<3, 3>(6 * b + 3, 6 * b + 3) =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(s.inertia[b]).eigenvectors();
+  const MatrixX<double> Phi = s.Phi * axes;
+  MatrixX<double> principal = Phi.transpose() * mu_.asDiagonal() * Phi;
+  for (Eigen::Index b = 0; b < nb; ++b) {
+    principal.block<3, 3>(6 * b, 6 * b).diagonal().array() += s.mass[b];
+    const Vector3<double> moments = (axes.block<3, 3>(6 * b + 3, 6 * b + 3).transpose() * s.inertia[b] *
+                                     axes.block<3, 3>(6 * b + 3, 6 * b + 3))
+                                        .diagonal();
+    // a moment within the rounding of the tensor is none
+    for (int n = 0; n < 3; ++n)
+      if (moments[n] > singular_moment * moments.sum()) principal(6 * b + 3 + n, 6 * b + 3 + n) += moments[n];
+  }
   // a direction without mass or rows keeps its zero pivot, to be found below
-  const VectorX<double> scale = diagonal_.unaryExpr([](double x) { return x > 0 ? 1 / std::sqrt(x) : 1.0; });
-  const MatrixX<double> scaled = scale.asDiagonal() * H * scale.asDiagonal();
+  const VectorX<double> scale =
+      principal.diagonal().unaryExpr([](double x) { return x > 0 ? 1 / std::sqrt(x) : 1.0; });
+  const MatrixX<double> scaled = scale.asDiagonal() * principal * scale.asDiagonal();
   const Eigen::LLT<MatrixX<double>> llt(scaled);
   // a pivot of the equilibrated metric is the square of a distance: below 1e-13 it is rounding
   if (llt.info() != Eigen::Success || llt.matrixLLT().diagonal().minCoeff() < std::sqrt(1e-13))
-    throw_without_inertia(s, H, scale);
+    throw_without_inertia(s, axes * scale.cwiseProduct(least_direction(scaled)));
+  axes_ = std::move(axes);
   dense_factor_ = scale.cwiseInverse().asDiagonal() * MatrixX<double>(llt.matrixL());
 }
 
 MatrixX<double> Metric::half_solve(const MatrixX<double>& x) const {
-  if (mu_ > 0) return dense_factor_.triangularView<Eigen::Lower>().solve(x);
+  if (axes_.size() > 0) return dense_factor_.triangularView<Eigen::Lower>().solve(axes_.transpose() * x);
   MatrixX<double> y = x;
   for (Eigen::Index b = 0; b < root_mass_.size(); ++b) {
     y.middleRows<3>(6 * b) /= root_mass_[b];
@@ -228,7 +273,7 @@ MatrixX<double> Metric::half_solve(const MatrixX<double>& x) const {
 }
 
 MatrixX<double> Metric::half_solve_transposed(const MatrixX<double>& x) const {
-  if (mu_ > 0) return dense_factor_.transpose().triangularView<Eigen::Upper>().solve(x);
+  if (axes_.size() > 0) return axes_ * dense_factor_.transpose().triangularView<Eigen::Upper>().solve(x);
   MatrixX<double> y = x;
   for (Eigen::Index b = 0; b < root_mass_.size(); ++b) {
     y.middleRows<3>(6 * b) /= root_mass_[b];
@@ -258,7 +303,10 @@ RowAnalysis analyse_rows(const TangentSystem& s) {
       s.gamma.cwiseAbs();
   out.acceleration_cause += E_inverse.cwiseProduct(s.gamma).norm();
   decide_rank(s, out);
-  find_contradictions(s, out);
+  if (!out.redundant.empty()) {
+    out.combination = combination_of(s, out.independent);
+    find_contradictions(s, out);
+  }
 
   W = W * E_inverse.asDiagonal();
   const MatrixX<double> S = W.transpose() * W;

@@ -53,14 +53,18 @@ TangentSystem tangent_system(const Mechanism<Scalar>& mechanism, const Mechanism
   return s;
 }
 
-/// A symmetric positive definite metric of the tangent space: M, or where M is singular M + mu Phi^T Phi with
-/// mu = trace(M) / trace(Phi^T Phi). Multipliers and accelerations do not change with mu.
+/// A symmetric positive definite metric of the tangent space: M, or where M is singular
+/// M + Phi^T diag(mu) Phi. mu_k makes row k as heavy as the lighter of its bodies: the least of
+/// m / |Phi_r|^2 and tr(Jbar) / |Phi_pi_bar|^2 over them, to the nearest power of two, so that the metric
+/// depends neither on units nor on how a row is scaled (but for that rounding). Multipliers and accelerations
+/// do not change with mu.
 class Metric {
  public:
   /// Throws a ModelError that names the body and axis where [M; Phi] lacks full column rank.
   explicit Metric(const TangentSystem& system);
 
-  double mu() const { return mu_; }
+  /// One per row; all zero where M is regular.
+  const VectorX<double>& mu() const { return mu_; }
   const VectorX<double>& diagonal() const { return diagonal_; }
   /// L^-1 x, where the metric is L L^T.
   MatrixX<double> half_solve(const MatrixX<double>& x) const;
@@ -71,11 +75,10 @@ class Metric {
   void factor_blocks(const TangentSystem& system);
   void factor_augmented(const TangentSystem& system);
 
-  double mu_ = 0;
-  VectorX<double> diagonal_;
-  std::vector<Matrix3<double>> block_factor_;  ///< of Jbar, per body; used where mu = 0
+  VectorX<double> mu_, diagonal_;
+  std::vector<Matrix3<double>> block_factor_;  ///< of Jbar, per body; used where M is regular
   VectorX<double> root_mass_;
-  MatrixX<double> dense_factor_;  ///< where mu > 0
+  MatrixX<double> axes_, dense_factor_;  ///< where M is singular: principal axes, and the factor in them
 };
 
 struct RowAnalysis {
@@ -85,13 +88,16 @@ struct RowAnalysis {
   /// nc x (nc - rank): E N is orthonormal, Phi^T N = 0, zero in unique rows. lambda is unique up to N y. A
   /// row without a gradient has no column here; its lambda acts on nothing and is 0.
   MatrixX<double> null_basis;
+  /// rank x 6 nb: the coefficients c of least |Phi_independent^T c - w| for a w; empty where no row is
+  /// redundant.
+  MatrixX<double> combination;
   /// Redundant rows whose right side contradicts that of the rows they follow from: no acceleration satisfies
   /// all.
   std::vector<int> contradictory;
   VectorX<double>
       E;  ///< diag(S)^(1/2), S = Phi M^-1 Phi^T: the norm of lambda, independent of units and of row scaling
-  double kappa = 1;  ///< condition number of E^-1 S E^-1 over its nonzero singular values
-  double mu = 0;     ///< see Metric
+  double kappa = 1;    ///< condition number of E^-1 S E^-1 over its nonzero singular values
+  VectorX<double> mu;  ///< see Metric
 
   VectorX<double> lambda_cause;        ///< b = |Phi| M^-1 |Q| + |gamma|
   VectorX<double> acceleration_scale;  ///< square root of the metric's diagonal, 6 nb
@@ -108,15 +114,5 @@ RowAnalysis analyse_rows(const TangentSystem& system);
 /// A redundant row contradicts the others where its right side misses theirs by more than this, relative to
 /// the terms of gamma: well above what inconsistent positions within their tolerance can leave.
 inline constexpr double contradiction_tolerance = 1e-6;
-
-/// Makes lambda the one of minimum |E lambda| among those with the same Phi^T lambda. Unique components do
-/// not change.
-template <class Scalar>
-void to_minimum_norm(const RowAnalysis& rows, VectorX<Scalar>& lambda) {
-  if (rows.redundant.empty()) return;
-  const MatrixX<Scalar> N = scalar_cast<Scalar>(rows.null_basis);
-  const VectorX<Scalar> E2 = scalar_cast<Scalar>(rows.E).cwiseAbs2();
-  lambda -= N * (N.transpose() * E2.cwiseProduct(lambda));
-}
 
 }  // namespace trivium

@@ -23,22 +23,23 @@ FormulationResult<typename F::Scalar> solve_one(const SceneIn<typename F::Scalar
   using S = typename F::Scalar;
   FormulationResult<S> result;
   const AugmentedSolver<F> solver(scene.mechanism, scene.state, rows, charts);
-  const VectorX<S> x = solver.solve();
+  const VectorX<S> x = solver.solve_reduced();
   if (!x.allFinite())
     throw ModelError(
         "the augmented matrix is numerically singular at this state; a higher --scalar may resolve it");
-  result.solution = solver.physical(x);
-  const Unknowns<F> u = solver.unknowns(x);
-  result.lambda_internal = u.lambda_internal;
-  result.residual = solver.residual(x);
+  const VectorX<S> full = solver.to_minimum_norm(solver.expand(x));
+  result.solution = solver.physical(full);
+  result.lambda_internal = solver.split(full).lambda_internal;
+  // of the solution itself: sharing lambda out among redundant rows puts rounding where there was nothing
+  result.residual = solver.residual(solver.expand(x));
   for (const Joint<S>& joint : scene.mechanism.joints)
-    result.reactions.push_back(joint_reaction<F>(solver.equations(), joint, u.lambda, End::j)
+    result.reactions.push_back(joint_reaction<F>(solver.equations(), joint, result.solution.lambda, End::j)
                                    .about(joint_point<F>(solver.equations(), joint)));
   for (const BodyState<F>& body : solver.states())
     if (const std::string chart(body.chart.name()); !chart.empty()) result.charts.push_back(chart);
   if (higher) {
     const AugmentedEquations<Higher> judge(higher->mechanism, higher->state, rows, charts);
-    result.estimate = estimate_error<F, Higher>(solver, x, judge, rows);
+    result.estimate = estimate_error<F, Higher>(solver, x, judge);
   }
   return result;
 }
