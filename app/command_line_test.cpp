@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -24,11 +26,16 @@ std::string slurp(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// A file of the current test's own: tests run side by side.
+fs::path temporary(const std::string& name) {
+  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+  return fs::path(testing::TempDir()) /
+         (std::string(test.test_suite_name()) + "." + test.name() + "." + name);
+}
+
 /// Runs one of the project's programs with the words given.
 Outcome run(const std::string& words) {
-  const fs::path errors =
-      fs::path(testing::TempDir()) /
-      (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".err");
+  const fs::path errors = temporary("err");
   FILE* pipe = popen((TRIVIUM_BIN "/" + words + " 2>" + errors.string()).c_str(), "r");
   Outcome result;
   std::array<char, 4096> buffer;
@@ -40,9 +47,34 @@ Outcome run(const std::string& words) {
 }
 
 std::string temporary_scene(const std::string& name, const std::string& text) {
-  const fs::path file = fs::path(testing::TempDir()) / name;
+  const fs::path file = temporary(name);
   std::ofstream(file) << text;
   return file.string();
+}
+
+/// The validations that this build has.
+std::vector<std::string> validations() {
+  std::istringstream list(TRIVIUM_VALIDATIONS);
+  std::vector<std::string> names;
+  for (std::string name; list >> name;) names.push_back(name);
+  return names;
+}
+
+/// A bead that two rods pull to opposite sides while it moves across: consistent, but nothing accelerates so.
+std::string dead_point() {
+  return temporary_scene("dead_point.json", R"({"trivium": 1, "name": "bead_between_rods",
+    "bodies": [{"name": "bead", "mass": 1, "inertia": [1, 1, 1], "position": [0, 0, 0], "velocity": [0, 1, 0]}],
+    "constraints": [
+      {"type": "distance", "name": "left", "i": {"body": "ground", "point": [-1, 0, 0]}, "j": {"body": "bead"}, "distance": 1},
+      {"type": "distance", "name": "right", "i": {"body": "ground", "point": [1, 0, 0]}, "j": {"body": "bead"}, "distance": 1}]})");
+}
+
+/// The simple pendulum with a velocity that its joint forbids.
+std::string moving_wrongly() {
+  std::string text = slurp(TRIVIUM_SCENES_DIR "/simple_pendulum.json");
+  const std::size_t at = text.find("\"velocity\": [") + 13;
+  text.replace(at, text.find(']', at) - at, "1, 2, 3");
+  return temporary_scene("moving_wrongly.json", text);
 }
 
 const json& formulation(const json& solution, const std::string& name) {
@@ -131,11 +163,8 @@ TEST(Solve, AnInconsistentStartIsAnInputErrorThatNamesItsRows) {
 }
 
 TEST(Solve, AssembleProjectsAndSaves) {
-  std::string text = slurp(TRIVIUM_SCENES_DIR "/simple_pendulum.json");
-  const std::size_t at = text.find("\"velocity\": [") + 13;
-  text.replace(at, text.find(']', at) - at, "1, 2, 3");
-  const std::string scene = temporary_scene("pushed.json", text);
-  const std::string saved = (fs::path(testing::TempDir()) / "assembled.json").string();
+  const std::string scene = moving_wrongly();
+  const std::string saved = temporary("assembled.json").string();
   EXPECT_EQ(run("trivium check " + scene).exit_code, 2);
   EXPECT_EQ(run("trivium solve " + scene + " --assemble --save " + saved).exit_code, 0);
   EXPECT_EQ(run("trivium check " + saved).exit_code, 0);
@@ -150,29 +179,95 @@ TEST(Solve, AMassThatNothingHoldsIsAnErrorThatNamesTheBody) {
   EXPECT_NE(r.err.find("speck"), std::string::npos) << r.err;
 }
 
-TEST(Solve, RowsThatNoAccelerationSatisfiesAreAnErrorThatNamesThem) {
-  const std::string scene = temporary_scene("dead_point.json", R"({"trivium": 1, "name": "dead_point",
-    "bodies": [{"name": "bead", "mass": 1, "inertia": [1, 1, 1], "position": [0, 0, 0], "velocity": [0, 1, 0]}],
-    "constraints": [
-      {"type": "distance", "name": "left", "i": {"body": "ground", "point": [-1, 0, 0]}, "j": {"body": "bead"}, "distance": 1},
-      {"type": "distance", "name": "right", "i": {"body": "ground", "point": [1, 0, 0]}, "j": {"body": "bead"}, "distance": 1}]})");
+TEST(Solve, RowsThatNoAccelerationSatisfiesAreAnErrorThatNamesThemAndTheFile) {
+  const std::string scene = dead_point();
   const Outcome r = run("trivium solve " + scene);
   EXPECT_EQ(r.exit_code, 3);
   EXPECT_EQ(r.out, "");
   EXPECT_NE(r.err.find("right.d"), std::string::npos) << r.err;
+  EXPECT_TRUE(r.err.starts_with("error: " + scene + ": ")) << r.err;
   EXPECT_EQ(run("trivium check " + scene).exit_code, 2);
 }
 
 TEST(EveryValidation, RefusesAnInconsistentStart) {
-  std::string text = slurp(TRIVIUM_SCENES_DIR "/simple_pendulum.json");
-  const std::size_t at = text.find("\"velocity\": [") + 13;
-  text.replace(at, text.find(']', at) - at, "1, 2, 3");
-  const std::string scene = temporary_scene("moving_wrongly.json", text);
-  for (const std::string program : {"lambda_invariance ", "precision_ladder "}) {
-    const Outcome r = run(program + scene);
+  const std::string scene = moving_wrongly();
+  for (const std::string& program : validations()) {
+    const Outcome r = run(program + " " + scene);
     EXPECT_EQ(r.exit_code, 2) << program;
     EXPECT_NE(r.err.find("velocity: residual"), std::string::npos) << r.err;
   }
+}
+
+TEST(EveryValidation, NamesAllBadScenesBeforeItComputesAny) {
+  const std::string unread = temporary_scene("not_json.json", "{"), moved = moving_wrongly();
+  for (const std::string& program : validations()) {
+    const Outcome r = run(program + " heavy_top " + unread + " no_such_scene " + moved);
+    EXPECT_EQ(r.exit_code, 2) << program;
+    EXPECT_EQ(r.out, "") << program;
+    for (const std::string& source : {unread, std::string("no_such_scene"), moved})
+      EXPECT_NE(r.err.find("error: " + source + ": "), std::string::npos) << program << r.err;
+  }
+}
+
+TEST(EveryValidation, SolvesTheOtherScenesBesideOneThatFails) {
+  const std::string scene = dead_point();
+  for (const std::string& program : validations()) {
+    const fs::path csv = temporary(program + ".csv");
+    const Outcome r = run(program + " " + scene + " simple_pendulum --csv " + csv.string());
+    EXPECT_EQ(r.exit_code, 3) << program;
+    EXPECT_NE(r.out.find("ERROR"), std::string::npos) << r.out;
+    EXPECT_NE(r.out.find("\nerror: " + scene + ": "), std::string::npos) << r.out;
+    EXPECT_NE(r.out.find("\nsimple_pendulum "), std::string::npos) << r.out;
+    const std::string table = slurp(csv);
+    EXPECT_NE(table.find("\nbead_between_rods,"), std::string::npos) << table;
+    EXPECT_NE(table.find("\nsimple_pendulum,"), std::string::npos) << table;
+  }
+}
+
+TEST(EveryValidation, SaysInJsonWhyASceneFails) {
+  const std::string scene = dead_point();
+  for (const std::string& program : validations()) {
+    const Outcome r = run(program + " simple_pendulum " + scene + " --json");
+    EXPECT_EQ(r.exit_code, 3) << program;
+    const json answer = json::parse(r.out);
+    const char* list = program == "lambda_invariance"  ? "scenes"
+                       : program == "precision_ladder" ? "rungs"
+                                                       : "comparisons";
+    int failed = 0;
+    for (const json& row : answer[list]) {
+      const bool fails = row["scene"] == "bead_between_rods";
+      failed += fails;
+      EXPECT_EQ(row["verdict"] == "ERROR", fails) << row;
+      EXPECT_EQ(row.contains("error"), fails) << row;
+      EXPECT_EQ(row.value("error", "").starts_with(scene + ": "), fails) << row;
+    }
+    EXPECT_GT(failed, 0) << program;
+  }
+}
+
+TEST(EveryValidation, RefusesAFolderThatIsNotThereBeforeItReadsAScene) {
+  for (const std::string& program : validations()) {
+    const Outcome r = run(program + " no_such_scene --csv /no_such_folder/x.csv");
+    EXPECT_EQ(r.exit_code, 2) << program;
+    EXPECT_NE(r.err.find("/no_such_folder/x.csv: the folder /no_such_folder does not exist"),
+              std::string::npos)
+        << r.err;
+    EXPECT_EQ(r.err.find("no_such_scene"), std::string::npos) << r.err;
+  }
+}
+
+TEST(LambdaInvariance, TakesWholeNumbersAndSaysWhich) {
+  for (const std::string words : {"--seed -1", "--seed 1.5", "--seed 18446744073709551616"}) {
+    const Outcome r = run("lambda_invariance heavy_top " + words);
+    EXPECT_EQ(r.exit_code, 2) << words;
+    EXPECT_NE(r.err.find("accepted: a whole number from 0 to 18446744073709551615"), std::string::npos)
+        << r.err;
+  }
+  const Outcome r = run("lambda_invariance --random -5");
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_NE(r.err.find("--random: found -5; accepted: a whole number from 0 to 1000000000"),
+            std::string::npos)
+      << r.err;
 }
 
 TEST(LambdaInvariance, ARowThatCarriesNothingIsMeasuredAgainstItsNeighbours) {
@@ -213,14 +308,29 @@ TEST(List, NamesScenesFormulationsJointsAndEffects) {
   EXPECT_EQ(l["effects"].size(), 5u);
 }
 
+TEST(List, CountsBodiesInWords) {
+  const Outcome r = run("trivium list");
+  EXPECT_NE(r.out.find(" 1 body "), std::string::npos) << r.out;
+  EXPECT_NE(r.out.find(" 3 bodies "), std::string::npos) << r.out;
+  EXPECT_EQ(r.out.find(" 1 bodies"), std::string::npos) << r.out;
+}
+
+TEST(Generate, RefusesANegativeSeed) {
+  const Outcome r = run("trivium generate tree 3 --seed -1");
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_NE(r.err.find("--seed: found -1; accepted: a whole number"), std::string::npos) << r.err;
+}
+
 TEST(Generate, WritesWhatCheckAccepts) {
-  const std::string file = (fs::path(testing::TempDir()) / "chain.json").string();
+  const std::string file = temporary("chain.json").string();
   ASSERT_EQ(run("trivium generate chain 12 --out " + file).exit_code, 0);
   EXPECT_EQ(run("trivium check " + file).exit_code, 0);
 }
 
 TEST(EveryProgram, HasHelpAndVersion) {
-  for (const std::string program : {"trivium", "lambda_invariance", "precision_ladder"})
+  std::vector<std::string> programs = validations();
+  programs.push_back("trivium");
+  for (const std::string& program : programs)
     for (const std::string flag : {"--help", "--version"}) {
       const Outcome r = run(program + " " + flag);
       EXPECT_EQ(r.exit_code, 0) << program << flag;

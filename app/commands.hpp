@@ -3,23 +3,13 @@
 /// chosen.
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <functional>
-#include <string>
+
+#include "validation/option_checks.hpp"
 
 namespace trivium {
 
 using Command = std::function<int()>;
-
-/// Accepts a finite number.
-inline CLI::Validator finite_time() {
-  return {[](std::string& text) {
-            double t = 0;
-            return CLI::detail::lexical_cast(text, t) && std::isfinite(t) ? std::string()
-                                                                          : "not a finite number: " + text;
-          },
-          "FINITE"};
-}
 
 Command add_solve_command(CLI::App& app);
 Command add_check_command(CLI::App& app);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <memory>
 
 #include "app/commands.hpp"
@@ -46,7 +47,9 @@ Command add_generate_command(CLI::App& app) {
   command->add_option("N", arguments->n, "Bars, or loops of the ladder")
       ->required()
       ->check(CLI::Range(1, 100000));
-  command->add_option("--seed", arguments->seed, "Seed of the tree")->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Seed of the tree")
+      ->check(whole_number(std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
   command->add_option("--out", arguments->out, "Write to this file instead of stdout");
   return [arguments] { return run_generate(*arguments); };
 }

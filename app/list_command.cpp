@@ -51,7 +51,8 @@ int run_list(bool json) {
   }
   fmt::print("scenes ({})\n", catalogue_directory().string());
   for (const scenes::Scene& scene : all)
-    fmt::print("  {:<28} {:>3} bodies  {}\n", scene.name, scene.bodies.size(), scene.description);
+    fmt::print("  {:<28} {:>10}  {}\n", scene.name, counted(scene.bodies.size(), "body", "bodies"),
+               scene.description);
   fmt::print("\nformulations  {}\n", fmt::join(formulation_names(), ", "));
   fmt::print("constraints   {}\n", fmt::join(constraint_types(), ", "));
   fmt::print("effects       {}\n", fmt::join(effect_types(), ", "));

@@ -3,7 +3,27 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
-#include "validation/catalogue.hpp"
+#include "bodies/error.hpp"
+#include "validation/program.hpp"
+
+namespace trivium {
+
+namespace {
+
+/// A solver's message carries the scene as the command line names it.
+int run_named(const CLI::App& subcommand, const Command& run) {
+  const CLI::Option* scene = subcommand.get_option_no_throw("SCENE");
+  try {
+    return run();
+  } catch (const ModelError& error) {
+    if (!scene) throw;
+    throw ModelError(name_source(scene->as<std::string>(), error.what()));
+  }
+}
+
+}  // namespace
+
+}  // namespace trivium
 
 int main(int argc, char** argv) {
   using namespace trivium;
@@ -16,14 +36,9 @@ int main(int argc, char** argv) {
                                                       {"check", add_check_command(app)},
                                                       {"list", add_list_command(app)},
                                                       {"generate", add_generate_command(app)}};
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_done : exit_input_error;
-  }
-  return run_guarded([&] {
+  return parse_and_run(app, argc, argv, [&] {
     for (const auto& [name, run] : commands)
-      if (app.got_subcommand(name)) return run();
+      if (app.got_subcommand(name)) return run_named(*app.get_subcommand(name), run);
     return static_cast<int>(exit_input_error);
   });
 }

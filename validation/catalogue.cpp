@@ -41,14 +41,43 @@ scenes::Scene load_scene(const std::string& path_or_name) {
   return scenes::read_scene_file(is_name ? by_name : fs::path(path_or_name));
 }
 
-scenes::Scene load_consistent_scene(const std::string& path_or_name, double t) {
-  scenes::Scene scene = load_scene(path_or_name);
-  const Consistency consistency =
-      check_consistency(make_mechanism<double>(scene), make_state<double>(scene, t));
-  if (!consistency.holds())
-    throw InconsistentState(fmt::format("{}: the state at t = {} does not satisfy its constraints:\n{}",
-                                        path_or_name, t, consistency.report()));
-  return scene;
+InputErrors::InputErrors(const std::vector<std::string>& messages)
+    : std::runtime_error(fmt::format("{}", fmt::join(messages, "\n"))), messages_(messages) {}
+
+namespace {
+
+/// What of its constraints a scene's state does not satisfy; empty where it satisfies all.
+std::string inconsistency(const NamedScene& named, double t) {
+  try {
+    const Consistency consistency =
+        check_consistency(make_mechanism<double>(named.scene), make_state<double>(named.scene, t));
+    if (consistency.holds()) return {};
+    std::string report = consistency.report();
+    report.erase(report.find_last_not_of('\n') + 1);
+    return fmt::format("{}: the state at t = {} does not satisfy its constraints:\n{}", named.source, t,
+                       report);
+  } catch (const ModelError&) {
+    return {};  // no equations at this state: the solver says so, and of this scene alone
+  }
+}
+
+}  // namespace
+
+std::vector<NamedScene> load_consistent_scenes(const std::vector<std::string>& paths_or_names, double t) {
+  std::vector<NamedScene> scenes;
+  std::vector<std::string> messages;
+  for (const std::string& source : paths_or_names) try {
+      NamedScene named{source, load_scene(source)};
+      const std::string message = inconsistency(named, t);
+      if (message.empty())
+        scenes.push_back(std::move(named));
+      else
+        messages.push_back(message);
+    } catch (const scenes::SceneError& error) {
+      messages.emplace_back(error.what());
+    }
+  if (!messages.empty()) throw InputErrors(messages);
+  return scenes;
 }
 
 int run_guarded(const std::function<int()>& program) {
@@ -57,8 +86,8 @@ int run_guarded(const std::function<int()>& program) {
   } catch (const scenes::SceneError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return exit_input_error;
-  } catch (const InconsistentState& error) {
-    fmt::print(stderr, "error: {}", error.what());
+  } catch (const InputErrors& errors) {
+    for (const std::string& message : errors.messages()) fmt::print(stderr, "error: {}\n", message);
     return exit_input_error;
   } catch (const ModelError& error) {
     fmt::print(stderr, "error: {}\n", error.what());

@@ -22,14 +22,25 @@ std::vector<std::filesystem::path> catalogue();
 /// A path as given, or the catalogue's scene of that name. Throws scenes::SceneError.
 scenes::Scene load_scene(const std::string& path_or_name);
 
-/// A scene whose state at time t does not satisfy its constraints, with the offending rows.
-class InconsistentState : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
+/// A scene and the path or name that it was asked for by, which messages about it carry.
+struct NamedScene {
+  std::string source;
+  scenes::Scene scene;
 };
 
-/// The same, and its state at time t must satisfy its constraints; throws InconsistentState otherwise.
-scenes::Scene load_consistent_scene(const std::string& path_or_name, double t);
+/// Scenes that cannot be read, or whose states do not satisfy their constraints: a message for each.
+class InputErrors : public std::runtime_error {
+ public:
+  explicit InputErrors(const std::vector<std::string>& messages);
+  const std::vector<std::string>& messages() const { return messages_; }
+
+ private:
+  std::vector<std::string> messages_;
+};
+
+/// All of the scenes, whose states at time t must satisfy their constraints. Nothing can be computed and
+/// lost: throws InputErrors about all that fail.
+std::vector<NamedScene> load_consistent_scenes(const std::vector<std::string>& paths_or_names, double t);
 
 /// Runs a program: what its input did wrong becomes exit code 2, what a solver could not do 3, each with its
 /// message on stderr.

@@ -4,25 +4,17 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <cstdio>
 #include <utility>
 
+#include "bodies/error.hpp"
 #include "formulations/side_by_side.hpp"
-#include "validation/catalogue.hpp"
+#include "validation/program.hpp"
 #include "validation/progress.hpp"
-#include "validation/results_file.hpp"
 #include "validation/text_output.hpp"
 
 namespace trivium {
 
 namespace {
-
-struct Arguments {
-  std::vector<std::string> scenes;
-  bool json = false, large = false;
-  std::string csv;
-};
 
 /// Scenes beyond this many bodies are left to the long run: 50 digits on a dense matrix take minutes there.
 constexpr std::size_t quick_bodies = 30;
@@ -31,36 +23,49 @@ struct Rung {
   std::string scene, scalar, error;
   int nb = 0, nc = 0, rank = 0;
   double u = 0, kappa = 0, difference = 0;
+  bool analysed = false;  ///< nc, rank, kappa and whether any multiplier is unique are known
   bool any_unique = true;
 
+  bool solved() const { return error.empty(); }
+  bool comparable() const { return solved() && any_unique; }
   double ratio() const { return difference / (u * kappa); }
   /// 100 u kappa; beyond 45 digits the data, which are doubles, leave 1e-45.
   double bound() const { return std::max(100 * u * kappa, u < 1e-45 ? 1e-45 : 0.0); }
-  bool passed() const { return error.empty() && (!any_unique || difference <= bound()); }
+  bool passed() const { return solved() && (!any_unique || difference <= bound()); }
   std::string verdict() const {
-    return !error.empty() ? "ERROR" : !any_unique ? "none" : passed() ? "ok" : "EXCEEDS";
+    return !solved() ? "ERROR" : !any_unique ? "none" : passed() ? "ok" : "EXCEEDS";
   }
 };
 
 template <class Scalar>
-Rung climb(const scenes::Scene& scene, const char* scalar) {
+void compare(const scenes::Scene& scene, Rung& rung) {
   SolveOptions options;
   options.estimate_errors = false;
   const SideBySide<Scalar> result = solve_side_by_side<Scalar>(scene, 0, options);
-  Rung rung{scene.name, scalar, ""};
-  rung.nb = static_cast<int>(scene.bodies.size());
+  rung.analysed = true;
   rung.nc = static_cast<int>(result.rows.unique.size());
   rung.rank = result.rows.rank;
-  rung.u = static_cast<double>(unit_roundoff<Scalar>());
   rung.kappa = result.rows.kappa;
   rung.any_unique = result.any_unique();
-  rung.difference = result.discrepancy().lambda;
   for (const auto& f : result.formulations)
-    if (!f.error.empty()) rung.error = fmt::format("{}: {}", f.name, f.error);
+    if (!f.error.empty()) throw ModelError(fmt::format("{}: {}", f.name, f.error));
+  rung.difference = result.discrepancy().lambda;
+}
+
+template <class Scalar>
+Rung climb(const NamedScene& named, const char* scalar) {
+  Rung rung{named.scene.name, scalar, ""};
+  rung.nb = static_cast<int>(named.scene.bodies.size());
+  rung.u = static_cast<double>(unit_roundoff<Scalar>());
+  try {
+    compare<Scalar>(named.scene, rung);
+  } catch (const ModelError& error) {
+    rung.error = name_source(named.source, error.what());
+  }
   return rung;
 }
 
-std::vector<Rung> climb_all(const scenes::Scene& scene) {
+std::vector<Rung> climb_all(const NamedScene& scene) {
   return {climb<float>(scene, "float"), climb<double>(scene, "double"),
           climb<long double>(scene, "long double"), climb<Quad>(scene, "quad"),
           climb<Real50>(scene, "50 digits")};
@@ -71,15 +76,16 @@ std::vector<std::string> columns() {
 }
 
 std::vector<std::string> fields(const Rung& r) {
+  const auto known = [&](const std::string& text) { return r.analysed ? text : std::string("none"); };
   return {r.scene,
           std::to_string(r.nb),
-          std::to_string(r.nc),
-          std::to_string(r.rank),
-          results_number(r.kappa),
+          known(std::to_string(r.nc)),
+          known(std::to_string(r.rank)),
+          known(results_number(r.kappa)),
           r.scalar,
           results_number(r.u),
-          r.any_unique ? results_number(r.difference) : "none",
-          results_number(r.bound()),
+          r.comparable() ? results_number(r.difference) : "none",
+          known(results_number(r.bound())),
           r.verdict()};
 }
 
@@ -90,66 +96,61 @@ std::string text(const std::vector<Rung>& rungs, std::size_t rungs_per_scene) {
     header.push_back(rungs[k].scalar + " (/u kappa)");
   header.push_back("verdict");
   Table table(header);
-  std::string errors;
+  ErrorLines errors;
   for (std::size_t first = 0; first < rungs.size(); first += rungs_per_scene) {
     std::vector<std::string> row{rungs[first].scene, std::to_string(rungs[first].nb),
-                                 fmt::format("{:.1e}", rungs[first].kappa)};
+                                 rungs[first].analysed ? fmt::format("{:.1e}", rungs[first].kappa) : "none"};
+    // the worst rung's: a solver that failed counts more than a difference that is too large
     std::string verdict = rungs[first].any_unique ? "ok" : "none";
     for (std::size_t k = first; k < first + rungs_per_scene; ++k) {
       const Rung& r = rungs[k];
-      row.push_back(r.any_unique ? fmt::format("{:.0e} ({:.1g})", r.difference, r.ratio()) : "none");
-      if (!r.passed()) verdict = r.verdict();
-      if (!r.error.empty()) errors += fmt::format("{} in {}: {}\n", r.scene, r.scalar, r.error);
+      row.push_back(r.comparable() ? fmt::format("{:.0e} ({:.1g})", r.difference, r.ratio()) : "none");
+      if (!r.solved()) errors.add(r.error, r.scalar);
+      if (!r.passed() && verdict != "ERROR") verdict = r.verdict();
     }
     row.push_back(verdict);
     table.add(row);
   }
-  return table.text() + errors;
+  return table.text() + errors.text();
 }
 
 std::string json(const std::vector<Rung>& rungs, bool passed) {
   JsonWriter out;
   out.begin_object().flag("passed", passed).begin_array("rungs");
   for (const Rung& r : rungs) {
-    out.begin_object()
-        .text("scene", r.scene)
-        .number("nb", r.nb)
-        .number("kappa", r.kappa)
-        .text("scalar", r.scalar)
-        .number("u", r.u);
-    if (r.any_unique) out.number("difference", r.difference).number("ratio", r.ratio());
-    out.number("bound", r.bound()).text("verdict", r.verdict());
-    if (!r.error.empty()) out.text("error", r.error);
+    out.begin_object().text("scene", r.scene).number("nb", r.nb);
+    if (r.analysed) out.number("kappa", r.kappa);
+    out.text("scalar", r.scalar).number("u", r.u);
+    if (r.comparable()) out.number("difference", r.difference).number("ratio", r.ratio());
+    if (r.analysed) out.number("bound", r.bound());
+    out.text("verdict", r.verdict());
+    if (!r.solved()) out.text("error", r.error);
     out.end_object();
   }
   return out.end_array().end_object().str();
 }
 
-int run(const Arguments& arguments, int argc, char** argv) {
-  std::vector<scenes::Scene> scenes;
-  for (const std::string& name : arguments.scenes) scenes.push_back(load_consistent_scene(name, 0));
-  if (scenes.empty())
-    for (const auto& file : catalogue())
-      if (scenes::Scene scene = load_scene(file.string());
-          arguments.large || scene.bodies.size() <= quick_bodies)
-        scenes.push_back(std::move(scene));
+int run(const Program& program, bool large) {
+  std::vector<NamedScene> scenes = program.scenes(0);
+  if (!program.names_scenes() && !large)
+    std::erase_if(scenes, [](const NamedScene& s) { return s.scene.bodies.size() > quick_bodies; });
   std::vector<Rung> rungs;
   std::size_t per_scene = 1;
   Progress progress("precision_ladder", scenes.size());
-  for (const scenes::Scene& scene : scenes) {
+  for (const NamedScene& scene : scenes) {
     const std::vector<Rung> ladder = climb_all(scene);
     per_scene = ladder.size();
     rungs.insert(rungs.end(), ladder.begin(), ladder.end());
     progress.step();
   }
-  const bool passed = std::all_of(rungs.begin(), rungs.end(), [](const Rung& r) { return r.passed(); });
-  if (!arguments.csv.empty()) {
-    ResultsFile file("precision_ladder", columns());
-    for (const Rung& rung : rungs) file.add(fields(rung));
-    file.write(arguments.csv, argc, argv);
-  }
-  fmt::print("{}", arguments.json ? json(rungs, passed) : text(rungs, per_scene));
-  return passed ? exit_done : exit_criterion_failed;
+  const auto all = [&](auto is) { return std::all_of(rungs.begin(), rungs.end(), is); };
+  const bool solved = all([](const Rung& r) { return r.solved(); });
+  const bool passed = all([](const Rung& r) { return r.passed(); });
+  ResultsFile file("precision_ladder", columns());
+  for (const Rung& rung : rungs) file.add(fields(rung));
+  program.write(file);
+  fmt::print("{}", program.json() ? json(rungs, passed) : text(rungs, per_scene));
+  return batch_exit(solved, passed);
 }
 
 }  // namespace
@@ -158,18 +159,9 @@ int run(const Arguments& arguments, int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace trivium;
-  CLI::App app{"Does the difference between the formulations fall with the precision?", "precision_ladder"};
-  Arguments arguments;
-  app.set_version_flag("--version", "trivium " TRIVIUM_VERSION);
-  app.add_option("SCENE", arguments.scenes,
-                 "Scene files or catalogue names (default: the catalogue up to 30 bodies)");
-  app.add_flag("--large", arguments.large, "The catalogue's scenes beyond 30 bodies too (minutes)");
-  app.add_flag("--json", arguments.json, "JSON on stdout");
-  app.add_option("--csv", arguments.csv, "Write the table to this CSV file, and a manifest beside it");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_done : exit_input_error;
-  }
-  return run_guarded([&] { return run(arguments, argc, argv); });
+  Program program("Does the difference between the formulations fall with the precision?", "precision_ladder",
+                  "the catalogue up to 30 bodies");
+  bool large = false;
+  program.options().add_flag("--large", large, "The catalogue's scenes beyond 30 bodies too (minutes)");
+  return program.run(argc, argv, [&] { return run(program, large); });
 }

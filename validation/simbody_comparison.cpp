@@ -165,8 +165,9 @@ SimbodyDistance SimbodyComparison::worst() const {
 }
 
 bool SimbodyComparison::solved() const {
-  return failure.empty() && std::all_of(formulations.begin(), formulations.end(),
-                                        [](const SimbodyDistance& d) { return d.error.empty(); });
+  return failure.empty() && error.empty() &&
+         std::all_of(formulations.begin(), formulations.end(),
+                     [](const SimbodyDistance& d) { return d.error.empty(); });
 }
 
 bool SimbodyComparison::agrees() const {
@@ -187,8 +188,15 @@ std::string_view name_of(simbody::Way way) {
 }
 
 std::vector<SimbodyComparison> compare_with_simbody(const scenes::Scene& scene, double t) {
-  const Subject subject(scene, t);
-  std::optional<Subject> twin;
+  std::optional<Subject> subject, twin;
+  const auto compare_scene = [&](SimbodyComparison& out) {
+    if (!subject) subject.emplace(scene, t);
+    compare(*subject, out);
+  };
+  const auto compare_twin = [&](SimbodyComparison& out) {
+    if (!twin) twin.emplace(physical_twin(scene), t);
+    compare(*twin, out);
+  };
   std::vector<SimbodyComparison> ways;
   for (const auto way : {simbody::Way::mobilizers, simbody::Way::free_bodies, simbody::Way::built_in}) {
     SimbodyComparison& out = ways.emplace_back();
@@ -196,17 +204,17 @@ std::vector<SimbodyComparison> compare_with_simbody(const scenes::Scene& scene, 
     out.way = way;
     out.nb = static_cast<int>(scene.bodies.size());
     try {
-      compare(subject, out);
-      continue;
-    } catch (const simbody::Refused& refused) {
-      out.twin = true;
-      out.refusal = refused.what();
-    }
-    try {
-      if (!twin) twin.emplace(physical_twin(scene), t);
-      compare(*twin, out);
+      try {
+        compare_scene(out);
+      } catch (const simbody::Refused& refused) {
+        out.twin = true;
+        out.refusal = refused.what();
+        compare_twin(out);
+      }
     } catch (const simbody::Refused& refused) {
       out.failure = refused.what();
+    } catch (const ModelError& error) {
+      out.error = error.what();
     }
   }
   return ways;

@@ -26,6 +26,7 @@ struct SimbodyComparison {
   bool twin = false;    ///< the physical twin is compared, because
   std::string refusal;  ///< Simbody said this of the scene itself
   std::string failure;  ///< Simbody said this of the twin: nothing is compared
+  std::string error;    ///< why no formulation has an answer: nothing is compared
   int nb = 0, nc = 0, rank = 0;
   double kappa = 1;
   int mobilizers = 0, constraint_rows = 0, idle_rows = 0;
@@ -37,14 +38,14 @@ struct SimbodyComparison {
   /// max(1e-10, 100 u kappa).
   double bound() const;
   SimbodyDistance worst() const;
+  bool compared() const { return !formulations.empty(); }
   bool solved() const;
   bool agrees() const;
 };
 
 std::string_view name_of(simbody::Way way);
 
-/// The scene's state, taken as the state at time t, in all three ways. Throws a ModelError where no
-/// formulation can answer.
+/// The scene's state, taken as the state at time t, in all three ways.
 std::vector<SimbodyComparison> compare_with_simbody(const scenes::Scene& scene, double t);
 
 }  // namespace trivium

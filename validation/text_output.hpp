@@ -21,6 +21,11 @@ requires boost::multiprecision::is_number<Number>::value std::string number_text
   return x.str(std::numeric_limits<Number>::max_digits10, std::ios_base::fmtflags(0));
 }
 
+/// "1 body", "2 bodies".
+inline std::string counted(std::size_t n, std::string_view one, std::string_view more) {
+  return fmt::format("{} {}", n, n == 1 ? one : more);
+}
+
 /// A table of text: the first column left-aligned, the others right-aligned.
 class Table {
  public:

@@ -18,8 +18,7 @@ add_library(trivium_simbody_comparison STATIC simbody_translation.cpp simbody_co
 target_link_libraries(trivium_simbody_comparison PUBLIC trivium trivium_simbody PRIVATE trivium_options)
 
 add_executable(simbody_reference simbody_reference.cpp)
-target_link_libraries(simbody_reference PRIVATE trivium_edge trivium_simbody_comparison trivium_options CLI11::CLI11)
-target_compile_definitions(simbody_reference PRIVATE TRIVIUM_VERSION="${PROJECT_VERSION}")
+target_link_libraries(simbody_reference PRIVATE trivium_edge trivium_simbody_comparison trivium_options)
 install(TARGETS simbody_reference RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 trivium_test(simbody_test unit simbody_mapping_test.cpp simbody_joints_test.cpp physical_twin_test.cpp)
