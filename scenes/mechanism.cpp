@@ -19,6 +19,16 @@ Vector3<Scalar> vector_of(const std::optional<scenes::Vector3>& v) {
   return v ? vector_of<Scalar>(*v) : Vector3<Scalar>(Vector3<Scalar>::Zero());
 }
 
+/// The direction of what the scene normalises when used, of a size that any Scalar can square: numbers up to
+/// 1e100 overflow in float. A power of two scales doubles exactly.
+template <std::size_t n>
+std::array<double, n> of_moderate_size(std::array<double, n> direction) {
+  double largest = 0;
+  for (double x : direction) largest = std::max(largest, std::abs(x));
+  for (double& x : direction) x = std::ldexp(x, -std::ilogb(largest));
+  return direction;
+}
+
 template <class Scalar>
 Matrix3<Scalar> matrix_of(const scenes::Matrix3& rows) {
   Matrix3<Scalar> m;
@@ -38,8 +48,8 @@ template <class Scalar>
 JointFrame<Scalar> frame_of(const scenes::Side& side) {
   const Vector3<Scalar> point = vector_of<Scalar>(side.point);
   if (!side.axis) return {.point = point};
-  const Vector3<Scalar> axis = vector_of<Scalar>(*side.axis);
-  return side.x ? joint_frame<Scalar>(point, axis, vector_of<Scalar>(*side.x))
+  const Vector3<Scalar> axis = vector_of<Scalar>(of_moderate_size(*side.axis));
+  return side.x ? joint_frame<Scalar>(point, axis, vector_of<Scalar>(of_moderate_size(*side.x)))
                 : joint_frame<Scalar>(point, axis);
 }
 
@@ -126,7 +136,8 @@ struct EffectBuilder {
 template <class Scalar>
 struct ToEulerParameters {
   Vector4<Scalar> operator()(const scenes::EulerParameters& o) const {
-    const Vector4<Scalar> p(Scalar(o.e[0]), Scalar(o.e[1]), Scalar(o.e[2]), Scalar(o.e[3]));
+    const auto e = of_moderate_size(o.e);
+    const Vector4<Scalar> p{Scalar(e[0]), Scalar(e[1]), Scalar(e[2]), Scalar(e[3])};
     return p / p.stableNorm();
   }
   Vector4<Scalar> operator()(const scenes::EulerAngles& o) const {
@@ -137,7 +148,7 @@ struct ToEulerParameters {
     return p / p.norm();
   }
   Vector4<Scalar> operator()(const scenes::AxisAngle& o) const {
-    const Vector3<Scalar> axis = vector_of<Scalar>(o.axis);
+    const Vector3<Scalar> axis = vector_of<Scalar>(of_moderate_size(o.axis));
     return turn(axis / axis.stableNorm(), Scalar(o.angle));
   }
   Vector4<Scalar> operator()(const scenes::RotationMatrix& o) const {

@@ -127,6 +127,57 @@ TEST(Orientation, IsUnitToTheLastBitOfEveryScalar) {
   EXPECT_LE(std::abs(static_cast<double>(Real50(euler_parameters_of<Real50>(written).norm() - 1))), 1e-49);
 }
 
+/// Whatever a scene normalises has the same direction at every size that the format takes, in float as well.
+template <class Scalar>
+class EverySize : public testing::Test {
+ public:
+  static constexpr double sizes[] = {1e-99, 1e-50, 3, 1e50, 1e99};
+  /// A few roundings, and those of the doubles in which the sizes are written.
+  const double tolerance = std::max(test::roundings<Scalar>(8), test::roundings<double>(8));
+};
+using Scalars = testing::Types<float, double, Quad>;
+TYPED_TEST_SUITE(EverySize, Scalars);
+
+TYPED_TEST(EverySize, OfEulerParametersIsTheSameOrientation) {
+  const Vector4<TypeParam> expected =
+      euler_parameters_of<TypeParam>(scenes::EulerParameters{{0.7, 0.1, -0.3, 0.2}});
+  for (double s : this->sizes)
+    EXPECT_LE(distance(euler_parameters_of<TypeParam>(
+                           scenes::EulerParameters{{0.7 * s, 0.1 * s, -0.3 * s, 0.2 * s}}),
+                       expected),
+              this->tolerance)
+        << s;
+}
+
+TYPED_TEST(EverySize, OfAnAxisIsTheSameTurn) {
+  const Vector4<TypeParam> expected = euler_parameters_of<TypeParam>(scenes::AxisAngle{{2, -3, 6}, 0.8});
+  for (double s : this->sizes)
+    EXPECT_LE(
+        distance(euler_parameters_of<TypeParam>(scenes::AxisAngle{{2 * s, -3 * s, 6 * s}, 0.8}), expected),
+        this->tolerance)
+        << s;
+}
+
+TYPED_TEST(EverySize, OfAJointsAxesIsTheSameFrame) {
+  const auto frame = [](double s) {
+    scenes::Scene scene;
+    scene.bodies = {test::body("a", 1)};
+    scene.constraints = {test::joint(
+        ConstraintType::fixed, "f",
+        test::side(scenes::ground, {}, scenes::Vector3{2 * s, -3 * s, 6 * s}, scenes::Vector3{s, 0, s}),
+        test::side(0, {}, scenes::Vector3{2 / s, -3 / s, 6 / s}, scenes::Vector3{1 / s, 0, 1 / s}))};
+    return make_mechanism<TypeParam>(scene).joints[0];
+  };
+  const auto expected = frame(1);
+  for (double s : this->sizes) {
+    const auto joint = frame(s);
+    EXPECT_LE(distance(joint.frame_i.z, expected.frame_i.z), this->tolerance) << s;
+    EXPECT_LE(distance(joint.frame_i.u, expected.frame_i.u), this->tolerance) << s;
+    EXPECT_LE(distance(joint.frame_j.z, expected.frame_j.z), this->tolerance) << s;
+    EXPECT_LE(distance(joint.frame_j.u, expected.frame_j.u), this->tolerance) << s;
+  }
+}
+
 TEST(MechanismState, SurvivesBeingWrittenBack) {
   test::Random random(81);
   scenes::Scene scene;
