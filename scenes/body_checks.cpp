@@ -32,20 +32,21 @@ void check_symmetry(const Matrix3& J, double tolerance, const Path& at) {
 }
 
 void check_inertia(const Body& body, const Path& at) {
+  const auto tolerance_of = [](double trace) { return inertia_tolerance * std::max(trace, 0.0); };
   Vector3 moments;
   double tolerance = 0;
   if (const Matrix3* J = std::get_if<Matrix3>(&body.inertia)) {
-    tolerance = inertia_tolerance * std::max((*J)[0][0] + (*J)[1][1] + (*J)[2][2], 0.0);
+    tolerance = tolerance_of((*J)[0][0] + (*J)[1][1] + (*J)[2][2]);
     check_symmetry(*J, tolerance, at);
     moments = principal_moments(*J);
     if (!(moments[0] >= -tolerance))
       fail(at, fmt::format("principal moments {}", numbers(moments)), "a positive semidefinite matrix");
   } else {
     moments = std::get<Vector3>(body.inertia);
-    if (!(*std::min_element(moments.begin(), moments.end()) >= 0))
+    tolerance = tolerance_of(moments[0] + moments[1] + moments[2]);
+    if (!(*std::min_element(moments.begin(), moments.end()) >= -tolerance))
       fail(at, "moments " + numbers(moments), "moments >= 0");
     std::sort(moments.begin(), moments.end());
-    tolerance = inertia_tolerance * (moments[0] + moments[1] + moments[2]);
   }
   if (!body.unphysical_inertia && !(moments[2] <= moments[0] + moments[1] + tolerance))
     fail(at,

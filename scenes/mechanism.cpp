@@ -1,5 +1,6 @@
 #include "scenes/mechanism.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -36,12 +37,23 @@ Matrix3<Scalar> matrix_of(const scenes::Matrix3& rows) {
   return m;
 }
 
+/// What lifts principal moments below zero, which the reader takes within its tolerance and no body has, to
+/// zero. What rounding leaves below zero of a matrix that is singular as written is none of them.
+Matrix3<double> lift_of_negative_moments(const Matrix3<double>& J) {
+  const Eigen::SelfAdjointEigenSolver<Matrix3<double>> principal(J);
+  const double rounding = 8 * unit_roundoff<double>() * J.cwiseAbs().maxCoeff();
+  const Vector3<double> lift =
+      principal.eigenvalues().unaryExpr([&](double moment) { return moment < -rounding ? -moment : 0.0; });
+  return principal.eigenvectors() * lift.asDiagonal() * principal.eigenvectors().transpose();
+}
+
 template <class Scalar>
 Matrix3<Scalar> inertia_of(const scenes::Body& body) {
   if (const auto* diagonal = std::get_if<scenes::Vector3>(&body.inertia))
-    return vector_of<Scalar>(*diagonal).asDiagonal();
+    return vector_of<Scalar>(*diagonal).cwiseMax(Scalar(0)).asDiagonal();
   const Matrix3<Scalar> J = matrix_of<Scalar>(std::get<scenes::Matrix3>(body.inertia));
-  return (J + J.transpose()).eval() / 2;
+  const Matrix3<Scalar> symmetric = (J + J.transpose()) / Scalar(2);
+  return symmetric + scalar_cast<Scalar>(lift_of_negative_moments(scalar_cast<double>(symmetric)));
 }
 
 template <class Scalar>

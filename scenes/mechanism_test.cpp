@@ -1,5 +1,6 @@
 #include "scenes/mechanism.hpp"
 
+#include "bodies/inertia.hpp"
 #include "bodies/testing.hpp"
 #include "scenes/test_scenes.hpp"
 
@@ -96,6 +97,29 @@ TEST(Mechanism, InertiaIsDiagonalOrFull) {
   EXPECT_EQ(mechanism.bodies[0].inertia, (Matrix3<double>(Vector3<double>(1, 2, 3).asDiagonal())));
   const Matrix3<double> full = (Matrix3<double>() << 2, 0.1, 0.2, 0.1, 3, 0.3, 0.2, 0.3, 4).finished();
   EXPECT_EQ(mechanism.bodies[1].inertia, full);
+}
+
+/// What the reader takes within its tolerance is no moment below zero in the equations.
+TEST(Mechanism, AMomentJustBelowZeroCountsAsZero) {
+  const scenes::Vector3 moments{2, 2, -1e-12};
+  scenes::Scene scene;
+  scene.bodies = {test::body("diagonal", 1, moments), test::body("full", 1), test::body("singular", 1)};
+  test::Random random(7);
+  const Matrix3<double> A = rotation_matrix(random.euler_parameters<double>());
+  const Matrix3<double> J = A * Vector3<double>(moments.data()).asDiagonal() * A.transpose();
+  const scenes::Matrix3 exactly_singular{{{1, 1, 0}, {1, 1, 0}, {0, 0, 2}}};
+  scenes::Matrix3 rows;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) rows[r][c] = J(r, c);
+  scene.bodies[1].inertia = rows;
+  scene.bodies[2].inertia = exactly_singular;
+  const auto mechanism = make_mechanism<double>(scene);
+  EXPECT_EQ(mechanism.bodies[0].inertia, (Matrix3<double>(Vector3<double>(2, 2, 0).asDiagonal())));
+  const auto lifted = check_inertia(mechanism.bodies[1].inertia).principal_moments;
+  EXPECT_LE(std::abs(lifted[0]), 4e-15);  // the rounding of a trace of 4
+  EXPECT_LE(distance(mechanism.bodies[1].inertia, J), 1.1e-12);
+  for (int r = 0; r < 3; ++r)  // and what is singular as written stays as written
+    EXPECT_EQ(mechanism.bodies[2].inertia.row(r), Vector3<double>(exactly_singular[r].data()).transpose());
 }
 
 TEST(Orientation, IsTheSameInAllFourForms) {

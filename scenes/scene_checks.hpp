@@ -5,8 +5,8 @@
 /// Magnitudes: |x| <= 1e100 for every number, and at least 1e-100 for what is divided by (masses, lengths,
 /// norms of vectors that give a direction, the duration of a step), so that products and squares of what a
 /// scene states stay finite. Tolerances: rotation matrices are orthonormal, and `x` is off `axis`, within
-/// 1e-9; inertias are symmetric, positive semidefinite and triangular within 1e-12 of their trace. A negative
-/// stiffness or damping is a model, not an error.
+/// 1e-9; inertias are symmetric, positive semidefinite and triangular within 1e-12 of their trace, and a
+/// moment below zero within that counts as zero. A negative stiffness or damping is a model, not an error.
 
 #include <cstddef>
 

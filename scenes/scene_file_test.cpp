@@ -28,6 +28,17 @@ Scene with_two_bodies(std::string_view constraints, std::string_view effects = "
       "test");
 }
 
+/// The inertia that the text states; further keys of the body may follow it.
+std::variant<Vector3, Matrix3> with_inertia(std::string_view text) {
+  return parse_scene(
+             fmt::format(
+                 R"({{"trivium": 1, "bodies": [{{"name": "a", "mass": 1, "position": [0, 0, 0], "inertia": {}}}]}})",
+                 text),
+             "test")
+      .bodies.at(0)
+      .inertia;
+}
+
 TimeFunction function(std::string_view text) {
   const Scene scene =
       with_two_bodies("", fmt::format(R"({{"type": "force", "body": "a", "force": [{}, 0, 0]}})", text));
@@ -75,20 +86,17 @@ TEST(Reader, TakesFourWaysToStateAnOrientation) {
 }
 
 TEST(Reader, TakesInertiaAsMomentsOrMatrixAsGiven) {
-  const auto inertia = [](std::string_view text) {
-    return parse_scene(
-               fmt::format(
-                   R"({{"trivium": 1, "bodies": [{{"name": "a", "mass": 1, "position": [0, 0, 0], {}}}]}})",
-                   text),
-               "test")
-        .bodies.at(0)
-        .inertia;
-  };
-  EXPECT_EQ(std::get<Vector3>(inertia(R"("inertia": [1, 2, 3])")), (Vector3{1, 2, 3}));
-  EXPECT_EQ(std::get<Matrix3>(inertia(R"("inertia": [[2, 1e-13, 0], [0, 2, 0], [0, 0, 2]])")),
+  EXPECT_EQ(std::get<Vector3>(with_inertia("[1, 2, 3]")), (Vector3{1, 2, 3}));
+  EXPECT_EQ(std::get<Matrix3>(with_inertia("[[2, 1e-13, 0], [0, 2, 0], [0, 0, 2]]")),
             (Matrix3{{{2, 1e-13, 0}, {0, 2, 0}, {0, 0, 2}}}));
-  EXPECT_EQ(std::get<Vector3>(inertia(R"("unphysical_inertia": true, "inertia": [4, 2, 0])")),
-            (Vector3{4, 2, 0}));
+  EXPECT_EQ(std::get<Vector3>(with_inertia(R"([4, 2, 0], "unphysical_inertia": true)")), (Vector3{4, 2, 0}));
+}
+
+TEST(Reader, TakesAMomentBelowZeroByAsMuchInBothForms) {
+  EXPECT_NO_THROW(with_inertia("[1, 1, -1e-12]"));
+  EXPECT_NO_THROW(with_inertia("[[1, 0, 0], [0, 1, 0], [0, 0, -1e-12]]"));
+  EXPECT_THROW(with_inertia("[1, 1, -4e-12]"), SceneError);
+  EXPECT_THROW(with_inertia("[[1, 0, 0], [0, 1, 0], [0, 0, -4e-12]]"), SceneError);
 }
 
 TEST(Reader, TakesEveryKindOfFunction) {
