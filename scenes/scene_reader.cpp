@@ -59,24 +59,23 @@ void read_value(const Json& json, const Path& at, AxisAngle& out) {
 }
 
 void read_value(const Json& json, const Path& at, Orientation& out) {
-  constexpr std::string_view accepted =
-      "one of euler_parameters, euler_angles with sequence, axis_angle, matrix";
+  const std::string accepted =
+      "an object with one of euler_parameters, euler_angles (with sequence), axis_angle, matrix";
+  if (!json.object()) fail_type(json, at, accepted);
   const ObjectReader object(json, at, orientation_shape);
-  std::size_t ways = 0;
+  std::vector<std::string_view> ways;
   for (const char* way : {"euler_parameters", "euler_angles", "axis_angle", "matrix"})
-    ways += object.find(way) != nullptr;
-  if (ways != 1)
-    fail(at, fmt::format("{} orientations at once", ways ? std::to_string(ways) : "no"),
-         std::string(accepted));
-  if ((object.find("euler_angles") != nullptr) != (object.find("sequence") != nullptr))
-    fail(at, object.find("sequence") ? "a sequence without euler_angles" : "euler_angles without a sequence",
-         std::string(accepted));
+    if (object.find(way)) ways.push_back(way);
+  const Json* sequence = object.find("sequence");
+  if (ways.empty() && !sequence) fail(at, "found an empty object", accepted);
+  if (ways.size() > 1) fail(at, fmt::format("found {} together", fmt::join(ways, " and ")), accepted);
+  if ((sequence != nullptr) != (object.find("euler_angles") != nullptr))
+    fail(at, sequence ? "a sequence without euler_angles" : "euler_angles without a sequence", accepted);
   object.read("euler_parameters", out.emplace<EulerParameters>().e);
   if (object.find("euler_angles")) {
     EulerAngles& angles = out.emplace<EulerAngles>();
     object.read("euler_angles", angles.angles);
-    if (const Json* sequence = object.find("sequence"))
-      read_value(*sequence, at / "sequence", angles.sequence);
+    read_value(*sequence, at / "sequence", angles.sequence);
   }
   if (const Json* axis_angle = object.find("axis_angle"))
     read_value(*axis_angle, at / "axis_angle", out.emplace<AxisAngle>());
