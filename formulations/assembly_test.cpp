@@ -134,6 +134,8 @@ struct Turned {
   const char* name;
   scenes::ConstraintType type;
   scenes::Vector3 axis_j, x_j;
+
+  friend void PrintTo(const Turned& turned, std::ostream* out) { *out << turned.name; }
 };
 
 class WrongBranch : public testing::TestWithParam<Turned> {};
@@ -167,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(
         Turned{"antiparallel_planar", scenes::ConstraintType::planar, {0, 0, -1}, {1, 0, 0}},
         Turned{"half_turned_translational", scenes::ConstraintType::translational, {0, 0, 1}, {-1, 0, 0}},
         Turned{"half_turned_fixed", scenes::ConstraintType::fixed, {0, 0, 1}, {-1, 0, 0}}),
-    [](const auto& test) { return std::string(test.param.name); });
+    testing::PrintToStringParamName());
 
 TEST(Consistency, ADriverAHalfTurnOffIsAWrongBranch) {
   scenes::Scene scene = catalogue_scene("driven_crank");

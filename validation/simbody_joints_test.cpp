@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scenes/mechanism.hpp"
+#include "scenes/scene_keys.hpp"
 #include "validation/one_body_scene.hpp"
 #include "validation/simbody_comparison.hpp"
 
@@ -18,6 +19,10 @@ struct JointCase {
   ConstraintType type;
   scenes::Vector3 sliding, turning;  ///< along and about u, v, z of the joint
   bool ground_is_j;
+
+  friend void PrintTo(const JointCase& joint, std::ostream* out) {
+    *out << scenes::shape_of(joint.type).shape.name() << (joint.ground_is_j ? "_to_ground" : "_from_ground");
+  }
 };
 
 class EveryJoint : public testing::TestWithParam<JointCase> {};
@@ -92,7 +97,7 @@ std::vector<JointCase> joint_cases() {
   return cases;
 }
 
-INSTANTIATE_TEST_SUITE_P(, EveryJoint, testing::ValuesIn(joint_cases()));
+INSTANTIATE_TEST_SUITE_P(, EveryJoint, testing::ValuesIn(joint_cases()), testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace trivium
