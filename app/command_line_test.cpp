@@ -60,6 +60,14 @@ std::vector<std::string> validations() {
   return names;
 }
 
+/// A body that hangs in a revolute whose two axes point opposite ways.
+std::string hung_backwards() {
+  return temporary_scene("hung_backwards.json", R"({"trivium": 1, "name": "hung_backwards",
+    "bodies": [{"name": "flap", "mass": 1, "inertia": [1, 1, 1], "position": [0, 0, 0]}],
+    "constraints": [{"type": "revolute", "name": "hinge", "i": {"body": "ground", "axis": [0, 0, 1]},
+                     "j": {"body": "flap", "axis": [0, 0, -1]}}]})");
+}
+
 /// A bead that two rods pull to opposite sides while it moves across: consistent, but nothing accelerates so.
 std::string dead_point() {
   return temporary_scene("dead_point.json", R"({"trivium": 1, "name": "bead_between_rods",
@@ -160,6 +168,14 @@ TEST(Solve, AnInconsistentStartIsAnInputErrorThatNamesItsRows) {
   EXPECT_EQ(r.out, "");
   EXPECT_NE(r.err.find("position: residual"), std::string::npos) << r.err;
   EXPECT_NE(r.err.find("--assemble"), std::string::npos);
+}
+
+TEST(Solve, AWrongBranchIsNotAdvisedToAssemble) {
+  const Outcome wrong = run("trivium solve " + hung_backwards());
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("hinge: its axes z_i and z_j are antiparallel"), std::string::npos) << wrong.err;
+  EXPECT_NE(wrong.err.find("turn the body or the axis"), std::string::npos) << wrong.err;
+  EXPECT_EQ(wrong.err.find("--assemble"), std::string::npos) << wrong.err;
 }
 
 TEST(Solve, AssembleProjectsAndSaves) {

@@ -178,8 +178,10 @@ std::string Report<Scalar>::reaction_table() const {
 template <class Scalar>
 std::string Report<Scalar>::text() const {
   std::string out = fmt::format(
-      "{}: t = {}, {} bodies, {} rows of rank {}, {} degrees of freedom, condition {:.1e}\n", scene.name,
-      arguments.t, mechanism.nb(), mechanism.nc(), result.rows.rank, dof(), result.rows.kappa);
+      "{}: t = {}, {}, {} of rank {}, {}, condition {:.1e}\n", scene.name, arguments.t,
+      counted(mechanism.bodies.size(), "body", "bodies"), counted(mechanism.rows.size(), "row", "rows"),
+      result.rows.rank, counted(static_cast<std::size_t>(dof()), "degree of freedom", "degrees of freedom"),
+      result.rows.kappa);
   if (solved().empty()) return out;
   if (mechanism.nc() > 0) out += "\nlambda\n" + lambda_table();
   out += "\naccelerations [m/s^2, global; rad/s^2, body frame]\n" + acceleration_table();
