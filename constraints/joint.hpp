@@ -31,13 +31,11 @@ JointFrame<Scalar> joint_frame(const Vector3<Scalar>& point, const Vector3<Scala
   return frame;
 }
 
-/// The frame of an axis with no x given: u from the unit vector e_k with the smallest |z_k|, lowest k on
-/// ties.
-template <class Scalar>
-JointFrame<Scalar> joint_frame(const Vector3<Scalar>& point, const Vector3<Scalar>& axis) {
+/// The x of an axis with none given: the unit vector e_k with the smallest |z_k|, lowest k on ties.
+inline Vector3<double> default_x(const Vector3<double>& axis) {
   Eigen::Index k;
   axis.cwiseAbs().minCoeff(&k);
-  return joint_frame<Scalar>(point, axis, Vector3<Scalar>::Unit(k));
+  return Vector3<double>::Unit(k);
 }
 
 /// A basic constraint and what it is called within its joint, e.g. "dp1(u_i, z_j)".

@@ -33,7 +33,7 @@ TEST(JointFrame, IsOrthonormalAndRightHanded) {
 }
 
 TEST(JointFrame, DefaultXIsTheAxisLeastAlongZAndTheLowestOnTies) {
-  const auto u_of = [](const Vec& axis) { return joint_frame<double>(Vec::Zero(), axis).u; };
+  const auto u_of = [](const Vec& axis) { return joint_frame<double>(Vec::Zero(), axis, default_x(axis)).u; };
   EXPECT_EQ(u_of({0, 0, 1}), Vec(1, 0, 0));
   EXPECT_EQ(u_of({0, 0, -2}), Vec(1, 0, 0));
   EXPECT_EQ(u_of({0, 1, 0}), Vec(1, 0, 0));

@@ -60,9 +60,11 @@ template <class Scalar>
 JointFrame<Scalar> frame_of(const scenes::Side& side) {
   const Vector3<Scalar> point = vector_of<Scalar>(side.point);
   if (!side.axis) return {.point = point};
-  const Vector3<Scalar> axis = vector_of<Scalar>(of_moderate_size(*side.axis));
-  return side.x ? joint_frame<Scalar>(point, axis, vector_of<Scalar>(of_moderate_size(*side.x)))
-                : joint_frame<Scalar>(point, axis);
+  const scenes::Vector3 axis = of_moderate_size(*side.axis);
+  // which e_k is the scene's, in double: a Scalar that rounds two components to a tie has the same rows
+  const Vector3<Scalar> x = side.x ? vector_of<Scalar>(of_moderate_size(*side.x))
+                                   : scalar_cast<Scalar>(default_x(vector_of<double>(axis)));
+  return joint_frame<Scalar>(point, vector_of<Scalar>(axis), x);
 }
 
 template <class Scalar>

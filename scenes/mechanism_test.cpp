@@ -74,6 +74,19 @@ TEST(Mechanism, JointFramesComeFromTheScenesAxes) {
   EXPECT_EQ(joint.frame_j.v, (Vector3<double>(1, 0, 0)));
 }
 
+TEST(Mechanism, JointFramesAreTheSameInEveryScalar) {
+  const auto u = []<class Scalar>(Scalar) {
+    scenes::Scene scene;
+    scene.bodies = {test::body("a", 1)};
+    const scenes::Vector3 axis{1, 1 - 1e-12, 5};  // a tie of x and y once rounded to float
+    scene.constraints = {test::joint(ConstraintType::revolute, "r", test::side(scenes::ground, {}, axis),
+                                     test::side(0, {}, axis))};
+    return scalar_cast<double>(make_mechanism<Scalar>(scene).joints[0].frame_i.u);
+  };
+  EXPECT_LE(distance(u(1.0f), u(1.0)), test::roundings<float>(8));
+  EXPECT_LE(distance(u(Quad(1)), u(1.0)), test::roundings<double>(8));
+}
+
 TEST(Mechanism, VectorsOfBasicConstraintsAreTakenAsWritten) {
   scenes::Scene scene;
   scene.bodies = {test::body("a", 1)};

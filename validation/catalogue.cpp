@@ -66,7 +66,8 @@ std::string inconsistency(const NamedScene& named, double t) {
 std::vector<NamedScene> load_consistent_scenes(const std::vector<std::string>& paths_or_names, double t) {
   std::vector<NamedScene> scenes;
   std::vector<std::string> messages;
-  for (const std::string& source : paths_or_names) try {
+  for (const std::string& source : paths_or_names) {
+    try {
       NamedScene named{source, load_scene(source)};
       const std::string message = inconsistency(named, t);
       if (message.empty())
@@ -76,6 +77,7 @@ std::vector<NamedScene> load_consistent_scenes(const std::vector<std::string>& p
     } catch (const scenes::SceneError& error) {
       messages.emplace_back(error.what());
     }
+  }
   if (!messages.empty()) throw InputErrors(messages);
   return scenes;
 }
