@@ -5,17 +5,15 @@
 #include <Eigen/QR>
 
 #include "bodies/testing.hpp"
-#include "formulations/r_epsilon_omega_first.hpp"
-#include "formulations/r_p.hpp"
 #include "formulations/reaction.hpp"
-#include "formulations/side_by_side.hpp"
+#include "formulations/solved_scene.hpp"
 #include "formulations/test_mechanisms.hpp"
 #include "scenes/test_scenes.hpp"
 
 namespace trivium {
 namespace {
 
-using test::distance, test::for_all;
+using test::distance, test::for_all, test::Solved;
 
 test::MechanismOptions draw_options() {
   test::MechanismOptions options;
@@ -32,45 +30,19 @@ scenes::Scene draw_scene() {
 
 template <class F>
 class Solutions : public testing::Test {};
-using Formulations = testing::Types<ROmega<double>, RP<double>, REpsilon<double>, REpsilonOmegaFirst<double>>;
-struct Names {
-  template <class F>
-  static std::string GetName(int) {
-    return std::string(F::name);
-  }
-};
-TYPED_TEST_SUITE(Solutions, Formulations, Names);
+TYPED_TEST_SUITE(Solutions, test::AllFormulations<double>, test::FormulationNames);
 
+/// The size of lambda's effects: what rounding is to be measured against.
 template <class F>
-struct Solved {
-  Mechanism<double> mechanism;
-  MechanismState<double> state;
-  RowAnalysis rows;
-  AugmentedSolver<F> solver;
-  VectorX<double> x;  ///< all unknowns, lambda of minimum norm
-  Unknowns<F> u;
-  PhysicalSolution<double> physical;
-
-  explicit Solved(const scenes::Scene& scene)
-      : mechanism(make_mechanism<double>(scene)),
-        state(make_state<double>(scene)),
-        rows(analyse_rows(scene, 0)),
-        solver(mechanism, state, rows),
-        x(solver.solve()),
-        u(solver.split(x)),
-        physical(solver.physical(x)) {}
-
-  /// The size of lambda's effects: what rounding is to be measured against.
-  double force_scale() const {
-    double scale = 1;
-    for (std::size_t k = 0; k < mechanism.rows.size(); ++k) {
-      const auto& row = solver.equations().row[k];
-      const double gradient = row.r_i.norm() + row.r_j.norm() + row.rot_i.norm() + row.rot_j.norm();
-      scale = std::max(scale, std::abs(u.lambda[k]) * gradient);
-    }
-    return scale;
+double force_scale(const Solved<F>& s) {
+  double scale = 1;
+  for (std::size_t k = 0; k < s.mechanism.rows.size(); ++k) {
+    const auto& row = s.solver.equations().row[k];
+    const double gradient = row.r_i.norm() + row.r_j.norm() + row.rot_i.norm() + row.rot_j.norm();
+    scale = std::max(scale, std::abs(s.u.lambda[k]) * gradient);
   }
-};
+  return scale;
+}
 
 TYPED_TEST(Solutions, MatrixFreeResidualIsAtRoundingLevel) {
   using F = TypeParam;
@@ -108,6 +80,7 @@ TYPED_TEST(Solutions, BalanceTheMomentumOfEveryBody) {
         const Solved<F> s(draw_scene());
         const auto& eom = s.solver.equations();
         const auto applied = applied_wrenches(s.mechanism, eom.body, eom.t);
+        const PhysicalSolution<double> physical = s.solver.physical(s.x);
         for (int b = 0; b < s.mechanism.nb(); ++b) {
           Vector3<double> force = applied[b].F, torque = eom.body[b].A * applied[b].n_bar;
           for (const auto& joint : s.mechanism.joints)
@@ -119,11 +92,11 @@ TYPED_TEST(Solutions, BalanceTheMomentumOfEveryBody) {
             }
           const auto& [mass, J] = s.mechanism.bodies[b];
           const Vector3<double>& w = s.state.twist[b].omega_bar;
-          const double scale = s.force_scale();
+          const double scale = force_scale(s);
           // Newton: m r'' = sum of forces. Euler: Jbar omega_bar' + omega_bar~ Jbar omega_bar = sum of
           // torques.
-          RC_ASSERT(distance(mass * s.physical.r_ddot[b], force) <= 1e-12 * scale);
-          RC_ASSERT(distance(J * s.physical.omega_bar_dot[b] + w.cross(J * w),
+          RC_ASSERT(distance(mass * physical.r_ddot[b], force) <= 1e-12 * scale);
+          RC_ASSERT(distance(J * physical.omega_bar_dot[b] + w.cross(J * w),
                              eom.body[b].A.transpose() * torque) <= 1e-11 * scale);
         }
       },
@@ -152,7 +125,7 @@ TYPED_TEST(Solutions, ReactionsOfEveryJointDoNoVirtualWork) {
             work += reaction.force.dot(step.segment<3>(6 * b)) +
                     reaction.torque.dot(eom.body[b].A * step.segment<3>(6 * b + 3));
           }
-          RC_ASSERT(std::abs(work) <= 1e-12 * s.force_scale());
+          RC_ASSERT(std::abs(work) <= 1e-12 * force_scale(s));
         }
       },
       60);
@@ -171,7 +144,7 @@ TYPED_TEST(Solutions, LambdaHasMinimumNormAmongTheEquivalent) {
     const TangentSystem tangent = tangent_system(s.mechanism, s.state);
     for (int k : s.rows.redundant) EXPECT_EQ(plain.lambda[k], 0);
     EXPECT_LE(distance(tangent.Phi.transpose() * plain.lambda, tangent.Phi.transpose() * s.u.lambda),
-              1e-11 * s.force_scale());
+              1e-11 * force_scale(s));
     for (std::size_t k = 0; k < s.rows.unique.size(); ++k)
       if (s.rows.unique[k]) {
         EXPECT_EQ(plain.lambda[k], s.u.lambda[k]);

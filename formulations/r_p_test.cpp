@@ -3,8 +3,7 @@
 #include "formulations/r_p.hpp"
 
 #include "bodies/testing.hpp"
-#include "formulations/augmented_solver.hpp"
-#include "formulations/side_by_side.hpp"
+#include "formulations/solved_scene.hpp"
 #include "formulations/test_mechanisms.hpp"
 
 namespace trivium {
@@ -51,24 +50,13 @@ TEST(EulerParameterMass, InverseOfJpPlusPPIsKnownThroughG) {
   }
 }
 
-/// One random mechanism in r-p, its printed system and its solution.
-struct Solved {
-  scenes::Scene scene;
-  Mechanism<S> mechanism;
-  MechanismState<S> state;
-  RowAnalysis rows;
-  AugmentedSolver<F> solver;
+/// One random mechanism in r-p, its solution and its printed system.
+struct Solved : test::Solved<F> {
   AugmentedSystem<F> system;
-  Unknowns<F> u;
 
   explicit Solved(std::uint64_t seed)
-      : scene(test::random_scene(seed, {.bodies = 3, .closings = 1, .driven = true})),
-        mechanism(make_mechanism<S>(scene)),
-        state(make_state<S>(scene)),
-        rows(analyse_rows(scene, 0)),
-        solver(mechanism, state, rows),
-        system(augmented_system(solver.equations())),
-        u(solver.split(solver.solve())) {}
+      : test::Solved<F>(test::random_scene(seed, {.bodies = 3, .closings = 1, .driven = true})),
+        system(augmented_system(solver.equations())) {}
   int nb() const { return mechanism.nb(); }
   VectorX<S> lambda() const { return u.lambda; }
   const F::Kinematics& body(int b) const { return solver.equations().body[b]; }

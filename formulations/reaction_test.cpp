@@ -3,9 +3,7 @@
 #include "formulations/reaction.hpp"
 
 #include "bodies/testing.hpp"
-#include "formulations/r_epsilon_omega_first.hpp"
-#include "formulations/r_p.hpp"
-#include "formulations/side_by_side.hpp"
+#include "formulations/solved_scene.hpp"
 #include "scenes/test_scenes.hpp"
 
 namespace trivium {
@@ -17,36 +15,17 @@ using Vec = Vector3<double>;
 
 template <class F>
 class Reactions : public testing::Test {};
-using Formulations = testing::Types<ROmega<double>, RP<double>, REpsilon<double>, REpsilonOmegaFirst<double>>;
-struct Names {
-  template <class F>
-  static std::string GetName(int) {
-    return std::string(F::name);
-  }
-};
-TYPED_TEST_SUITE(Reactions, Formulations, Names);
+TYPED_TEST_SUITE(Reactions, test::AllFormulations<double>, test::FormulationNames);
 
-/// A scene solved in one formulation.
 template <class F>
-struct Solved {
-  Mechanism<double> mechanism;
-  MechanismState<double> state;
-  RowAnalysis rows;
-  AugmentedSolver<F> solver;
-  Unknowns<F> u;
-
-  explicit Solved(const scenes::Scene& scene)
-      : mechanism(make_mechanism<double>(scene)),
-        state(make_state<double>(scene)),
-        rows(analyse_rows(scene, 0)),
-        solver(mechanism, state, rows),
-        u(solver.split(solver.solve())) {}
+struct Solved : test::Solved<F> {
+  using test::Solved<F>::Solved;
   /// Global frame, about the body's centre of mass.
   Reaction<double> on(End end, int joint = 0) const {
-    return joint_reaction<F>(solver.equations(), mechanism.joints[joint], u.lambda, end);
+    return joint_reaction<F>(this->solver.equations(), this->mechanism.joints[joint], this->u.lambda, end);
   }
   Vec joint_point(int joint = 0) const {
-    return trivium::joint_point<F>(solver.equations(), mechanism.joints[joint]);
+    return trivium::joint_point<F>(this->solver.equations(), this->mechanism.joints[joint]);
   }
 };
 
