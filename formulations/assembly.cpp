@@ -15,12 +15,12 @@ EquationsOfMotion<F> equations(const Mechanism<double>& mechanism, const Mechani
 }
 
 /// The largest coordinate of any body or joint point, and the largest speed: what rounding scales with.
-struct Magnitudes {
+struct Extent {
   double length = 0, speed = 0;
 };
 
-Magnitudes magnitudes(const Mechanism<double>& mechanism, const MechanismState<double>& state) {
-  Magnitudes m;
+Extent extent_of(const Mechanism<double>& mechanism, const MechanismState<double>& state) {
+  Extent m;
   for (const auto& pose : state.pose) m.length = std::max(m.length, pose.r.norm());
   for (const auto& joint : mechanism.joints)
     m.length = std::max({m.length, joint.frame_i.point.norm(), joint.frame_j.point.norm()});
@@ -82,14 +82,15 @@ bool holds_points(const Mechanism<double>& mechanism, int k) {
 }
 
 /// The least change x, in the metric, with Phi x = c (least squares where rows contradict each other).
-VectorX<double> least_change(const TangentSystem& system, const VectorX<double>& c) {
+VectorX<double> least_change(const TangentSystem& system, const VectorX<double>& c,
+                             double threshold = rank_tolerance) {
   const Metric metric(system);
   MatrixX<double> W = metric.half_solve(system.Phi.transpose());
   VectorX<double> scale = W.colwise().norm().transpose();
   for (double& s : scale) s = s > 0 ? 1 / s : 0.0;
   W = W * scale.asDiagonal();
   Eigen::CompleteOrthogonalDecomposition<MatrixX<double>> decomposition;
-  decomposition.setThreshold(rank_tolerance);
+  decomposition.setThreshold(threshold);
   decomposition.compute(W.transpose());
   const VectorX<double> y = decomposition.solve(scale.cwiseProduct(c));
   return metric.half_solve_transposed(y);
@@ -117,49 +118,53 @@ double worst_size(const std::vector<Violation>& violations) {
   return worst;
 }
 
-void append_offenders(std::string& text, const std::vector<Violation>& violations, const char* what,
-                      double tolerance) {
+void append_offenders(std::string& text, const std::vector<Violation>& violations, const char* what) {
   std::vector<Violation> bad;
   for (const Violation& v : violations)
     if (v.exceeds) bad.push_back(v);
   std::sort(bad.begin(), bad.end(), [](const Violation& a, const Violation& b) { return a.size > b.size; });
   for (const Violation& v : bad)
-    text += fmt::format("  {} {}: residual {:.3e} (tolerance {:.1e})\n", v.row, what, v.residual, tolerance);
+    text += fmt::format("  {} {}: residual {:.3e}, {:.1e} {} (tolerance {:.1e})\n", v.row, what, v.residual,
+                        v.size, v.unit, v.tolerance);
 }
 
 }  // namespace
 
+bool Consistency::holds_positions() const {
+  return wrong_branches.empty() &&
+         std::none_of(positions.begin(), positions.end(), [](const Violation& v) { return v.exceeds; });
+}
+
 bool Consistency::holds() const {
-  const auto exceeds = [](const Violation& v) { return v.exceeds; };
-  return wrong_branches.empty() && std::none_of(positions.begin(), positions.end(), exceeds) &&
-         std::none_of(velocities.begin(), velocities.end(), exceeds);
+  return holds_positions() &&
+         std::none_of(velocities.begin(), velocities.end(), [](const Violation& v) { return v.exceeds; });
 }
 
 std::string Consistency::report() const {
   std::string text;
-  append_offenders(text, positions, "position", position_tolerance);
-  append_offenders(text, velocities, "velocity", velocity_tolerance);
+  append_offenders(text, positions, "position");
+  append_offenders(text, velocities, "velocity");
   for (const std::string& branch : wrong_branches) text += fmt::format("  {} (a wrong branch)\n", branch);
   return text;
 }
 
 Consistency check_consistency(const Mechanism<double>& mechanism, const MechanismState<double>& state) {
   const auto eom = equations(mechanism, state);
-  const Magnitudes m = magnitudes(mechanism, state);
+  const Extent m = extent_of(mechanism, state);
   Consistency out;
-  out.position_tolerance = 1e-8;
-  out.velocity_tolerance = 1e-8;
+  constexpr double tolerance = 1e-8;  // of the scene's own lengths and speeds
   const VectorX<double> velocity = velocity_residual(eom);
   for (int k = 0; k < eom.nc(); ++k) {
     const bool points = holds_points(mechanism, k);
     const double norm = row_norm(eom.row[k], m.length, points);
     const double length = points ? m.length : 1.0, speed = points ? m.speed : m.speed / m.length;
-    const auto violation = [&](double residual, double tolerance) {
+    const auto judge = [&](double residual, double most, const char* unit) {
       const double size = std::abs(residual) / norm;
-      return Violation{mechanism.row_names[k], residual, size, !(size <= tolerance)};
+      return Violation{mechanism.row_names[k], residual, size, most, unit, !(size <= most)};
     };
-    out.positions.push_back(violation(eom.row[k].phi, out.position_tolerance * length));
-    out.velocities.push_back(violation(velocity[k], out.velocity_tolerance * speed + 1e-12 * length));
+    out.positions.push_back(judge(eom.row[k].phi, tolerance * length, points ? "m" : "rad"));
+    out.velocities.push_back(
+        judge(velocity[k], tolerance * speed + 1e-12 * length, points ? "m/s" : "rad/s"));
   }
   for (const Joint<double>& joint : mechanism.joints)
     for (std::string& wrong : wrong_branches_of(joint, global_axes(eom, joint), state.t))
@@ -178,30 +183,101 @@ void project_velocities(const Mechanism<double>& mechanism, MechanismState<doubl
   }
 }
 
+namespace {
+
+double violation(const Mechanism<double>& mechanism, const MechanismState<double>& state) {
+  return worst_size(check_consistency(mechanism, state).positions);
+}
+
+/// Gauss-Newton to the rounding level, steps halved where they do not help.
+void close_gaps(const Mechanism<double>& mechanism, MechanismState<double>& state) {
+  constexpr int most_steps = 100;
+  const double length = extent_of(mechanism, state).length;
+  double last = violation(mechanism, state);
+  const auto improves = [&](double threshold) {
+    const VectorX<double> change = least_change(tangent_system(mechanism, state),
+                                                -positions_residual(equations(mechanism, state)), threshold);
+    double fraction = 1;
+    for (int halving = 0; halving < 8; ++halving, fraction /= 2) {
+      MechanismState<double> trial = state;
+      move(trial, fraction * change);
+      if (const double size = violation(mechanism, trial); size < last) {
+        state = std::move(trial);
+        last = size;
+        return true;
+      }
+    }
+    return false;
+  };
+  for (int step = 0; step < most_steps && last > 0; ++step) {
+    // rows that depend on each other do so only where they hold: as far as they are from that, what they
+    // differ by is no direction to move in
+    const double trusted = std::clamp(10 * last / length, rank_tolerance, 0.03);
+    if (!improves(trusted) && !(trusted > rank_tolerance && improves(rank_tolerance))) return;
+  }
+}
+
+/// From one state to another: displacement and body-frame rotation vector of every body.
+VectorX<double> displacement(const MechanismState<double>& from, const MechanismState<double>& to) {
+  VectorX<double> d(6 * static_cast<Eigen::Index>(to.pose.size()));
+  for (std::size_t b = 0; b < to.pose.size(); ++b) {
+    const Eigen::Index at = static_cast<Eigen::Index>(6 * b);
+    Vector4<double> inverse = -from.pose[b].p;
+    inverse[0] = -inverse[0];
+    Vector4<double> turn = multiply_parameters<double>(inverse, to.pose[b].p);
+    if (turn[0] < 0) turn = -turn;
+    const double sine = turn.tail<3>().norm();
+    const double factor = sine > 1e-12 ? 2 * std::atan2(sine, turn[0]) / sine : 2.0;
+    d.segment<3>(at) = to.pose[b].r - from.pose[b].r;
+    d.segment<3>(at + 3) = factor * turn.tail<3>();
+  }
+  return d;
+}
+
+double mass_norm(const Mechanism<double>& mechanism, const VectorX<double>& d) {
+  double sum = 0;
+  for (int b = 0; b < mechanism.nb(); ++b) {
+    const auto& [mass, J] = mechanism.bodies[b];
+    const Vector3<double> turn = d.segment<3>(6 * b + 3);
+    sum += mass * d.segment<3>(6 * b).squaredNorm() + turn.dot(J * turn);
+  }
+  return std::sqrt(sum);
+}
+
+/// Along the constraints to the state nearest the start: what of the way from there lies along them is
+/// undone.
+void approach(const Mechanism<double>& mechanism, const MechanismState<double>& start,
+              MechanismState<double>& state) {
+  constexpr int most_steps = 50;
+  VectorX<double> way = displacement(start, state);
+  for (int step = 0; step < most_steps; ++step) {
+    const TangentSystem system = tangent_system(mechanism, state);
+    const VectorX<double> back = least_change(system, system.Phi * way) - way;
+    const double distance = mass_norm(mechanism, way);
+    if (!(mass_norm(mechanism, back) > 1e-9 * distance)) return;
+    bool nearer = false;
+    for (double fraction = 1; fraction > 0.1 && !nearer; fraction /= 2) {
+      MechanismState<double> trial = state;
+      move(trial, fraction * back);
+      close_gaps(mechanism, trial);
+      const VectorX<double> trial_way = displacement(start, trial);
+      nearer =
+          check_consistency(mechanism, trial).holds_positions() && mass_norm(mechanism, trial_way) < distance;
+      if (!nearer) continue;
+      state = std::move(trial);
+      way = trial_way;
+    }
+    if (!nearer) return;
+  }
+}
+
+}  // namespace
+
 MechanismState<double> assemble(const Mechanism<double>& mechanism, MechanismState<double> state) {
   if (mechanism.nc() == 0) return state;
-  const auto violation = [&](const MechanismState<double>& s) {
-    return worst_size(check_consistency(mechanism, s).positions);
-  };
-  constexpr int most_steps = 100;
-  double last = violation(state);
-  for (int step = 0; step < most_steps && last > 0; ++step) {
-    const VectorX<double> change =
-        least_change(tangent_system(mechanism, state), -positions_residual(equations(mechanism, state)));
-    // halve a step that does not help; at the rounding level none does, and that is the end
-    double fraction = 1;
-    MechanismState<double> trial = state;
-    double size = last;
-    for (int halving = 0; halving < 8; ++halving, fraction /= 2) {
-      trial = state;
-      move(trial, fraction * change);
-      size = violation(trial);
-      if (size < last) break;
-    }
-    if (!(size < last)) break;
-    state = trial;
-    last = size;
-  }
+  const MechanismState<double> start = state;
+  close_gaps(mechanism, state);
+  if (check_consistency(mechanism, state).holds_positions()) approach(mechanism, start, state);
   project_velocities(mechanism, state);
   const Consistency result = check_consistency(mechanism, state);
   if (!result.holds())

@@ -12,17 +12,19 @@ namespace trivium {
 /// metres or radians (per second), whatever the scaling of the row.
 struct Violation {
   std::string row;
-  double residual = 0;  ///< Phi, or Phi_q q' - nu
-  double size = 0;      ///< in m or rad (per second)
+  double residual = 0;   ///< Phi, or Phi_q q' - nu
+  double size = 0;       ///< in m or rad (per second)
+  double tolerance = 0;  ///< of size
+  const char* unit = "";
   bool exceeds = false;
 };
 
 struct Consistency {
   std::vector<Violation> positions, velocities;  ///< every row, in order
   std::vector<std::string> wrong_branches;  ///< joints whose rows hold on a branch that is not the joint's
-  double position_tolerance = 0, velocity_tolerance = 0;
 
   bool holds() const;
+  bool holds_positions() const;
   /// The offending rows, worst first, with their residuals; empty where all holds.
   std::string report() const;
 };
@@ -30,9 +32,9 @@ struct Consistency {
 /// A state is consistent to 1e-8 of the scene's own lengths and speeds (and 1e-12 where nothing moves).
 Consistency check_consistency(const Mechanism<double>& mechanism, const MechanismState<double>& state);
 
-/// Projects positions, then velocities, onto the constraints: mass-weighted least change (Metric), by
-/// Gauss-Newton steps to the rounding level; redundant rows are allowed. Throws a ModelError naming the rows
-/// that cannot be met together.
+/// Projects positions, then velocities, onto the constraints: to the state nearest the given one,
+/// displacements and rotation vectors weighted by mass and inertia; redundant rows are allowed. Throws a
+/// ModelError naming the rows that cannot be met together.
 MechanismState<double> assemble(const Mechanism<double>& mechanism, MechanismState<double> state);
 
 /// The velocity part alone.

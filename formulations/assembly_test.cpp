@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
+
 #include "formulations/side_by_side.hpp"
 #include "scenes/generators.hpp"
 #include "scenes/scene_file.hpp"
@@ -66,6 +68,44 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, Assembly,
                          testing::Values("double_pendulum", "four_bar", "spatial_slider_crank",
                                          "parallelogram", "stewart_platform", "n_four_bar_2", "open_arm_7"),
                          [](const auto& test) { return std::string(test.param); });
+
+/// How much of the way from `from` to `to` lies along what the constraints at `to` allow, in the mass metric.
+double share_along_constraints(const scenes::Scene& from, const scenes::Scene& to) {
+  const auto mechanism = make_mechanism<double>(to);
+  const auto start = make_state<double>(from), end = make_state<double>(to);
+  const Eigen::Index n = 6 * mechanism.nb();
+  VectorX<double> way(n), root(n);
+  for (int b = 0; b < mechanism.nb(); ++b) {
+    const Matrix3<double> turn =
+        rotation_matrix(start.pose[b].p).transpose() * rotation_matrix(end.pose[b].p);
+    way.segment<3>(6 * b) = end.pose[b].r - start.pose[b].r;
+    way.segment<3>(6 * b + 3) =
+        Vector3<double>(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1)) / 2;
+    root.segment<3>(6 * b).setConstant(std::sqrt(mechanism.bodies[b].mass));
+    // the catalogue's closed loops have their bodies' principal axes along the body frames, or nearly
+    root.segment<3>(6 * b + 3) = mechanism.bodies[b].inertia.diagonal().cwiseSqrt();
+  }
+  const MatrixX<double> W =
+      (tangent_system(mechanism, end).Phi * root.cwiseInverse().asDiagonal()).transpose();
+  Eigen::CompleteOrthogonalDecomposition<MatrixX<double>> rows;
+  rows.setThreshold(rank_tolerance);
+  rows.compute(W);
+  const VectorX<double> weighted = root.cwiseProduct(way);
+  const VectorX<double> across = W * rows.solve(weighted);
+  return (weighted - across).norm() / weighted.norm();
+}
+
+class RedundantAssembly : public testing::TestWithParam<const char*> {};
+
+TEST_P(RedundantAssembly, EndsAtTheNearestStateInTheMassMetric) {
+  for (const double by : {1e-5, 1e-3}) {
+    const scenes::Scene before = disturbed(GetParam(), by);
+    EXPECT_LE(share_along_constraints(before, assembled(before)), 1e-3 + 10 * by) << by;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Catalogue, RedundantAssembly,
+                         testing::Values("four_bar", "parallelogram", "bricard", "door"),
+                         [](const auto& scene) { return std::string(scene.param); });
 
 TEST(VelocityProjection, IsTheLeastChangeInTheMassMetric) {
   // what is projected off is M-orthogonal to every velocity that the constraints allow

@@ -24,36 +24,65 @@ struct PhysicalSolution {
   VectorX<Scalar> lambda;                      ///< one per row; non-unique ones of minimum |E lambda|
 };
 
-/// |E (lambda_1 - lambda_2)| / max(|E lambda|, |E^-1 b|); differences and lambda over the unique rows, 0
-/// where there are none. What could cause lambda is taken over all rows: a row that carries nothing is
-/// measured against its neighbours.
-template <class Scalar>
-double lambda_distance(const RowAnalysis& rows, const VectorX<Scalar>& lambda_1,
-                       const VectorX<Scalar>& lambda_2) {
+/// A difference and what it may be measured against; all in one norm.
+struct Comparison {
   double difference = 0, size_1 = 0, size_2 = 0, cause = 0;
+  double cause_by_magnitude = 0;  ///< 0: not known
+
+  /// Against the larger of the two, or what could cause either.
+  double relative() const { return over(std::max({size_1, size_2, cause})); }
+  /// The error of the first where the second is the truth.
+  double error() const { return over(std::max(size_2, cause)); }
+  /// How many times a quarter of what could cause it, nothing cancelling, exceeds the scale: 1 in an ordinary
+  /// state, |omega_bar|^2 in units of the load where a symmetric body spins fast. Rounding grows with it.
+  double cancellation() const {
+    const double scale = std::max({size_1, size_2, cause});
+    return cause_by_magnitude > 0 && scale > 0 ? std::max(1.0, cause_by_magnitude / (4 * scale)) : 1.0;
+  }
+
+ private:
+  double over(double scale) const { return difference == 0 ? 0.0 : difference / scale; }
+};
+
+/// |E (lambda_1 - lambda_2)| beside |E lambda| and |E^-1 b|; differences and lambda over the unique rows.
+/// What could cause lambda is taken over all rows: a row that carries nothing is measured against its
+/// neighbours.
+template <class Scalar>
+Comparison compare_lambda(const RowAnalysis& rows, const VectorX<Scalar>& lambda_1,
+                          const VectorX<Scalar>& lambda_2) {
+  double difference = 0, size_1 = 0, size_2 = 0, cause = 0, by_magnitude = 0;
   for (Eigen::Index k = 0; k < lambda_1.size(); ++k) {
     const double E = rows.E[k];
     if (E == 0) continue;
     const auto square = [](double x) { return x * x; };
     cause += square(rows.lambda_cause[k] / E);
+    if (rows.lambda_cause_by_magnitude.size() > 0)
+      by_magnitude += square(rows.lambda_cause_by_magnitude[k] / E);
     if (!rows.unique[k]) continue;
     difference += square(E * static_cast<double>(Scalar(lambda_1[k] - lambda_2[k])));
     size_1 += square(E * static_cast<double>(lambda_1[k]));
     size_2 += square(E * static_cast<double>(lambda_2[k]));
   }
-  const double scale = std::sqrt(std::max({size_1, size_2, cause}));
-  return difference == 0 ? 0.0 : std::sqrt(difference) / scale;
+  return {std::sqrt(difference), std::sqrt(size_1), std::sqrt(size_2), std::sqrt(cause),
+          std::sqrt(by_magnitude)};
 }
 
-/// Differences of accelerations in the mass metric (row_analysis.hpp), relative to the larger of the
-/// acceleration itself and what Q and gamma could cause: all, and the shares of r'' and omega_bar'.
-struct AccelerationDistance {
-  double all = 0, r_ddot = 0, omega_bar_dot = 0;
+/// |E (lambda_1 - lambda_2)| / max(|E lambda|, |E^-1 b|); 0 where no multiplier is unique.
+template <class Scalar>
+double lambda_distance(const RowAnalysis& rows, const VectorX<Scalar>& lambda_1,
+                       const VectorX<Scalar>& lambda_2) {
+  return compare_lambda(rows, lambda_1, lambda_2).relative();
+}
+
+/// Accelerations in the mass metric (row_analysis.hpp): all, and the shares of r'' and omega_bar', measured
+/// against all.
+struct AccelerationComparison {
+  Comparison all, r_ddot, omega_bar_dot;
 };
 
 template <class Scalar>
-AccelerationDistance acceleration_distance(const RowAnalysis& rows, const PhysicalSolution<Scalar>& a,
-                                           const PhysicalSolution<Scalar>& b) {
+AccelerationComparison compare_accelerations(const RowAnalysis& rows, const PhysicalSolution<Scalar>& a,
+                                             const PhysicalSolution<Scalar>& b) {
   double r = 0, omega = 0, size_a = 0, size_b = 0;
   for (std::size_t n = 0; n < a.r_ddot.size(); ++n) {
     const auto weigh = [&](const Vector3<Scalar>& v, std::size_t offset) {
@@ -66,9 +95,22 @@ AccelerationDistance acceleration_distance(const RowAnalysis& rows, const Physic
     size_a += weigh(a.r_ddot[n], 0) + weigh(a.omega_bar_dot[n], 3);
     size_b += weigh(b.r_ddot[n], 0) + weigh(b.omega_bar_dot[n], 3);
   }
-  const double scale = std::max(std::sqrt(std::max(size_a, size_b)), rows.acceleration_cause);
-  const auto relative = [scale](double square) { return square == 0 ? 0.0 : std::sqrt(square) / scale; };
-  return {relative(r + omega), relative(r), relative(omega)};
+  const auto against_all = [&](double square) {
+    return Comparison{std::sqrt(square), std::sqrt(size_a), std::sqrt(size_b), rows.acceleration_cause, 0};
+  };
+  return {against_all(r + omega), against_all(r), against_all(omega)};
+}
+
+/// The differences relative to the larger of the accelerations, or of what Q and gamma could cause.
+struct AccelerationDistance {
+  double all = 0, r_ddot = 0, omega_bar_dot = 0;
+};
+
+template <class Scalar>
+AccelerationDistance acceleration_distance(const RowAnalysis& rows, const PhysicalSolution<Scalar>& a,
+                                           const PhysicalSolution<Scalar>& b) {
+  const AccelerationComparison c = compare_accelerations(rows, a, b);
+  return {c.all.relative(), c.r_ddot.relative(), c.omega_bar_dot.relative()};
 }
 
 /// One formulation's augmented system at one state, and what a solution of it means. The system is solved
@@ -219,30 +261,36 @@ ErrorEstimate estimate_error(const AugmentedSolver<F>& solver, const VectorX<typ
   VectorX<H> better = higher.expand(scalar_cast<H>(x));
   PhysicalSolution<H> best = higher.physical(better), previous = best;
   ErrorEstimate doubt;
-  const auto distance = [&rows](const PhysicalSolution<H>& a, const PhysicalSolution<H>& b) {
-    return ErrorEstimate{lambda_distance(rows, a.lambda, b.lambda), acceleration_distance(rows, a, b).all};
+  const auto error = [&rows](const PhysicalSolution<H>& found, const PhysicalSolution<H>& truth) {
+    return ErrorEstimate{compare_lambda(rows, found.lambda, truth.lambda).error(),
+                         compare_accelerations(rows, found, truth).all.error()};
   };
   const auto correct = [&](const VectorX<S>& step) {
     better += higher.expand(scalar_cast<H>(step));
     previous = best;
     best = higher.physical(better);
-    return distance(best, previous);
+    return error(previous, best);
   };
-  for (int step = 0; step < 4; ++step) {
-    doubt = correct(solver.substitute(scalar_cast<S>(higher.reduce(higher.defect(better)))));
-    const ErrorEstimate found = distance(best, reported);
-    if (doubt.lambda <= 0.05 * found.lambda && doubt.acceleration <= 0.05 * found.acceleration) break;
-  }
-  const ErrorEstimate found = distance(best, reported);
-  ErrorEstimate ambiguous;
-  if (!solver.redundancy().none()) ambiguous = correct(detail::ambiguity(solver, x, higher));
   const double u = static_cast<double>(unit_roundoff<S>());
-  const auto honest = [u](double error, double remaining, double undecided) {
-    const double estimate = 2 * (error + remaining + undecided) + u;
-    return std::isfinite(estimate) ? estimate : std::numeric_limits<double>::max();
+  const auto is_settled = [u](double remaining, double found) { return remaining <= 0.05 * found + u; };
+  bool settled = false;
+  for (int step = 0; step < 4 && !settled; ++step) {
+    doubt = correct(solver.substitute(scalar_cast<S>(higher.reduce(higher.defect(better)))));
+    const ErrorEstimate found = error(reported, best);
+    settled = is_settled(doubt.lambda, found.lambda) && is_settled(doubt.acceleration, found.acceleration);
+  }
+  const ErrorEstimate found = error(reported, best);
+  ErrorEstimate undecided;
+  if (!solver.redundancy().none()) undecided = correct(detail::ambiguity(solver, x, higher));
+  // corrections that do not shrink lead nowhere, and a judge that finds the solution to be all error may be
+  // no better himself: no digit is known
+  constexpr double no_digits = 0.3;
+  const auto honest = [&](double known, double remaining, double ambiguous) {
+    const double estimate = 2 * (known + remaining + ambiguous) + u;
+    return settled && estimate < no_digits ? estimate : std::max(1 / u, known);
   };
-  return {honest(found.lambda, doubt.lambda, ambiguous.lambda),
-          honest(found.acceleration, doubt.acceleration, ambiguous.acceleration)};
+  return {honest(found.lambda, doubt.lambda, undecided.lambda),
+          honest(found.acceleration, doubt.acceleration, undecided.acceleration)};
 }
 
 }  // namespace trivium

@@ -207,6 +207,39 @@ TEST(Invariance, LambdaIsTheSameInEverySequence) {
     expect_lambda_is_invariant<double>(8, {*parse_euler_sequence(name), true});
 }
 
+/// A rotor on a bearing along its axis of symmetry, which points nowhere in particular.
+scenes::Scene rotor(double spin) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("rotor", 1.2, {0.003, 0.003, 0.005})};
+  scene.bodies[0].orientation = scenes::EulerParameters{{0.8, 0.3, 0.4, 0.33}};
+  scene.bodies[0].angular_velocity = {0, 0, spin};
+  const Vector3<double> z = rotation_matrix<double>(Vector4<double>(0.8, 0.3, 0.4, 0.33).normalized()).col(2);
+  scene.constraints = {
+      test::joint(scenes::ConstraintType::revolute, "bearing",
+                  test::side(scenes::ground, scenes::Vector3{}, scenes::Vector3{z[0], z[1], z[2]}),
+                  test::side(0, scenes::Vector3{}, scenes::Vector3{0, 0, 1}))};
+  return scene;
+}
+
+TEST(BalancedRotor, HasADiscrepancyWithinWhatCancels) {
+  for (const double spin : {30.0, 3000.0}) {
+    const auto result = solve_side_by_side<double>(rotor(spin), 0);
+    EXPECT_LE(result.discrepancy().lambda, result.lambda_bound() * result.cancellation()) << spin;
+    // nothing acts and nothing is felt: what lambda there is, is rounding, and no reason to worry
+    for (const auto& f : result.formulations) EXPECT_LE(f.estimate.lambda, 1e-6) << f.name;
+  }
+}
+
+TEST(Cancellation, IsNoneWhereOneForceActs) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("weight", 2)};
+  scene.constraints = {test::joint(scenes::ConstraintType::spherical, "ball",
+                                   test::side(scenes::ground, scenes::Vector3{0, 0, 1}),
+                                   test::side(0, scenes::Vector3{0, 0, 1}))};
+  scene.effects = {test::gravity()};
+  EXPECT_EQ(solve_side_by_side<double>(scene, 0).cancellation(), 1);
+}
+
 TEST(SideBySide, SingularRawChartIsAnErrorOfThatFormulationAlone) {
   scenes::Scene scene;
   scene.bodies = {test::body("top", 1)};

@@ -248,8 +248,13 @@ MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar>& mec
                                          F::internal_constraints * b));
   }
   MatrixFreeResidual residual;
-  const auto raise = [](double& worst, const S& value, const S& scale) {
+  // a body at rest beside others that are not has terms that are their rounding: no scale of its own
+  S largest(0);
+  using std::sqrt;
+  const S negligible = sqrt(unit_roundoff<S>());
+  const auto raise = [&](double& worst, const S& value, const S& own_scale) {
     if (value == S(0)) return;
+    const S least = negligible * largest, scale = own_scale < least ? least : own_scale;
     const double ratio = static_cast<double>(S(value / scale));
     if (std::isnan(ratio) || ratio > worst) worst = ratio;  // a NaN goes in and stays
   };
@@ -272,15 +277,23 @@ MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar>& mec
     reach[b] = {balance[b].r_scale / eom.mass[b], u.body[b].q_ddot.norm()};
     if (const S J = eom.mass_block[b].norm(); J > S(0)) reach[b].q += balance[b].q_scale / J;
   }
+  std::vector<S> row_scale(eom.nc()), row_residual(eom.nc());
   for (int k = 0; k < eom.nc(); ++k) {
     const auto [i, j] = eom.pair[k];
     const auto& row = eom.row[k];
     const S phi_ddot =
         row_acceleration(mechanism.rows[k], eom.body[i], eom.body[j], eom.t, u.body[i], u.body[j]);
-    const S scale = abs(row.gamma) + row.r_i.norm() * reach[i].r + row.r_j.norm() * reach[j].r +
-                    row.rot_i.norm() * reach[i].q + row.rot_j.norm() * reach[j].q;
-    raise(is_redundant[k] ? residual.redundant_rows : residual.rows, abs(phi_ddot), scale);
+    row_residual[k] = abs(phi_ddot);
+    row_scale[k] = abs(row.gamma) + row.r_i.norm() * reach[i].r + row.r_j.norm() * reach[j].r +
+                   row.rot_i.norm() * reach[i].q + row.rot_j.norm() * reach[j].q;
+    if (row_scale[k] > largest) largest = row_scale[k];
   }
+  for (int k = 0; k < eom.nc(); ++k)
+    raise(is_redundant[k] ? residual.redundant_rows : residual.rows, row_residual[k], row_scale[k]);
+  largest = S(0);
+  for (int b = 0; b < nb; ++b)
+    for (const S& scale : {balance[b].r_scale, balance[b].q_scale})
+      if (scale > largest) largest = scale;
   for (int b = 0; b < nb; ++b) {
     raise(residual.bodies, balance[b].r.norm(), balance[b].r_scale);
     raise(residual.bodies, balance[b].q.norm(), balance[b].q_scale);

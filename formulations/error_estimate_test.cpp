@@ -117,6 +117,29 @@ TEST_P(ErrorEstimate, CoversTheTrueErrorAndIsWithinAHundredOfIt) {
   }
 }
 
+TEST(GimbalLock, EstimateOfASolutionWithoutDigitsSaysSo) {
+  for (int seed = 0; seed < 60; ++seed) {
+    test::MechanismOptions options{.bodies = 1, .closings = 0};
+    options.gimbal_distance = std::pow(10.0, -7.0 - 0.02 * seed);
+    const auto scene = test::random_scene(7000 + seed, options);
+    SolveOptions solve;
+    solve.charts = raw;
+    solve.formulations = {"r-epsilon"};
+    const auto found = solve_side_by_side<double>(scene, 0, solve);
+    solve.formulations = {"r-omega"};
+    solve.estimate_errors = false;
+    const auto truth = solve_side_by_side<Quad>(scene, 0, solve);
+    const auto& exact = truth.formulations[0].solution;
+    const PhysicalSolution<Quad> printed = in_quad(found.formulations[0].solution);
+    EXPECT_GE(found.formulations[0].estimate.lambda,
+              compare_lambda(truth.rows, printed.lambda, exact.lambda).error())
+        << seed;
+    EXPECT_GE(found.formulations[0].estimate.acceleration,
+              compare_accelerations(truth.rows, printed, exact).all.error())
+        << seed;
+  }
+}
+
 TEST(RedundantRows, EstimateCoversWhatTheChoiceOfThemDecides) {
   // hinges whose coordinates are rounded: in quad the later one's rows do not follow from the earlier one's
   const auto door = [](bool reversed) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace trivium {
 
@@ -74,24 +75,49 @@ VectorX<double> least_direction(const MatrixX<double>& H) {
                   s.body_names[worst], axis[0], axis[1], axis[2]));
 }
 
-/// Rotations in metres: a rotation column is divided by the lever with which the rows that hold points see
-/// rotations.
+/// Bodies that rows connect, not through the ground: each gets the number of its assembly.
+std::vector<Eigen::Index> assemblies(const TangentSystem& s) {
+  const Eigen::Index nb = static_cast<Eigen::Index>(s.mass.size());
+  std::vector<Eigen::Index> of(s.mass.size());
+  std::iota(of.begin(), of.end(), Eigen::Index(0));
+  const auto find = [&](Eigen::Index b) {
+    while (of[b] != b) b = of[b] = of[of[b]];
+    return b;
+  };
+  for (Eigen::Index k = 0; k < s.Phi.rows(); ++k) {
+    Eigen::Index first = -1;
+    for (Eigen::Index b = 0; b < nb; ++b)
+      if (!s.Phi.block<1, 6>(k, 6 * b).isZero(0))
+        first < 0 ? void(first = find(b)) : void(of[find(b)] = first);
+  }
+  for (Eigen::Index b = 0; b < nb; ++b) of[b] = find(b);
+  return of;
+}
+
+/// Rotations in metres: a rotation column is divided by the lever with which the rows that hold points of the
+/// same assembly see rotations.
 VectorX<double> geometric_column_scale(const TangentSystem& s) {
-  double translation = 0, rotation = 0;
+  const Eigen::Index nb = static_cast<Eigen::Index>(s.mass.size());
+  const std::vector<Eigen::Index> assembly = assemblies(s);
+  VectorX<double> translation = VectorX<double>::Zero(nb), rotation = translation;  // sums, per assembly
   for (Eigen::Index k = 0; k < s.Phi.rows(); ++k) {
     double r2 = 0, rot2 = 0;
-    for (Eigen::Index b = 0; b < static_cast<Eigen::Index>(s.mass.size()); ++b) {
-      r2 += s.Phi.block<1, 3>(k, 6 * b).squaredNorm();
-      rot2 += s.Phi.block<1, 3>(k, 6 * b + 3).squaredNorm();
+    Eigen::Index in = 0;
+    for (Eigen::Index b = 0; b < nb; ++b) {
+      const auto row = s.Phi.block<1, 6>(k, 6 * b);
+      if (row.isZero(0)) continue;
+      r2 += row.head<3>().squaredNorm();
+      rot2 += row.tail<3>().squaredNorm();
+      in = assembly[b];
     }
     if (r2 == 0) continue;
-    translation += 1;
-    rotation += rot2 / r2;
+    translation[in] += 1;
+    rotation[in] += rot2 / r2;
   }
-  const double lever = translation > 0 && rotation > 0 ? std::sqrt(rotation / translation) : 1.0;
   VectorX<double> scale = VectorX<double>::Ones(s.Phi.cols());
-  for (Eigen::Index b = 0; b < static_cast<Eigen::Index>(s.mass.size()); ++b)
-    scale.segment<3>(6 * b + 3).setConstant(1 / lever);
+  for (Eigen::Index b = 0; b < nb; ++b)
+    if (const Eigen::Index a = assembly[b]; rotation[a] > 0)
+      scale.segment<3>(6 * b + 3).setConstant(std::sqrt(translation[a] / rotation[a]));
   return scale;
 }
 
@@ -282,15 +308,35 @@ MatrixX<double> Metric::half_solve_transposed(const MatrixX<double>& x) const {
   return y;
 }
 
+namespace {
+
+/// |Phi| M^-1 |Q| + |gamma| in which nothing cancels.
+VectorX<double> cause_by_magnitude(const Magnitudes& sizes, const Metric& metric) {
+  const VectorX<double> reach = metric.half_solve_transposed(metric.half_solve(sizes.Q));
+  VectorX<double> cause = sizes.gamma;
+  for (Eigen::Index k = 0; k < cause.size(); ++k) {
+    const auto& [bodies, r, rot_i, rot_j] = sizes.rows[k];
+    for (const auto& [b, rot] : {std::pair{bodies.i, rot_i}, {bodies.j, rot_j}})
+      if (6 * b < reach.size())
+        cause[k] += r * reach.segment<3>(6 * b).norm() + rot * reach.segment<3>(6 * b + 3).norm();
+  }
+  return cause;
+}
+
+}  // namespace
+
 RowAnalysis analyse_rows(const TangentSystem& s) {
   RowAnalysis out;
   const Metric metric(s);
   out.mu = metric.mu();
   out.acceleration_scale = metric.diagonal().cwiseSqrt();
-  const VectorX<double> Q_magnitude = s.Q.cwiseAbs();
-  const VectorX<double> half_Q = metric.half_solve(s.Q);
-  out.acceleration_cause = half_Q.norm();
+  out.acceleration_cause = metric.half_solve(s.Q).norm();
+  const Magnitudes& sizes = s.magnitudes;
+  const bool by_magnitude = sizes.Q.size() > 0;
+  double acceleration_by_magnitude = by_magnitude ? metric.half_solve(sizes.Q).norm() : 0.0;
   if (s.Phi.rows() == 0) {
+    out.acceleration_cause =
+        std::max(out.acceleration_cause, least_share_of_causes * acceleration_by_magnitude);
     out.null_basis.resize(0, 0);
     return out;
   }
@@ -299,9 +345,16 @@ RowAnalysis analyse_rows(const TangentSystem& s) {
   const VectorX<double> E_inverse = inverse_or_zero(out.E);
   // magnitudes throughout: M^-1 |Q| has components of either sign where the metric couples coordinates
   out.lambda_cause =
-      s.Phi.cwiseAbs() * metric.half_solve_transposed(metric.half_solve(Q_magnitude)).cwiseAbs() +
+      s.Phi.cwiseAbs() * metric.half_solve_transposed(metric.half_solve(s.Q.cwiseAbs())).cwiseAbs() +
       s.gamma.cwiseAbs();
   out.acceleration_cause += E_inverse.cwiseProduct(s.gamma).norm();
+  if (by_magnitude) {
+    out.lambda_cause_by_magnitude = cause_by_magnitude(sizes, metric);
+    out.lambda_cause = out.lambda_cause.cwiseMax(least_share_of_causes * out.lambda_cause_by_magnitude);
+    acceleration_by_magnitude += E_inverse.cwiseProduct(sizes.gamma).norm();
+  }
+  out.acceleration_cause =
+      std::max(out.acceleration_cause, least_share_of_causes * acceleration_by_magnitude);
   decide_rank(s, out);
   if (!out.redundant.empty()) {
     out.combination = combination_of(s, out.independent);

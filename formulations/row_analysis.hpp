@@ -13,6 +13,17 @@
 
 namespace trivium {
 
+/// A tangent system with every part of its entries by its own magnitude (cause_by_magnitude.hpp).
+struct Magnitudes {
+  /// One row: its bodies, |Phi_r|, and |Phi_pi_bar| on each.
+  struct Row {
+    BodyPair bodies;
+    double r = 0, rot_i = 0, rot_j = 0;
+  };
+  VectorX<double> Q, gamma;
+  std::vector<Row> rows;
+};
+
 /// The tangent system in double.
 struct TangentSystem {
   std::vector<std::string> body_names;
@@ -21,6 +32,7 @@ struct TangentSystem {
   MatrixX<double> Phi;  ///< nc x 6 nb: a body's columns are r (3), then body-frame rotation (3)
   VectorX<double> Q;    ///< 6 nb: F; n_bar - tilde(omega_bar) Jbar omega_bar
   VectorX<double> gamma;
+  Magnitudes magnitudes;  ///< empty: not known
 };
 
 /// The tangent system of a mechanism at a state, formed in Scalar.
@@ -99,7 +111,9 @@ struct RowAnalysis {
   double kappa = 1;    ///< condition number of E^-1 S E^-1 over its nonzero singular values
   VectorX<double> mu;  ///< see Metric
 
-  VectorX<double> lambda_cause;        ///< b = |Phi| M^-1 |Q| + |gamma|
+  VectorX<double> lambda_cause;  ///< b = |Phi| M^-1 |Q| + |gamma|
+  /// The same in which nothing cancels (cause_by_magnitude.hpp); empty: not known.
+  VectorX<double> lambda_cause_by_magnitude;
   VectorX<double> acceleration_scale;  ///< square root of the metric's diagonal, 6 nb
   double acceleration_cause = 0;  ///< the size of accelerations that Q and gamma could cause, in the metric
 };
@@ -108,6 +122,10 @@ struct RowAnalysis {
 /// between the defect that rounded or nearly consistent positions leave in a redundant row (1e-16 to 1e-9)
 /// and the smallest singular value of a real mechanism.
 inline constexpr double rank_tolerance = 1e-8;
+
+/// Where all that could cause lambda cancels, b is at least this share of what it would be if it did not:
+/// what is left then is rounding, and no unit to measure lambda in.
+inline constexpr double least_share_of_causes = 1e-8;
 
 RowAnalysis analyse_rows(const TangentSystem& system);
 

@@ -157,6 +157,23 @@ TEST(RowAnalysis, DoesNotDependOnTheUnitOfLength) {
   }
 }
 
+TEST(RowAnalysis, OfOneAssemblyDoesNotDependOnAnotherBesideIt) {
+  // a pair of points micrometres apart, beside a door of kilometres that nothing joins to it
+  auto scene = door({0, 2}, 1e4);
+  scenes::Body small = test::body("small", 1);
+  small.position = {3, 0, 0};
+  scene.bodies.push_back(small);
+  const double s = 1e-5;
+  scene.constraints.push_back(test::joint(scenes::ConstraintType::spherical, "ball",
+                                          test::side(scenes::ground, scenes::Vector3{3, 0, 0}),
+                                          test::side(1)));
+  scene.constraints.push_back(
+      test::joint(scenes::ConstraintType::in_line, "slot",
+                  test::side(scenes::ground, scenes::Vector3{3, 0, 0}, scenes::Vector3{0, 0, 1}),
+                  test::side(1, scenes::Vector3{0, 0, s})));
+  EXPECT_EQ(analyse_rows(scene, 0).rank, 5 + 5);
+}
+
 TEST(RowAnalysis, KappaAndETimesLambdaDoNotDependOnTheScaleOfARow) {
   TangentSystem s = tangent(test::random_scene(7, {.bodies = 3, .closings = 2}));
   const RowAnalysis before = analyse_rows(s);

@@ -1,5 +1,6 @@
 #include "formulations/side_by_side.hpp"
 
+#include "formulations/cause_by_magnitude.hpp"
 #include "formulations/r_epsilon_omega_first.hpp"
 #include "formulations/r_p.hpp"
 
@@ -62,7 +63,10 @@ RowAnalysis analyse_rows(const scenes::Scene& scene, double t) {
                     "solved for; take fewer bodies",
                     scene.name, mechanism.nb(), mechanism.nc(), unknowns, most_dense_unknowns));
   try {
-    RowAnalysis rows = analyse_rows(tangent_system(mechanism, make_state<double>(scene, t)));
+    const auto state = make_state<double>(scene, t);
+    TangentSystem system = tangent_system(mechanism, state);
+    set_magnitudes(mechanism, state, system);
+    RowAnalysis rows = analyse_rows(system);
     if (!rows.contradictory.empty()) throw ModelError(contradiction(mechanism, rows));
     return rows;
   } catch (const ModelError& error) {

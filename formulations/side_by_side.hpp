@@ -45,6 +45,16 @@ struct SideBySide {
   bool any_unique() const {
     return std::find(rows.unique.begin(), rows.unique.end(), true) != rows.unique.end();
   }
+  /// How much of what could cause lambda cancels (Comparison), the least over the formulations that solved.
+  double cancellation() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& f : formulations)
+      if (f.error.empty())
+        least = std::min(least, compare_lambda(rows, f.solution.lambda, f.solution.lambda).cancellation());
+    return std::isfinite(least) ? least : 1.0;
+  }
+  /// The bound of lambda's discrepancy: 100 u kappa.
+  double lambda_bound() const { return 100 * static_cast<double>(unit_roundoff<Scalar>()) * rows.kappa; }
   /// The largest difference between any two formulations that solved.
   Discrepancy discrepancy() const {
     Discrepancy worst;

@@ -31,7 +31,7 @@ struct Group {
       ++(nc == 0 ? unconstrained : ambiguous);
       return;
     }
-    if (verdict != "ok") ++failed;
+    if (verdict == "EXCEEDS" || verdict == "ERROR") ++failed;
     if (verdict == "ERROR") return;
     kappa.add(table.number(row, "kappa"), scene);
     double largest = 0;

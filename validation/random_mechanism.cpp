@@ -8,7 +8,7 @@
 #include <random>
 
 #include "formulations/assembly.hpp"
-#include "validation/cause_by_magnitude.hpp"
+#include "formulations/row_analysis.hpp"
 
 namespace trivium {
 
@@ -312,8 +312,8 @@ class Builder {
 }  // namespace
 
 RandomMechanism random_mechanism(std::uint64_t seed, const RandomOptions& options) {
-  // A locked loop may be told to move by functions of time that contradict each other; then no velocity is
-  // consistent, and the next attempt is the seed's mechanism.
+  // A locked loop may be told to move by functions of time that contradict each other; then no velocity or no
+  // acceleration is consistent, and the next attempt is the seed's mechanism.
   for (std::uint64_t attempt = 0;; ++attempt) {
     RandomMechanism random = Builder(seed + (attempt << 40), options).build();
     random.scene.name = fmt::format("random_{}", seed);
@@ -322,7 +322,9 @@ RandomMechanism random_mechanism(std::uint64_t seed, const RandomOptions& option
     project_velocities(mechanism, state);
     set_state(random.scene, state);
     state = make_state<double>(random.scene, random.t);
-    if (check_consistency(mechanism, state).holds() && !causes_cancel(mechanism, state)) return random;
+    if (check_consistency(mechanism, state).holds() &&
+        analyse_rows(tangent_system(mechanism, state)).contradictory.empty())
+      return random;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "validation/cause_by_magnitude.hpp"
+#include "formulations/cause_by_magnitude.hpp"
 
 #include <cmath>
 
@@ -8,13 +8,12 @@ namespace {
 
 using V = Vector3<double>;
 
-/// Bounds of a feature's value, rate and bias by magnitudes alone, nothing cancelling.
+/// Bounds of a feature's value, rate, bias and gradients by magnitudes alone, nothing cancelling.
 struct Magnitude {
   double value = 0, rate = 0, bias = 0;
+  double r = 0, rot_i = 0, rot_j = 0;
 };
 
-/// What could cause lambda with every term taken by its magnitude: |Phi| M^-1 |Q| + |gamma| in which neither
-/// the parts of a force nor those of gamma cancel.
 class CauseByMagnitude {
  public:
   CauseByMagnitude(const Mechanism<double>& mechanism, const MechanismState<double>& state)
@@ -36,44 +35,58 @@ class CauseByMagnitude {
     return Q;
   }
 
-  VectorX<double> gamma() const {
-    VectorX<double> gamma(mechanism_.nc());
-    for (int k = 0; k < mechanism_.nc(); ++k)
-      gamma[k] = std::visit([&](const auto& row) { return of(row); }, mechanism_.rows[k]);
-    return gamma;
+  /// |gamma| and the gradients of every row.
+  void add_rows(Magnitudes& sizes) const {
+    sizes.gamma.resize(mechanism_.nc());
+    for (int k = 0; k < mechanism_.nc(); ++k) {
+      const Row row = std::visit([&](const auto& c) { return of(c); }, mechanism_.rows[k]);
+      sizes.gamma[k] = row.gamma;
+      sizes.rows.push_back({bodies_of(mechanism_.rows[k]), row.r, row.rot_i, row.rot_j});
+    }
   }
 
  private:
   using Body = ROmega<double>::Kinematics;
 
-  static Magnitude vector(const Body& body, const V& a_bar) {
+  struct Row {
+    double gamma = 0, r = 0, rot_i = 0, rot_j = 0;
+  };
+
+  static Magnitude vector(const Body& body, const V& a_bar, End end) {
     const double omega = body.omega_bar.norm(), a = a_bar.norm();
-    return {a, omega * a, omega * omega * a};
+    return {a, omega * a, omega * omega * a, 0, end == End::i ? a : 0, end == End::j ? a : 0};
   }
   Magnitude offset(const BodyPair& pair, const V& s_i, const V& s_j) const {
-    const Magnitude i = vector(body_[pair.i], s_i), j = vector(body_[pair.j], s_j);
+    const Magnitude i = vector(body_[pair.i], s_i, End::i), j = vector(body_[pair.j], s_j, End::j);
     return {(body_[pair.j].point(s_j) - body_[pair.i].point(s_i)).norm(),
-            body_[pair.i].r_dot.norm() + body_[pair.j].r_dot.norm() + i.rate + j.rate, i.bias + j.bias};
+            body_[pair.i].r_dot.norm() + body_[pair.j].r_dot.norm() + i.rate + j.rate,
+            i.bias + j.bias,
+            1,
+            i.rot_i,
+            j.rot_j};
   }
-  static double product(const Magnitude& x, const Magnitude& y, double f_tt) {
-    return x.bias * y.value + x.value * y.bias + 2 * x.rate * y.rate + std::abs(f_tt);
+  static Row product(const Magnitude& x, const Magnitude& y, double f_tt) {
+    return {x.bias * y.value + x.value * y.bias + 2 * x.rate * y.rate + std::abs(f_tt),
+            x.r * y.value + x.value * y.r, x.rot_i * y.value + x.value * y.rot_i,
+            x.rot_j * y.value + x.value * y.rot_j};
   }
-  double of(const DP1<double>& c) const {
-    return product(vector(body_[c.i], c.a_bar_i), vector(body_[c.j], c.a_bar_j), c.f(t_).f_tt);
+  Row of(const DP1<double>& c) const {
+    return product(vector(body_[c.i], c.a_bar_i, End::i), vector(body_[c.j], c.a_bar_j, End::j),
+                   c.f(t_).f_tt);
   }
-  double of(const TurningDP1<double>& c) const {
+  Row of(const TurningDP1<double>& c) const {
     const double rate = std::abs(c.alpha(t_).f_t) + body_[c.i].omega_bar.norm();
-    return product({1, rate, rate * rate}, vector(body_[c.j], c.a_bar_j), c.alpha(t_).f_tt);
+    return product({1, rate, rate * rate, 0, 1, 0}, vector(body_[c.j], c.a_bar_j, End::j), c.alpha(t_).f_tt);
   }
-  double of(const DP2<double>& c) const {
-    return product(vector(body_[c.i], c.a_bar_i), offset(c, c.s_bar_i, c.s_bar_j), c.f(t_).f_tt);
+  Row of(const DP2<double>& c) const {
+    return product(vector(body_[c.i], c.a_bar_i, End::i), offset(c, c.s_bar_i, c.s_bar_j), c.f(t_).f_tt);
   }
-  double of(const D<double>& c) const {
+  Row of(const D<double>& c) const {
     const Magnitude d = offset(c, c.s_bar_i, c.s_bar_j);
     return product(d, d, c.f(t_).f_tt);
   }
-  double of(const CD<double>& c) const {
-    return product({c.c.norm(), 0, 0}, offset(c, c.s_bar_i, c.s_bar_j), c.f(t_).f_tt);
+  Row of(const CD<double>& c) const {
+    return product({c.c.norm(), 0, 0, 0, 0, 0}, offset(c, c.s_bar_i, c.s_bar_j), c.f(t_).f_tt);
   }
   /// The parts of a tension, each pulling for itself.
   void add(const SpringDamper<double>& spring, VectorX<double>& Q) const {
@@ -98,21 +111,11 @@ class CauseByMagnitude {
 
 }  // namespace
 
-bool causes_cancel(const Mechanism<double>& mechanism, const MechanismState<double>& state) {
-  TangentSystem system = tangent_system(mechanism, state);
-  const RowAnalysis rows = analyse_rows(system);
-  if (!rows.contradictory.empty()) return true;
+void set_magnitudes(const Mechanism<double>& mechanism, const MechanismState<double>& state,
+                    TangentSystem& system) {
   const CauseByMagnitude magnitude(mechanism, state);
-  system.Q = magnitude.forces();
-  system.gamma = magnitude.gamma();
-  const RowAnalysis by_magnitude = analyse_rows(system);
-  double cause = 0, largest = 0;
-  for (int k = 0; k < mechanism.nc(); ++k) {
-    if (!rows.unique[k]) continue;
-    cause += std::pow(rows.lambda_cause[k] / rows.E[k], 2);
-    largest += std::pow(by_magnitude.lambda_cause[k] / rows.E[k], 2);
-  }
-  return cause < 0.01 * largest;
+  system.magnitudes.Q = magnitude.forces();
+  magnitude.add_rows(system.magnitudes);
 }
 
 }  // namespace trivium
