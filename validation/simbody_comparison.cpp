@@ -1,9 +1,12 @@
 #include "validation/simbody_comparison.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/QR>
 #include <algorithm>
 
 #include "validation/physical_twin.hpp"
+#include "validation/simbody_massless_motion.hpp"
 #include "validation/simbody_translation.hpp"
 
 namespace trivium {
@@ -28,6 +31,7 @@ class ReactionFrame {
   }
 
   const Mechanism<double>& mechanism() const { return mechanism_; }
+  const MatrixX<double>& Phi() const { return Phi_; }
 
   /// The metric wrenches of all unique joint reactions, then those of all joints together on every body.
   VectorX<double> stack(const std::vector<JointReaction>& reactions) const {
@@ -156,7 +160,22 @@ struct Subject {
   ReactionFrame frame;
 };
 
+/// Refuses in Simbody's place a mass matrix whose inverse Simbody would take from rounding.
+void refuse_massless_motion(const Subject& subject, simbody::Way way) {
+  const auto mobilizers = simbody::mobilizers(subject.model, way);
+  const auto body = massless_motion(subject.frame.mechanism(), subject.frame.Phi(), mobilizers);
+  if (!body) return;
+  if (mobilizers.empty())
+    throw simbody::Refused(fmt::format(
+        "Simbody inverts the mass matrix of free bodies; body \"{}\" has no inertia about an axis", *body));
+  throw simbody::Refused(
+      fmt::format("Simbody inverts the mass matrix of its tree; body \"{}\" has no inertia about an axis "
+                  "that the mobilizers leave free",
+                  *body));
+}
+
 void compare(const Subject& subject, SimbodyComparison& out) {
+  refuse_massless_motion(subject, out.way);
   const simbody::Answer answer = simbody::solve(subject.model, out.way);
   const auto& [model, side, frame] = subject;
   const Theirs theirs = in_our_terms(model, answer, frame);

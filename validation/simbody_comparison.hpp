@@ -23,8 +23,9 @@ struct SimbodyDistance {
 struct SimbodyComparison {
   std::string scene;
   simbody::Way way = simbody::Way::mobilizers;
-  bool twin = false;    ///< the physical twin is compared, because
-  std::string refusal;  ///< Simbody said this of the scene itself
+  bool twin = false;  ///< the physical twin is compared, because
+  std::string
+      refusal;  ///< Simbody said this of the scene itself, or was not asked (simbody_massless_motion.hpp)
   std::string failure;  ///< Simbody said this of the twin: nothing is compared
   std::string error;    ///< why no formulation has an answer: nothing is compared
   int nb = 0, nc = 0, rank = 0;

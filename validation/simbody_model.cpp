@@ -212,6 +212,13 @@ bool is_finite(const Answer& answer) {
 
 }  // namespace
 
+std::vector<int> mobilizers(const Model& model, Way way) {
+  std::vector<int> joints;
+  for (const Branch& branch : spanning_tree(model, way == Way::mobilizers))
+    if (branch.joint != Branch::none) joints.push_back(branch.joint);
+  return joints;
+}
+
 Answer solve(const Model& model, Way way) {
   Answer answer;
   try {

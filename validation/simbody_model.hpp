@@ -144,6 +144,9 @@ struct Answer {
   int constraint_rows = 0;     ///< rows that became constraints
 };
 
+/// The joints that become mobilizers, in the order of the tree; none where the way has free bodies only.
+std::vector<int> mobilizers(const Model& model, Way way);
+
 /// Simbody would not build or solve the model; its message, on one line.
 class Refused : public std::runtime_error {
  public:

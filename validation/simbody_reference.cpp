@@ -65,8 +65,8 @@ std::string refusals(const std::vector<SimbodyComparison>& comparisons) {
   std::string out;
   for (const SimbodyComparison& c : comparisons)
     if (c.twin)
-      out += fmt::format("{}, {}: Simbody refuses the scene, its physical twin is compared: {}\n", c.scene,
-                         name_of(c.way), c.refusal);
+      out += fmt::format("{}, {}: Simbody cannot solve the scene, its physical twin is compared: {}\n",
+                         c.scene, name_of(c.way), c.refusal);
   return out.empty() ? out : "\n" + out;
 }
 
