@@ -155,12 +155,33 @@ TEST(SimbodyMapping, IdleRowsAreDisabled) {
 
 TEST(SimbodyModel, RefusesAnUnphysicalInertiaAndComparesTheTwin) {
   scenes::Scene scene = scene_at_rest();
-  scene.bodies[0].inertia = scenes::Vector3{0.1, 0.1, 0.9};
-  for (const SimbodyComparison& c : compare_with_simbody(scene, 0)) {
-    EXPECT_TRUE(c.twin);
-    EXPECT_NE(c.refusal.find("triangle inequality"), std::string::npos) << c.refusal;
-    EXPECT_EQ(c.refusal.find('\n'), std::string::npos);
-    EXPECT_TRUE(c.agrees());
+  hold(scene, ConstraintType::fixed, upright, upright);
+  for (const scenes::Vector3 inertia : {scenes::Vector3{0.1, 0.1, 0.9}, scenes::Vector3{0, 0, 0.9}}) {
+    scene.bodies[0].inertia = inertia;
+    for (const SimbodyComparison& c : compare_with_simbody(scene, 0)) {
+      EXPECT_TRUE(c.twin);
+      EXPECT_NE(c.refusal.find("triangle inequality"), std::string::npos) << c.refusal;
+      EXPECT_EQ(c.refusal.find('\n'), std::string::npos);
+      EXPECT_TRUE(c.agrees());
+    }
+  }
+}
+
+/// The bodies would be free, as in the next way.
+TEST(SimbodyComparison, IsNotPossibleWithMobilizersWhereNoJointBecomesOne) {
+  scenes::Scene scene = scene_at_rest();
+  scenes::Constraint& cd = hold(scene, ConstraintType::cd, at({0, 0, 0}), {});
+  cd.direction = {0, 0, 1};
+  for (const bool hinged : {false, true}) {
+    if (hinged) hold(scene, ConstraintType::spherical, {}, {});
+    for (const SimbodyComparison& c : compare_with_simbody(scene, 0)) {
+      SCOPED_TRACE(name_of(c.way));
+      const bool possible = hinged || c.way != Way::mobilizers;
+      EXPECT_EQ(c.possible, possible);
+      EXPECT_EQ(c.compared(), possible);
+      EXPECT_EQ(c.agrees(), possible);
+      EXPECT_TRUE(c.error.empty());
+    }
   }
 }
 
