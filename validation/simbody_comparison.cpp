@@ -1,9 +1,13 @@
 #include "validation/simbody_comparison.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/QR>
 #include <algorithm>
 
+#include "bodies/inertia.hpp"
 #include "validation/physical_twin.hpp"
+#include "validation/simbody_massless_motion.hpp"
 #include "validation/simbody_translation.hpp"
 
 namespace trivium {
@@ -14,6 +18,11 @@ using Vector6 = Vector<double, 6>;
 
 Vector3<double> eigen(const simbody::Vector3& v) { return {v[0], v[1], v[2]}; }
 
+/// A joint's reaction on either body; see simbody::Answer.
+struct JointReaction {
+  Reaction<double> on_i, on_j;
+};
+
 /// What both sides' reactions are turned into for comparison.
 class ReactionFrame {
  public:
@@ -23,34 +32,57 @@ class ReactionFrame {
   }
 
   const Mechanism<double>& mechanism() const { return mechanism_; }
+  const MatrixX<double>& Phi() const { return Phi_; }
 
   /// The metric wrenches of all unique joint reactions, then those of all joints together on every body.
-  /// `reactions` are on body j, about the joint's point on i.
-  VectorX<double> stack(const std::vector<Reaction<double>>& reactions) const {
+  VectorX<double> stack(const std::vector<JointReaction>& reactions) const {
     VectorX<double> out = VectorX<double>::Zero(6 * (mechanism_.nb() + unique_joints()));
     Eigen::Index next = 6 * mechanism_.nb();
     for (std::size_t k = 0; k < reactions.size(); ++k) {
       const Joint<double>& joint = mechanism_.joints[k];
-      if (joint.j != mechanism_.ground()) out.segment<6>(6 * joint.j) += metric_wrench(joint.j, reactions[k]);
-      if (joint.i != mechanism_.ground()) out.segment<6>(6 * joint.i) -= metric_wrench(joint.i, reactions[k]);
+      if (joint.j != mechanism_.ground())
+        out.segment<6>(6 * joint.j) += metric_wrench(joint.j, reactions[k].on_j);
+      if (joint.i != mechanism_.ground())
+        out.segment<6>(6 * joint.i) += metric_wrench(joint.i, reactions[k].on_i);
       if (!is_unique(joint)) continue;
-      out.segment<6>(next) = metric_wrench(body_of(joint), reactions[k]);
+      out.segment<6>(next) = metric_wrench(joint, reactions[k]);
       next += 6;
     }
     return out;
   }
 
+  /// A formulation's reactions: on body j as it gives them, on body i from the rows' gradients there.
+  std::vector<JointReaction> reactions(const FormulationResult<double>& result) const {
+    std::vector<JointReaction> out;
+    for (std::size_t k = 0; k < mechanism_.joints.size(); ++k)
+      out.push_back({reaction_on_i(mechanism_.joints[k], result.solution.lambda), result.reactions[k]});
+    return out;
+  }
+
   /// The lambda of a joint's own rows (independent among themselves) that its reaction stands for.
-  VectorX<double> multipliers(const Joint<double>& joint, const Reaction<double>& reaction) const {
+  VectorX<double> multipliers(const Joint<double>& joint, const JointReaction& reaction) const {
     const int body = body_of(joint);
     MatrixX<double> B = Phi_.block(joint.first_row, 6 * body, joint.rows, 6).transpose();
     B = rows_.acceleration_scale.segment<6>(6 * body).cwiseInverse().asDiagonal() * B;
-    const double on_body = body == joint.j ? 1 : -1;
-    return -on_body * B.colPivHouseholderQr().solve(metric_wrench(body, reaction));
+    return -B.colPivHouseholderQr().solve(metric_wrench(joint, reaction));
   }
 
  private:
   int body_of(const Joint<double>& joint) const { return joint.j != mechanism_.ground() ? joint.j : joint.i; }
+
+  /// -Phi^T lambda on body i; nothing on the ground.
+  Reaction<double> reaction_on_i(const Joint<double>& joint, const VectorX<double>& lambda) const {
+    if (joint.i == mechanism_.ground()) return {};
+    const Pose<double>& pose = state_.pose[static_cast<std::size_t>(joint.i)];
+    const Vector6 wrench = -Phi_.block(joint.first_row, 6 * joint.i, joint.rows, 6).transpose() *
+                           lambda.segment(joint.first_row, joint.rows);
+    return {wrench.head<3>(), rotation_matrix(pose.p) * wrench.tail<3>(), pose.r};
+  }
+
+  Vector6 metric_wrench(const Joint<double>& joint, const JointReaction& reaction) const {
+    const int body = body_of(joint);
+    return metric_wrench(body, body == joint.j ? reaction.on_j : reaction.on_i);
+  }
 
   /// Force over sqrt(m) and torque about the centre of mass, body frame, over sqrt(J).
   Vector6 metric_wrench(int body, const Reaction<double>& reaction) const {
@@ -80,11 +112,19 @@ class ReactionFrame {
   MatrixX<double> Phi_;
 };
 
-/// Simbody's answer in the terms of a formulation's. Where a joint became a mobilizer its lambda is the one
-/// that its reaction stands for.
-FormulationResult<double> to_result(const simbody::Model& model, const simbody::Answer& answer,
-                                    const ReactionFrame& frame) {
-  FormulationResult<double> out;
+Reaction<double> eigen(const simbody::Reaction& r) {
+  return {eigen(r.force), eigen(r.torque), eigen(r.point)};
+}
+
+/// Simbody's answer in our terms.
+struct Theirs {
+  PhysicalSolution<double> solution;
+  std::vector<JointReaction> reactions;
+};
+
+/// Where a joint became a mobilizer its lambda is the one that its reaction stands for.
+Theirs in_our_terms(const simbody::Model& model, const simbody::Answer& answer, const ReactionFrame& frame) {
+  Theirs out;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     out.solution.r_ddot.push_back(eigen(answer.r_ddot[b]));
     out.solution.omega_bar_dot.push_back(eigen(answer.omega_bar_dot[b]));
@@ -93,8 +133,7 @@ FormulationResult<double> to_result(const simbody::Model& model, const simbody::
   const Mechanism<double>& mechanism = frame.mechanism();
   for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
     const Joint<double>& joint = mechanism.joints[k];
-    const Reaction<double> reaction{eigen(answer.reactions[k].force), eigen(answer.reactions[k].torque),
-                                    eigen(answer.reactions[k].point)};
+    const JointReaction reaction{eigen(answer.reactions_on_i[k]), eigen(answer.reactions_on_j[k])};
     if (!answer.lambda_known[static_cast<std::size_t>(joint.first_row)])
       out.solution.lambda.segment(joint.first_row, joint.rows) = frame.multipliers(joint, reaction);
     out.reactions.push_back(reaction);
@@ -122,10 +161,34 @@ struct Subject {
   ReactionFrame frame;
 };
 
+/// Refuses in Simbody's place a mass matrix whose inverse Simbody would take from rounding.
+void refuse_massless_motion(const Subject& subject, simbody::Way way) {
+  const auto mobilizers = simbody::mobilizers(subject.model, way);
+  const auto body = massless_motion(subject.frame.mechanism(), subject.frame.Phi(), mobilizers);
+  if (!body) return;
+  // an inertia that no body has Simbody refuses reliably, in its own words
+  const auto& bodies = subject.frame.mechanism().bodies;
+  if (!std::all_of(bodies.begin(), bodies.end(),
+                   [](const auto& b) { return check_inertia(b.inertia).physical(); }))
+    simbody::solve(subject.model, way);
+  if (mobilizers.empty())
+    throw simbody::Refused(fmt::format(
+        "Simbody inverts the mass matrix of free bodies; body \"{}\" has no inertia about an axis", *body));
+  throw simbody::Refused(
+      fmt::format("Simbody inverts the mass matrix of its tree; body \"{}\" has no inertia about an axis "
+                  "that the mobilizers leave free",
+                  *body));
+}
+
 void compare(const Subject& subject, SimbodyComparison& out) {
+  if (out.way == simbody::Way::mobilizers && simbody::mobilizers(subject.model, out.way).empty()) {
+    out.possible = false;
+    return;
+  }
+  refuse_massless_motion(subject, out.way);
   const simbody::Answer answer = simbody::solve(subject.model, out.way);
   const auto& [model, side, frame] = subject;
-  const FormulationResult<double> theirs = to_result(model, answer, frame);
+  const Theirs theirs = in_our_terms(model, answer, frame);
   const VectorX<double> their_reactions = frame.stack(theirs.reactions);
   out.nc = frame.mechanism().nc();
   out.rank = side.rows.rank;
@@ -143,8 +206,8 @@ void compare(const Subject& subject, SimbodyComparison& out) {
     if (ours.error.empty()) {
       d.acceleration = acceleration_distance(side.rows, ours.solution, theirs.solution).all;
       d.lambda = lambda_distance(side.rows, ours.solution.lambda, theirs.solution.lambda);
-      d.reaction =
-          relative_distance(frame.stack(ours.reactions), their_reactions, side.rows.acceleration_cause);
+      d.reaction = relative_distance(frame.stack(frame.reactions(ours)), their_reactions,
+                                     side.rows.acceleration_cause);
     }
     out.formulations.push_back(d);
   }
@@ -165,7 +228,7 @@ SimbodyDistance SimbodyComparison::worst() const {
 }
 
 bool SimbodyComparison::solved() const {
-  return failure.empty() && error.empty() &&
+  return possible && failure.empty() && error.empty() &&
          std::all_of(formulations.begin(), formulations.end(),
                      [](const SimbodyDistance& d) { return d.error.empty(); });
 }

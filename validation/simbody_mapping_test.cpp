@@ -109,13 +109,33 @@ TEST(SimbodyMapping, PendulumReactionByHand) {
     EXPECT_NEAR(answer.omega_bar_dot[0][1], theta_ddot, 1e-12);
     EXPECT_NEAR(answer.r_ddot[0][0], x_ddot, 1e-12);
     EXPECT_NEAR(answer.r_ddot[0][2], z_ddot, 1e-12);
-    EXPECT_NEAR(answer.reactions[0].force[0], m * x_ddot, 1e-12);
-    EXPECT_NEAR(answer.reactions[0].force[1], 0, 1e-12);
-    EXPECT_NEAR(answer.reactions[0].force[2], m * (z_ddot + g), 1e-12);
-    for (const double n : answer.reactions[0].torque) EXPECT_NEAR(n, 0, 1e-12);
+    EXPECT_NEAR(answer.reactions_on_j[0].force[0], m * x_ddot, 1e-12);
+    EXPECT_NEAR(answer.reactions_on_j[0].force[1], 0, 1e-12);
+    EXPECT_NEAR(answer.reactions_on_j[0].force[2], m * (z_ddot + g), 1e-12);
+    for (const double n : answer.reactions_on_j[0].torque) EXPECT_NEAR(n, 0, 1e-12);
     if (way == Way::mobilizers) continue;
     EXPECT_NEAR(answer.lambda[0], -m * x_ddot, 1e-12);
     EXPECT_NEAR(answer.lambda[2], -m * (z_ddot + g), 1e-12);
+  }
+}
+
+/// A CD acts at P_i on i and at P_j on j, along its own direction: about one point the moments differ by the
+/// offset's. With i the body, the force c lambda on it passes through its centre of mass.
+TEST(SimbodyMapping, DirectedRowActsAtThePointOfEachBody) {
+  scenes::Scene scene = scene_at_rest();
+  scenes::Constraint& cd = hold(scene, ConstraintType::cd, at({1, 2, 3}), {});
+  cd.direction = {0, 0, 2};
+  cd.f = 6;
+  std::swap(cd.i, cd.j);
+  for (const Way way : {Way::free_bodies, Way::built_in}) {
+    SCOPED_TRACE(name_of(way));
+    const simbody::Answer answer = simbody::solve(to_simbody(scene, 0), way);
+    const simbody::Reaction &on_i = answer.reactions_on_i[0], &on_j = answer.reactions_on_j[0];
+    EXPECT_NEAR(on_i.force[2], m * g, 1e-12);
+    EXPECT_NEAR(on_j.force[2], -m * g, 1e-12);
+    for (const double n : on_i.torque) EXPECT_NEAR(n, 0, 1e-12);
+    EXPECT_NEAR(on_j.torque[0], -2 * m * g, 1e-12);  // (1, 2, 3) x (0, 0, -m g)
+    EXPECT_NEAR(on_j.torque[1], m * g, 1e-12);
   }
 }
 
@@ -135,12 +155,51 @@ TEST(SimbodyMapping, IdleRowsAreDisabled) {
 
 TEST(SimbodyModel, RefusesAnUnphysicalInertiaAndComparesTheTwin) {
   scenes::Scene scene = scene_at_rest();
-  scene.bodies[0].inertia = scenes::Vector3{0.1, 0.1, 0.9};
-  for (const SimbodyComparison& c : compare_with_simbody(scene, 0)) {
-    EXPECT_TRUE(c.twin);
-    EXPECT_NE(c.refusal.find("triangle inequality"), std::string::npos) << c.refusal;
-    EXPECT_EQ(c.refusal.find('\n'), std::string::npos);
-    EXPECT_TRUE(c.agrees());
+  hold(scene, ConstraintType::fixed, upright, upright);
+  for (const scenes::Vector3 inertia : {scenes::Vector3{0.1, 0.1, 0.9}, scenes::Vector3{0, 0, 0.9}}) {
+    scene.bodies[0].inertia = inertia;
+    for (const SimbodyComparison& c : compare_with_simbody(scene, 0)) {
+      EXPECT_TRUE(c.twin);
+      EXPECT_NE(c.refusal.find("triangle inequality"), std::string::npos) << c.refusal;
+      EXPECT_EQ(c.refusal.find('\n'), std::string::npos);
+      EXPECT_TRUE(c.agrees());
+    }
+  }
+}
+
+/// The bodies would be free, as in the next way.
+TEST(SimbodyComparison, IsNotPossibleWithMobilizersWhereNoJointBecomesOne) {
+  scenes::Scene scene = scene_at_rest();
+  scenes::Constraint& cd = hold(scene, ConstraintType::cd, at({0, 0, 0}), {});
+  cd.direction = {0, 0, 1};
+  for (const bool hinged : {false, true}) {
+    if (hinged) hold(scene, ConstraintType::spherical, {}, {});
+    for (const SimbodyComparison& c : compare_with_simbody(scene, 0)) {
+      SCOPED_TRACE(name_of(c.way));
+      const bool possible = hinged || c.way != Way::mobilizers;
+      EXPECT_EQ(c.possible, possible);
+      EXPECT_EQ(c.compared(), possible);
+      EXPECT_EQ(c.agrees(), possible);
+      EXPECT_TRUE(c.error.empty());
+    }
+  }
+}
+
+/// A CD beside a weld is redundant, so that its least multiplier is not zero and shows on the body that it is
+/// fixed to, whichever end that is.
+TEST(SimbodyComparison, ReactionsOfADirectedRowAgreeOnEitherEnd) {
+  for (const bool swapped : {false, true}) {
+    SCOPED_TRACE(swapped);
+    scenes::Scene scene = scene_at_rest();
+    scenes::Constraint& cd = hold(scene, ConstraintType::cd, at({1, 2, 3}), {});
+    cd.direction = {1, 0.5, 0.2};
+    cd.f = swapped ? 2.6 : -2.6;
+    if (swapped) std::swap(cd.i, cd.j);
+    hold(scene, ConstraintType::fixed, upright, upright);
+    for (const SimbodyComparison& c : compare_with_simbody(scene, 0)) {
+      EXPECT_TRUE(c.agrees()) << name_of(c.way);
+      EXPECT_LT(c.worst().reaction, 1e-13) << name_of(c.way);
+    }
   }
 }
 

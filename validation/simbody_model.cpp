@@ -126,18 +126,25 @@ class System {
   }
 
   void read_reactions(Answer& out) const {
-    std::vector<SpatialVec> reactions(model_.joints.size(), SpatialVec(Vec3(0), Vec3(0)));
+    std::vector<SpatialVec> on_i(model_.joints.size(), SpatialVec(Vec3(0), Vec3(0))), on_j = on_i;
     SimTK::Vector_<SpatialVec> on_child;
     matter_.calcMobilizerReactionForces(state_, on_child);
-    for (std::size_t k = 0; k < reactions.size(); ++k)
-      if (branch_of_joint_[k])
-        reactions[k] = mobilizer_reaction(model_.joints[k], *branch_of_joint_[k], on_child);
-    for (const LinkedConstraint& c : constraints_)
-      reactions[static_cast<std::size_t>(c.joint)] += constraint_reaction(
-          model_.joints[static_cast<std::size_t>(c.joint)], matter_.getConstraint(c.index));
-    for (std::size_t k = 0; k < reactions.size(); ++k)
-      out.reactions.push_back(
-          {array(reactions[k][1]), array(reactions[k][0]), array(point_on_i(model_.joints[k]))});
+    for (std::size_t k = 0; k < on_j.size(); ++k) {
+      if (!branch_of_joint_[k]) continue;
+      on_j[k] = mobilizer_reaction(model_.joints[k], *branch_of_joint_[k], on_child);
+      on_i[k] = SpatialVec(-on_j[k][0], -on_j[k][1]);
+    }
+    for (const LinkedConstraint& c : constraints_) {
+      const std::size_t k = static_cast<std::size_t>(c.joint);
+      const SimTK::Constraint& constraint = matter_.getConstraint(c.index);
+      on_i[k] += constraint_reaction(model_.joints[k], model_.joints[k].i, constraint);
+      on_j[k] += constraint_reaction(model_.joints[k], model_.joints[k].j, constraint);
+    }
+    for (std::size_t k = 0; k < on_j.size(); ++k) {
+      const Vector3 point = array(point_on_i(model_.joints[k]));
+      out.reactions_on_i.push_back({array(on_i[k][1]), array(on_i[k][0]), point});
+      out.reactions_on_j.push_back({array(on_j[k][1]), array(on_j[k][0]), point});
+    }
   }
 
   /// From the child at M to body j at the joint's point on i.
@@ -150,18 +157,18 @@ class System {
     return branch.reversed ? SpatialVec(-moved[0], -moved[1]) : moved;
   }
 
-  /// -G^T lambda on body j, which Simbody gives at j's origin, at the joint's point on i.
-  SpatialVec constraint_reaction(const Joint& joint, const SimTK::Constraint& constraint) const {
+  /// -G^T lambda on a body of the joint, which Simbody gives at the body's origin, at the joint's point on i.
+  SpatialVec constraint_reaction(const Joint& joint, int body, const SimTK::Constraint& constraint) const {
     SimTK::Vector_<SpatialVec> applied;
     SimTK::Vector mobility_forces;
     constraint.calcConstraintForcesFromMultipliers(state_, constraint.getMultipliersAsVector(state_), applied,
                                                    mobility_forces);
-    const MobilizedBody& j = bodies_[joint.j];
-    const Vec3 arm = j.getBodyOriginLocation(state_) - point_on_i(joint);
+    const MobilizedBody& end = bodies_[body];
+    const Vec3 arm = end.getBodyOriginLocation(state_) - point_on_i(joint);
     SpatialVec sum(Vec3(0), Vec3(0));
     for (SimTK::ConstrainedBodyIndex b(0); b < constraint.getNumConstrainedBodies(); ++b)
       if (constraint.getMobilizedBodyFromConstrainedBody(b).getMobilizedBodyIndex() ==
-          j.getMobilizedBodyIndex())
+          end.getMobilizedBodyIndex())
         sum -= SpatialVec(applied[b][0] + arm % applied[b][1], applied[b][1]);
     return sum;
   }
@@ -195,14 +202,22 @@ bool is_finite(const Vector3& v) { return std::isfinite(v[0]) && std::isfinite(v
 
 bool is_finite(const Answer& answer) {
   const auto finite = [](const auto& v) { return is_finite(v); };
+  const auto finite_reaction = [](const Reaction& r) { return is_finite(r.force) && is_finite(r.torque); };
   return std::all_of(answer.r_ddot.begin(), answer.r_ddot.end(), finite) &&
          std::all_of(answer.omega_bar_dot.begin(), answer.omega_bar_dot.end(), finite) &&
          std::all_of(answer.lambda.begin(), answer.lambda.end(), [](double x) { return std::isfinite(x); }) &&
-         std::all_of(answer.reactions.begin(), answer.reactions.end(),
-                     [](const Reaction& r) { return is_finite(r.force) && is_finite(r.torque); });
+         std::all_of(answer.reactions_on_i.begin(), answer.reactions_on_i.end(), finite_reaction) &&
+         std::all_of(answer.reactions_on_j.begin(), answer.reactions_on_j.end(), finite_reaction);
 }
 
 }  // namespace
+
+std::vector<int> mobilizers(const Model& model, Way way) {
+  std::vector<int> joints;
+  for (const Branch& branch : spanning_tree(model, way == Way::mobilizers))
+    if (branch.joint != Branch::none) joints.push_back(branch.joint);
+  return joints;
+}
 
 Answer solve(const Model& model, Way way) {
   Answer answer;

@@ -134,13 +134,18 @@ struct Answer {
   std::vector<Vector3> omega_bar_dot;  ///< body frame
   std::vector<double> lambda;          ///< one per row; 0 where `lambda_known` is false
   std::vector<bool> lambda_known;      ///< false in the rows of a joint that became a mobilizer
-  std::vector<Reaction> reactions;     ///< per joint, on body j
+  /// Per joint, on either body. They are opposite but for a CD whose points are apart: it acts along its own
+  /// direction at both points, not along the line between them.
+  std::vector<Reaction> reactions_on_i, reactions_on_j;
   double pose_defect = 0;      ///< the largest difference of a pose or velocity from the model's state
   double jacobian_defect = 0;  ///< the largest entry of G (from errors) - G (from forces)
   int mobilizers = 0;          ///< joints that became mobilizers
   int idle_rows = 0;           ///< closing rows that the tree satisfies identically: disabled, lambda 0
   int constraint_rows = 0;     ///< rows that became constraints
 };
+
+/// The joints that become mobilizers, in the order of the tree; none where the way has free bodies only.
+std::vector<int> mobilizers(const Model& model, Way way);
 
 /// Simbody would not build or solve the model; its message, on one line.
 class Refused : public std::runtime_error {

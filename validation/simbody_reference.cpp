@@ -3,6 +3,7 @@
 /// Simbody's own constraints, and compared with every formulation.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -17,6 +18,7 @@ namespace trivium {
 namespace {
 
 std::string verdict_of(const SimbodyComparison& c) {
+  if (!c.possible) return "none";
   if (!c.solved()) return "ERROR";
   return c.agrees() ? "agrees" : "DIFFERS";
 }
@@ -60,13 +62,23 @@ std::string table(const std::vector<SimbodyComparison>& comparisons) {
   return table.text();
 }
 
+/// The scenes without a mobilizer share a line.
+std::string impossibilities(const std::vector<SimbodyComparison>& comparisons) {
+  std::vector<std::string> scenes;
+  for (const SimbodyComparison& c : comparisons)
+    if (!c.possible) scenes.push_back(c.scene);
+  if (scenes.empty()) return "";
+  return fmt::format("\nmobilizers, none: Simbody has no mobilizer for any joint of {}\n",
+                     fmt::join(scenes, ", "));
+}
+
 /// What Simbody refused, one line each.
 std::string refusals(const std::vector<SimbodyComparison>& comparisons) {
   std::string out;
   for (const SimbodyComparison& c : comparisons)
     if (c.twin)
-      out += fmt::format("{}, {}: Simbody refuses the scene, its physical twin is compared: {}\n", c.scene,
-                         name_of(c.way), c.refusal);
+      out += fmt::format("{}, {}: Simbody cannot solve the scene, its physical twin is compared: {}\n",
+                         c.scene, name_of(c.way), c.refusal);
   return out.empty() ? out : "\n" + out;
 }
 
@@ -83,7 +95,7 @@ std::string reason(const SimbodyComparison& c) {
 std::string failures(const std::vector<SimbodyComparison>& comparisons) {
   ErrorLines lines;
   for (const SimbodyComparison& c : comparisons)
-    if (!c.solved()) lines.add(c.error, way_of(c));
+    if (c.possible && !c.solved()) lines.add(c.error, way_of(c));
   return lines.text();
 }
 
@@ -106,7 +118,7 @@ std::string json(double t, const std::vector<SimbodyComparison>& comparisons) {
           .number("pose_defect", c.pose_defect)
           .number("bound", c.bound());
     json.text("verdict", verdict_of(c)).text("refusal", c.refusal).text("failure", c.failure);
-    if (!c.solved()) json.text("error", c.error);
+    if (c.possible && !c.solved()) json.text("error", c.error);
     json.begin_array("formulations");
     for (const SimbodyDistance& d : c.formulations) {
       json.begin_object().text("name", d.formulation);
@@ -146,7 +158,7 @@ int run(const Program& program, double t) {
     Progress progress("simbody_reference", scenes.size());
     for (const auto& [source, scene] : scenes) {
       for (SimbodyComparison& c : compare_with_simbody(scene, t)) {
-        if (!c.solved()) c.error = name_source(source, reason(c));
+        if (c.possible && !c.solved()) c.error = name_source(source, reason(c));
         comparisons.push_back(std::move(c));
       }
       progress.step();
@@ -154,11 +166,12 @@ int run(const Program& program, double t) {
   }
   program.write(results(comparisons));
   fmt::print("{}", program.json() ? json(t, comparisons)
-                                  : table(comparisons) + refusals(comparisons) + failures(comparisons));
+                                  : table(comparisons) + impossibilities(comparisons) +
+                                        refusals(comparisons) + failures(comparisons));
 
   const auto all = [&](auto is) { return std::all_of(comparisons.begin(), comparisons.end(), is); };
-  return batch_exit(all([](const SimbodyComparison& c) { return c.solved(); }),
-                    all([](const SimbodyComparison& c) { return c.agrees(); }));
+  return batch_exit(all([](const SimbodyComparison& c) { return !c.possible || c.solved(); }),
+                    all([](const SimbodyComparison& c) { return !c.possible || c.agrees(); }));
 }
 
 }  // namespace
@@ -169,6 +182,6 @@ int main(int argc, char** argv) {
   using namespace trivium;
   Program program("Accelerations, multipliers and reactions of scenes against Simbody", "simbody_reference");
   double t = 0;
-  program.options().add_option("--time", t, "The time of the scenes' states [s]")->check(finite_time());
+  program.options().add_option("--t,--time", t, "The time of the scenes' states [s]")->check(finite_time());
   return program.run(argc, argv, [&] { return run(program, t); });
 }
