@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "validation/option_checks.hpp"
+#include "validation/results_table.hpp"
 
 namespace trivium {
 
@@ -45,7 +46,8 @@ Program::Program(const std::string& question, const std::string& name, const std
                   fmt::format("Scene files or catalogue names (default: {})", default_scenes));
   app_.add_flag("--json", json_, "JSON on stdout");
   app_.add_option("--csv", csv_, "Write the table to this CSV file, and a manifest beside it")
-      ->check(writable_file());
+      ->check(writable_file())
+      ->check([](const std::string& csv) { return why_not_writable(manifest_of(csv).string()); });
 }
 
 int Program::run(int argc, char** argv, const std::function<int()>& answer) {
