@@ -407,6 +407,19 @@ TEST(EveryProgram, HasHelpAndVersion) {
       EXPECT_EQ(run("trivium " + command + flag).exit_code, 0) << command << flag;
 }
 
+/// A full disk, as the device that is always full plays it: short output is lost when it is flushed, long
+/// output while it is printed.
+TEST(EveryProgram, DoesNotPassOverResultsThatCouldNotBeWritten) {
+  std::vector<std::string> all{"trivium solve heavy_top", "trivium check n_four_bar_40 --json",
+                               "trivium generate chain 100", "trivium --help"};
+  for (const std::string& program : validations()) all.push_back(program + " simple_pendulum");
+  for (const std::string& words : all) {
+    const Outcome r = run(words + " >/dev/full");
+    EXPECT_EQ(r.exit_code, 3) << words;
+    EXPECT_EQ(r.err, "error: the results could not be written to stdout: No space left on device\n") << words;
+  }
+}
+
 TEST(EveryProgram, AnswersMisuseWithExitCodeTwo) {
   for (const std::string words :
        {"trivium", "trivium solv heavy_top", "trivium solve", "trivium solve no_such_scene",

@@ -4,6 +4,7 @@
 
 #include "validation/option_checks.hpp"
 #include "validation/results_table.hpp"
+#include "validation/standard_output.hpp"
 
 namespace trivium {
 
@@ -11,7 +12,7 @@ int parse_and_run(CLI::App& app, int argc, char** argv, const std::function<int(
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_done : exit_input_error;
+    return run_and_flush([&]() -> int { return app.exit(error) == 0 ? exit_done : exit_input_error; });
   }
   return run_guarded(program);
 }
