@@ -1,6 +1,7 @@
 /// The programs as a user meets them: output, messages and exit codes.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <array>
 #include <cstdio>
@@ -31,6 +32,12 @@ fs::path temporary(const std::string& name) {
   const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
   return fs::path(testing::TempDir()) /
          (std::string(test.test_suite_name()) + "." + test.name() + "." + name);
+}
+
+/// The same, with nothing left there by an earlier run.
+fs::path fresh(const std::string& name) {
+  fs::remove(temporary(name));
+  return temporary(name);
 }
 
 /// Runs one of the project's programs with the words given.
@@ -186,6 +193,18 @@ TEST(Solve, AssembleProjectsAndSaves) {
   EXPECT_EQ(run("trivium check " + saved).exit_code, 0);
 }
 
+TEST(Solve, RefusesToSaveToWhatIsNoFileBeforeItReadsTheScene) {
+  const fs::path fifo = fresh("fifo.json");
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  for (const std::string& file : {fifo.string(), testing::TempDir(), std::string("\"\"")}) {
+    const Outcome r = run("trivium solve no_such_scene --assemble --save " + file);
+    EXPECT_EQ(r.exit_code, 2) << file;
+    EXPECT_NE(r.err.find("--save: "), std::string::npos) << r.err;
+    EXPECT_EQ(r.err.find("no_such_scene"), std::string::npos) << r.err;
+  }
+  EXPECT_TRUE(fs::is_fifo(fifo));
+}
+
 TEST(Solve, AMassThatNothingHoldsIsAnErrorThatNamesTheBody) {
   const std::string scene =
       temporary_scene("free_point.json", R"({"trivium": 1, "name": "free_point", "bodies":
@@ -272,6 +291,37 @@ TEST(EveryValidation, RefusesAFolderThatIsNotThereBeforeItReadsAScene) {
   }
 }
 
+TEST(EveryValidation, RefusesToReplaceWhatIsNoRegularFileBeforeItReadsAScene) {
+  const fs::path fifo = fresh("fifo.csv"), link = fresh("link.csv"), csv = fresh("beside.csv");
+  const fs::path manifest = fs::path(csv).replace_extension(".manifest.json");
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  fs::create_symlink(fifo, link);
+  fs::remove(manifest);
+  ASSERT_EQ(mkfifo(manifest.c_str(), 0600), 0);
+  for (const std::string& program : validations())
+    for (const auto& [option, refused] : {std::pair{fifo, fifo}, {link, link}, {csv, manifest}}) {
+      const Outcome r = run(program + " no_such_scene --csv " + option.string());
+      EXPECT_EQ(r.exit_code, 2) << program;
+      EXPECT_NE(r.err.find("\"" + refused.string() + "\" is there and not a regular file"), std::string::npos)
+          << r.err;
+      EXPECT_EQ(r.err.find("no_such_scene"), std::string::npos) << r.err;
+    }
+  EXPECT_TRUE(fs::is_fifo(fifo) && fs::is_symlink(link) && fs::is_fifo(manifest) && !fs::exists(csv));
+}
+
+TEST(EveryValidation, WritesTheFileThatALinkPointsTo) {
+  for (const std::string& program : validations())
+    for (const bool is_there : {true, false}) {
+      const fs::path csv = fresh("file.csv"), link = fresh("link.csv");
+      if (is_there) std::ofstream(csv) << "old";
+      fs::create_symlink(csv.filename(), link);
+      const Outcome r = run(program + " simple_pendulum --csv " + link.string());
+      EXPECT_EQ(r.exit_code, 0) << r.err;
+      EXPECT_TRUE(fs::is_symlink(link));
+      EXPECT_NE(slurp(csv).find("\nsimple_pendulum,"), std::string::npos) << slurp(csv);
+    }
+}
+
 TEST(LambdaInvariance, TakesWholeNumbersAndSaysWhich) {
   for (const std::string words : {"--seed -1", "--seed 1.5", "--seed 18446744073709551616"}) {
     const Outcome r = run("lambda_invariance heavy_top " + words);
@@ -355,6 +405,19 @@ TEST(EveryProgram, HasHelpAndVersion) {
   for (const std::string command : {"solve", "check", "list", "generate"})
     for (const std::string flag : {" --help", " --version"})
       EXPECT_EQ(run("trivium " + command + flag).exit_code, 0) << command << flag;
+}
+
+/// A full disk, as the device that is always full plays it: short output is lost when it is flushed, long
+/// output while it is printed.
+TEST(EveryProgram, DoesNotPassOverResultsThatCouldNotBeWritten) {
+  std::vector<std::string> all{"trivium solve heavy_top", "trivium check n_four_bar_40 --json",
+                               "trivium generate chain 100", "trivium --help"};
+  for (const std::string& program : validations()) all.push_back(program + " simple_pendulum");
+  for (const std::string& words : all) {
+    const Outcome r = run(words + " >/dev/full");
+    EXPECT_EQ(r.exit_code, 3) << words;
+    EXPECT_EQ(r.err, "error: the results could not be written to stdout: No space left on device\n") << words;
+  }
 }
 
 TEST(EveryProgram, AnswersMisuseWithExitCodeTwo) {

@@ -50,7 +50,8 @@ Command add_generate_command(CLI::App& app) {
   command->add_option("--seed", arguments->seed, "Seed of the tree")
       ->check(whole_number(std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
-  command->add_option("--out", arguments->out, "Write to this file instead of stdout");
+  command->add_option("--out", arguments->out, "Write to this file instead of stdout")
+      ->check(writable_file());
   return [arguments] { return run_generate(*arguments); };
 }
 

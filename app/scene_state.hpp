@@ -31,6 +31,7 @@ inline void add_scene_options(CLI::App& command, SceneArguments& arguments) {
   CLI::Option* assemble =
       command.add_flag("--assemble", arguments.assemble, "First project the state onto its constraints");
   command.add_option("--save", arguments.save, "With --assemble: write the assembled scene to this file")
+      ->check(writable_file())
       ->needs(assemble);
 }
 

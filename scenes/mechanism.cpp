@@ -4,20 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/narrowed.hpp"
+
 namespace trivium {
 
 namespace {
 
 using scenes::ConstraintType;
 
+/// Of a direction, see of_moderate_size; what has a magnitude goes through Narrowed.
 template <class Scalar>
-Vector3<Scalar> vector_of(const scenes::Vector3& v) {
+Vector3<Scalar> direction_of(const scenes::Vector3& v) {
   return {Scalar(v[0]), Scalar(v[1]), Scalar(v[2])};
-}
-
-template <class Scalar>
-Vector3<Scalar> vector_of(const std::optional<scenes::Vector3>& v) {
-  return v ? vector_of<Scalar>(*v) : Vector3<Scalar>(Vector3<Scalar>::Zero());
 }
 
 /// The direction of what the scene normalises when used, of a size that any Scalar can square: numbers up to
@@ -31,9 +29,10 @@ std::array<double, n> of_moderate_size(std::array<double, n> direction) {
 }
 
 template <class Scalar>
-Matrix3<Scalar> matrix_of(const scenes::Matrix3& rows) {
+Matrix3<Scalar> matrix_of(const scenes::Matrix3& rows, const Narrowed<Scalar>& narrowed,
+                          std::string_view key) {
   Matrix3<Scalar> m;
-  for (int k = 0; k < 3; ++k) m.row(k) = vector_of<Scalar>(rows[k]).transpose();
+  for (int k = 0; k < 3; ++k) m.row(k) = narrowed.vector(rows[k], key).transpose();
   return m;
 }
 
@@ -48,23 +47,30 @@ Matrix3<double> lift_of_negative_moments(const Matrix3<double>& J) {
 }
 
 template <class Scalar>
-Matrix3<Scalar> inertia_of(const scenes::Body& body) {
-  if (const auto* diagonal = std::get_if<scenes::Vector3>(&body.inertia))
-    return vector_of<Scalar>(*diagonal).cwiseMax(Scalar(0)).asDiagonal();
-  const Matrix3<Scalar> J = matrix_of<Scalar>(std::get<scenes::Matrix3>(body.inertia));
+Matrix3<Scalar> inertia_of(const scenes::Body& body, const Narrowed<Scalar>& narrowed) {
+  // no moment may vanish beside the others: without it the rotation has no mass
+  const auto moment = [&](double written) { return narrowed.number(std::max(written, 0.0), "inertia"); };
+  if (const auto* diagonal = std::get_if<scenes::Vector3>(&body.inertia)) {
+    const auto& [Jx, Jy, Jz] = *diagonal;
+    return Vector3<Scalar>(moment(Jx), moment(Jy), moment(Jz)).asDiagonal();
+  }
+  const scenes::Matrix3& rows = std::get<scenes::Matrix3>(body.inertia);
+  for (std::size_t k = 0; k < 3; ++k) moment(rows[k][k]);
+  const Matrix3<Scalar> J = matrix_of<Scalar>(rows, narrowed, "inertia");
   const Matrix3<Scalar> symmetric = (J + J.transpose()) / Scalar(2);
   return symmetric + scalar_cast<Scalar>(lift_of_negative_moments(scalar_cast<double>(symmetric)));
 }
 
 template <class Scalar>
-JointFrame<Scalar> frame_of(const scenes::Side& side) {
-  const Vector3<Scalar> point = vector_of<Scalar>(side.point);
+JointFrame<Scalar> frame_of(const scenes::Side& side, const Narrowed<Scalar>& narrowed,
+                            std::string_view point_key) {
+  const Vector3<Scalar> point = narrowed.vector(side.point, point_key);
   if (!side.axis) return {.point = point};
   const scenes::Vector3 axis = of_moderate_size(*side.axis);
   // which e_k is the scene's, in double: a Scalar that rounds two components to a tie has the same rows
-  const Vector3<Scalar> x = side.x ? vector_of<Scalar>(of_moderate_size(*side.x))
-                                   : scalar_cast<Scalar>(default_x(vector_of<double>(axis)));
-  return joint_frame<Scalar>(point, vector_of<Scalar>(axis), x);
+  const Vector3<Scalar> x = side.x ? direction_of<Scalar>(of_moderate_size(*side.x))
+                                   : scalar_cast<Scalar>(default_x(direction_of<double>(axis)));
+  return joint_frame<Scalar>(point, direction_of<Scalar>(axis), x);
 }
 
 template <class Scalar>
@@ -73,20 +79,24 @@ JointRows<Scalar> basic_row(BasicConstraint<Scalar> constraint) {
 }
 
 template <class Scalar>
-JointRows<Scalar> rows_of(const scenes::Constraint& c, const Joint<Scalar>& joint) {
+JointRows<Scalar> rows_of(const scenes::Constraint& c, const Joint<Scalar>& joint,
+                          const Narrowed<Scalar>& narrowed) {
   const JointBuilder<Scalar> build(joint, joint.frame_i, joint.frame_j);
   const BodyPair bodies = joint;
   const auto point_i = joint.frame_i.point, point_j = joint.frame_j.point;
+  const auto vector_i = narrowed.vector(c.i.vector, "i/vector"),
+             vector_j = narrowed.vector(c.j.vector, "j/vector");
+  const TimeFunction& f = narrowed.function(c.f, "f");
   switch (c.type) {
     case ConstraintType::dp1:
-      return basic_row<Scalar>(
-          DP1<Scalar>{bodies, vector_of<Scalar>(c.i.vector), vector_of<Scalar>(c.j.vector), c.f});
+      return basic_row<Scalar>(DP1<Scalar>{bodies, vector_i, vector_j, f});
     case ConstraintType::dp2:
-      return basic_row<Scalar>(DP2<Scalar>{bodies, vector_of<Scalar>(c.i.vector), point_i, point_j, c.f});
+      return basic_row<Scalar>(DP2<Scalar>{bodies, vector_i, point_i, point_j, f});
     case ConstraintType::d:
-      return basic_row<Scalar>(D<Scalar>{bodies, point_i, point_j, c.f});
+      return basic_row<Scalar>(D<Scalar>{bodies, point_i, point_j, f});
     case ConstraintType::cd:
-      return basic_row<Scalar>(CD<Scalar>{bodies, vector_of<Scalar>(c.direction), point_i, point_j, c.f});
+      return basic_row<Scalar>(
+          CD<Scalar>{bodies, narrowed.vector(c.direction, "direction"), point_i, point_j, f});
     case ConstraintType::spherical:
       return build.spherical();
     case ConstraintType::universal:
@@ -106,9 +116,11 @@ JointRows<Scalar> rows_of(const scenes::Constraint& c, const Joint<Scalar>& join
     case ConstraintType::in_plane:
       return build.in_plane();
     case ConstraintType::distance:
+      narrowed.number(c.distance, "distance");
+      narrowed.number(c.distance * c.distance, "squared distance");  // the row's right side
       return build.distance(c.distance);
     case ConstraintType::rotation_driver:
-      return build.rotation_driver(c.angle);
+      return build.rotation_driver(narrowed.function(c.angle, "angle"));
   }
   return {};
 }
@@ -117,7 +129,8 @@ JointRows<Scalar> rows_of(const scenes::Constraint& c, const Joint<Scalar>& join
 template <class Scalar>
 struct EffectBuilder {
   Mechanism<Scalar>& mechanism;
-  std::size_t effect = 0;  ///< its place in the file, which names an effect that has no name
+  std::string_view name;  ///< the effect's own, or its place in the file
+  Narrowed<Scalar> narrowed{"effect", name};
 
   int index(int scene_body) const { return scene_body == scenes::ground ? mechanism.ground() : scene_body; }
   static ComponentFrame frame(scenes::Frame f) {
@@ -125,30 +138,43 @@ struct EffectBuilder {
   }
 
   void operator()(const scenes::Gravity& e) const {
-    mechanism.effects.add(Gravity<Scalar>{vector_of<Scalar>(e.acceleration)});
+    mechanism.effects.add(Gravity<Scalar>{narrowed.vector(e.acceleration, "acceleration")});
   }
   void operator()(const scenes::Force& e) const {
-    mechanism.effects.add(Force<Scalar>{index(e.body), vector_of<Scalar>(e.point), e.force, frame(e.frame)});
+    mechanism.effects.add(Force<Scalar>{index(e.body), narrowed.vector(e.point, "point"),
+                                        narrowed.functions(e.force, "force"), frame(e.frame)});
   }
   void operator()(const scenes::Torque& e) const {
-    mechanism.effects.add(Torque<Scalar>{index(e.body), e.torque, frame(e.frame)});
+    mechanism.effects.add(
+        Torque<Scalar>{index(e.body), narrowed.functions(e.torque, "torque"), frame(e.frame)});
   }
   void operator()(const scenes::SpringDamper& e) const {
-    mechanism.effects.add(SpringDamper<Scalar>{e.name.empty() ? fmt::format("/effects/{}", effect) : e.name,
-                                               index(e.i.body), index(e.j.body), vector_of<Scalar>(e.i.point),
-                                               vector_of<Scalar>(e.j.point), Scalar(e.stiffness),
-                                               Scalar(e.damping), Scalar(e.free_length), e.actuator});
+    mechanism.effects.add(SpringDamper<Scalar>{
+        std::string(name), index(e.i.body), index(e.j.body), narrowed.vector(e.i.point, "i/point"),
+        narrowed.vector(e.j.point, "j/point"), narrowed.number(e.stiffness, "stiffness"),
+        narrowed.number(e.damping, "damping"), narrowed.number(e.free_length, "free_length"),
+        narrowed.function(e.actuator, "actuator")});
   }
   void operator()(const scenes::TorsionalSpringDamper& e) const {
     const Joint<Scalar>& joint = mechanism.joints[e.joint];
     mechanism.effects.add(TorsionalSpringDamper<Scalar>{
         joint.i, joint.j, joint.frame_i.u, joint.frame_i.v, joint.frame_i.z, joint.frame_j.u,
-        Scalar(e.stiffness), Scalar(e.damping), Scalar(e.free_angle), e.actuator, Scalar(0)});
+        narrowed.number(e.stiffness, "stiffness"), narrowed.number(e.damping, "damping"),
+        narrowed.angle(e.free_angle, "free_angle"), narrowed.function(e.actuator, "actuator"), Scalar(0)});
   }
 };
 
+/// The name of an effect, or its place in the file where it has none.
+std::string name_of(const scenes::Scene& scene, std::size_t effect) {
+  const std::string& name =
+      std::visit([](const auto& e) -> const std::string& { return e.name; }, scene.effects[effect]);
+  return name.empty() ? fmt::format("/effects/{}", effect) : name;
+}
+
 template <class Scalar>
 struct ToEulerParameters {
+  Narrowed<Scalar> narrowed;
+
   Vector4<Scalar> operator()(const scenes::EulerParameters& o) const {
     const auto e = of_moderate_size(o.e);
     const Vector4<Scalar> p{Scalar(e[0]), Scalar(e[1]), Scalar(e[2]), Scalar(e[3])};
@@ -157,16 +183,16 @@ struct ToEulerParameters {
   Vector4<Scalar> operator()(const scenes::EulerAngles& o) const {
     Vector4<Scalar> p = Vector4<Scalar>::Unit(0);
     for (int k = 0; k < 3; ++k)
-      p = multiply_parameters<Scalar>(p,
-                                      turn(Vector3<Scalar>::Unit(o.sequence.axis[k]), Scalar(o.angles[k])));
+      p = multiply_parameters<Scalar>(
+          p, turn(Vector3<Scalar>::Unit(o.sequence.axis[k]), narrowed.angle(o.angles[k], "euler_angles")));
     return p / p.norm();
   }
   Vector4<Scalar> operator()(const scenes::AxisAngle& o) const {
-    const Vector3<Scalar> axis = vector_of<Scalar>(of_moderate_size(o.axis));
-    return turn(axis / axis.stableNorm(), Scalar(o.angle));
+    const Vector3<Scalar> axis = direction_of<Scalar>(of_moderate_size(o.axis));
+    return turn(axis / axis.stableNorm(), narrowed.angle(o.angle, "angle"));
   }
   Vector4<Scalar> operator()(const scenes::RotationMatrix& o) const {
-    return euler_parameters(matrix_of<Scalar>(o.A));
+    return euler_parameters(matrix_of<Scalar>(o.A, narrowed, "matrix"));
   }
 
   static Vector4<Scalar> turn(const Vector3<Scalar>& axis, const Scalar& angle) {
@@ -182,7 +208,7 @@ struct ToEulerParameters {
 
 template <class Scalar>
 Vector4<Scalar> euler_parameters_of(const scenes::Orientation& orientation) {
-  return std::visit(ToEulerParameters<Scalar>{}, orientation);
+  return std::visit(ToEulerParameters<Scalar>{{"body", ""}}, orientation);
 }
 
 template <class Scalar>
@@ -191,38 +217,45 @@ Mechanism<Scalar> make_mechanism(const scenes::Scene& scene) {
   m.name = scene.name;
   for (const scenes::Body& body : scene.bodies) {
     m.body_names.push_back(body.name);
-    m.bodies.push_back({Scalar(body.mass), inertia_of<Scalar>(body)});
+    const Narrowed<Scalar> narrowed("body", body.name);
+    m.bodies.push_back({narrowed.number(body.mass, "mass"), inertia_of<Scalar>(body, narrowed)});
   }
   m.body_names.push_back("ground");
   for (const scenes::Constraint& c : scene.constraints) {
+    const Narrowed<Scalar> narrowed("constraint", c.name);
     Joint<Scalar> joint;
     joint.i = c.i.body == scenes::ground ? m.ground() : c.i.body;
     joint.j = c.j.body == scenes::ground ? m.ground() : c.j.body;
     joint.name = c.name;
     joint.type = c.type;
-    joint.frame_i = frame_of<Scalar>(c.i);
-    joint.frame_j = frame_of<Scalar>(c.j);
+    joint.frame_i = frame_of<Scalar>(c.i, narrowed, "i/point");
+    joint.frame_j = frame_of<Scalar>(c.j, narrowed, "j/point");
     joint.angle = c.angle;
     joint.first_row = m.nc();
-    for (NamedRow<Scalar>& row : rows_of<Scalar>(c, joint)) {
+    for (NamedRow<Scalar>& row : rows_of<Scalar>(c, joint, narrowed)) {
       m.row_names.push_back(row.label.empty() ? c.name : c.name + "." + row.label);
       m.rows.push_back(std::move(row.constraint));
     }
     joint.rows = m.nc() - joint.first_row;
     m.joints.push_back(std::move(joint));
   }
-  for (std::size_t k = 0; k < scene.effects.size(); ++k)
-    std::visit(EffectBuilder<Scalar>{m, k}, scene.effects[k]);
+  for (std::size_t k = 0; k < scene.effects.size(); ++k) {
+    const std::string name = name_of(scene, k);
+    std::visit(EffectBuilder<Scalar>{m, name}, scene.effects[k]);
+  }
   return m;
 }
 
 template <class Scalar>
 MechanismState<Scalar> make_state(const scenes::Scene& scene, Scalar t) {
   MechanismState<Scalar> state;
-  state.t = t;
+  state.t = Narrowed<Scalar>::time(t);
   for (const scenes::Body& body : scene.bodies) {
-    state.pose.push_back({vector_of<Scalar>(body.position), euler_parameters_of<Scalar>(body.orientation)});
-    state.twist.push_back({vector_of<Scalar>(body.velocity), vector_of<Scalar>(body.angular_velocity)});
+    const Narrowed<Scalar> narrowed("body", body.name);
+    state.pose.push_back({narrowed.vector(body.position, "position"),
+                          std::visit(ToEulerParameters<Scalar>{narrowed}, body.orientation)});
+    state.twist.push_back({narrowed.vector(body.velocity, "velocity"),
+                           narrowed.vector(body.angular_velocity, "angular_velocity")});
   }
   return state;
 }

@@ -5,10 +5,10 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <random>
 #include <system_error>
 
 #include "scenes/json.hpp"
+#include "scenes/replaced_file.hpp"
 #include "scenes/scene_checks.hpp"
 #include "scenes/scene_reader.hpp"
 
@@ -34,14 +34,6 @@ std::string read_text(const fs::path& path) {
   return text;
 }
 
-/// A name beside `path` that no other writer uses, so that renaming stays within one file system.
-fs::path temporary_beside(const fs::path& path) {
-  std::random_device random;
-  fs::path temporary = path;
-  temporary += fmt::format(".{:08x}{:08x}.tmp", random(), random());
-  return temporary;
-}
-
 }  // namespace
 
 Scene parse_scene(std::string_view text, std::string_view file_name) {
@@ -59,25 +51,10 @@ Scene read_scene_file(const fs::path& path) { return parse_scene(read_text(path)
 void write_scene_file(const fs::path& path, const Scene& scene) {
   const std::string text = write_scene(scene);
   const Path root(path.native());
-  std::error_code error;
-  // A link stays a link; a device or a folder is not replaced by a file.
-  const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
-  if (fs::exists(target, error) && !fs::is_regular_file(target, error))
-    fail(root, "not a regular file", "a file to write");
-  const fs::path temporary = temporary_beside(target);
-  errno = 0;
-  std::ofstream file(temporary, std::ios::binary);
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  file.close();
-  std::string reason = file ? "" : std::strerror(errno);
-  if (file) {
-    fs::rename(temporary, target, error);
-    if (error) reason = error.message();
-  }
-  if (!reason.empty()) {
-    fs::remove(temporary, error);
-    fail(root, "cannot be written: " + reason, "a file to write");
-  }
+  const std::optional<fs::path> target = file_to_write(path);
+  if (!target) fail(root, "not a regular file", "a file to write");
+  if (const std::error_code reason = replace_file(*target, text))
+    fail(root, "cannot be written: " + reason.message(), "a file to write");
 }
 
 }  // namespace trivium::scenes

@@ -123,6 +123,18 @@ TEST(Reader, ResolvesNamesToIndices) {
   EXPECT_EQ(std::get<Force>(scene.effects.at(1)).body, 1);
 }
 
+/// A user copies the sides of the revolute, point and all; the driver's row has no use for the point.
+TEST(Reader, TakesForADriverTheSidesOfItsRevolute) {
+  constexpr std::string_view sides =
+      R"("i": {"body": "a", "point": [0, 0, 1], "axis": [0, 0, 1], "x": [1, 0, 0]}, "j": {"body": "b", "point": [0, 0, 2], "axis": [0, 0, 1], "x": [1, 0, 0]})";
+  const Scene scene =
+      with_two_bodies(fmt::format(R"({{"type": "revolute", "name": "hinge", {0}}}, )"
+                                  R"({{"type": "rotation_driver", "name": "driver", {0}, "angle": 0}})",
+                                  sides));
+  EXPECT_EQ(scene.constraints.at(1).i, scene.constraints.at(0).i);
+  EXPECT_EQ(scene.constraints.at(1).j, scene.constraints.at(0).j);
+}
+
 TEST(Reader, TakesKeysInAnyOrder) {
   EXPECT_EQ(
       parse_scene(

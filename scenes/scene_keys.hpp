@@ -66,14 +66,13 @@ inline constexpr std::array function_shapes{
     Shape{"step5", {need("kind"), need("t0"), need("f0"), need("t1"), need("f1")}},
 };
 
-// Sides. Every side but a driver's may name a point (of a dp1 it says where reactions are taken), and every
-// side of a joint an axis with an x, whether or not a row of the type looks along it.
+// Sides. Every side may name a point (of a dp1 it says where reactions are taken), and every side of a joint
+// an axis with an x, whether or not a row of the type looks along it.
 inline constexpr Shape vector_point_side{"vector_point_side", {need("body"), need("vector"), may("point")}};
 inline constexpr Shape point_side{"point_side", {need("body"), may("point")}};
 inline constexpr Shape joint_side{"joint_side", {need("body"), may("point"), may("axis"), may("x")}};
 inline constexpr Shape axis_side{"axis_side", {need("body"), may("point"), need("axis"), may("x")}};
 inline constexpr Shape frame_side{"frame_side", {need("body"), may("point"), need("axis"), need("x")}};
-inline constexpr Shape driver_side{"driver_side", {need("body"), need("axis"), need("x")}};
 
 struct ConstraintShape {
   ConstraintType type;
@@ -111,8 +110,7 @@ inline constexpr std::array constraint_shapes{
     detail::joint(ConstraintType::in_line, "in_line", axis_side, joint_side),
     detail::joint(ConstraintType::in_plane, "in_plane", axis_side, joint_side),
     detail::joint(ConstraintType::distance, "distance", joint_side, joint_side, need("distance")),
-    detail::joint(ConstraintType::rotation_driver, "rotation_driver", driver_side, driver_side,
-                  need("angle")),
+    detail::joint(ConstraintType::rotation_driver, "rotation_driver", frame_side, frame_side, need("angle")),
 };
 static_assert([] {
   for (std::size_t k = 0; k < constraint_shapes.size(); ++k)

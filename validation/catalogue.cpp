@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 
 #include "bodies/error.hpp"
 #include "formulations/assembly.hpp"
 #include "scenes/scene_file.hpp"
+#include "validation/standard_output.hpp"
 
 namespace trivium {
 
@@ -83,21 +83,23 @@ std::vector<NamedScene> load_consistent_scenes(const std::vector<std::string>& p
 }
 
 int run_guarded(const std::function<int()>& program) {
-  try {
-    return program();
-  } catch (const scenes::SceneError& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
-    return exit_input_error;
-  } catch (const InputErrors& errors) {
-    for (const std::string& message : errors.messages()) fmt::print(stderr, "error: {}\n", message);
-    return exit_input_error;
-  } catch (const ModelError& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
-    return exit_solver_failed;
-  } catch (const fs::filesystem_error& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
-    return exit_input_error;
-  }
+  return run_and_flush([&]() -> int {
+    try {
+      return program();
+    } catch (const scenes::SceneError& error) {
+      complain(error.what());
+      return exit_input_error;
+    } catch (const InputErrors& errors) {
+      for (const std::string& message : errors.messages()) complain(message);
+      return exit_input_error;
+    } catch (const ModelError& error) {
+      complain(error.what());
+      return exit_solver_failed;
+    } catch (const fs::filesystem_error& error) {
+      complain(error.what());
+      return exit_input_error;
+    }
+  });
 }
 
 }  // namespace trivium

@@ -43,7 +43,7 @@ class InputErrors : public std::runtime_error {
 std::vector<NamedScene> load_consistent_scenes(const std::vector<std::string>& paths_or_names, double t);
 
 /// Runs a program: what its input did wrong becomes exit code 2, what a solver could not do 3, each with its
-/// message on stderr.
+/// message on stderr; see run_and_flush for what it printed.
 int run_guarded(const std::function<int()>& program);
 
 }  // namespace trivium

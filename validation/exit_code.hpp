@@ -7,7 +7,8 @@ enum ExitCode : int {
   exit_done = 0,
   exit_criterion_failed = 1,
   exit_input_error = 2,
-  exit_solver_failed = 3
+  exit_solver_failed = 3,
+  exit_output_lost = 3  ///< what was computed could not be written to stdout
 };
 
 }  // namespace trivium

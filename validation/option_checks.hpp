@@ -9,7 +9,11 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <system_error>
+
+#include "scenes/replaced_file.hpp"
 
 namespace trivium {
 
@@ -36,20 +40,24 @@ inline CLI::Validator whole_number(std::uint64_t most) {
           "WHOLE"};
 }
 
-/// Accepts a path that a file can be written to: no folder itself, and in a folder that exists.
+/// What keeps a file from being written there; empty if nothing does.
+inline std::string why_not_writable(const std::string& path) {
+  namespace fs = std::filesystem;
+  constexpr const char* accepted = "accepted: a file in a folder that exists";
+  if (path.empty()) return fmt::format("\"\" is not a file; {}", accepted);
+  const std::optional<fs::path> target = file_to_write(path);
+  if (!target) return fmt::format("\"{}\" is there and not a regular file; {}", path, accepted);
+  std::error_code error;
+  const fs::path folder = target->parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, error))
+    return fmt::format("{}: the folder {} does not exist; {}", path, folder.string(), accepted);
+  if (!target->has_filename()) return fmt::format("\"{}\" is not a file; {}", path, accepted);
+  return {};
+}
+
+/// Accepts a path that a file can be written to: a regular file or none yet, in a folder that exists.
 inline CLI::Validator writable_file() {
-  return {[](std::string& text) {
-            namespace fs = std::filesystem;
-            constexpr const char* accepted = "accepted: a file in a folder that exists";
-            std::error_code error;
-            const fs::path folder = fs::path(text).parent_path();
-            if (!folder.empty() && !fs::is_directory(folder, error))
-              return fmt::format("{}: the folder {} does not exist; {}", text, folder.string(), accepted);
-            if (text.empty() || fs::is_directory(text, error))
-              return fmt::format("\"{}\" is not a file; {}", text, accepted);
-            return std::string();
-          },
-          "FILE"};
+  return {[](std::string& text) { return why_not_writable(text); }, "FILE"};
 }
 
 }  // namespace trivium

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "validation/option_checks.hpp"
+#include "validation/results_table.hpp"
+#include "validation/standard_output.hpp"
 
 namespace trivium {
 
@@ -10,7 +12,7 @@ int parse_and_run(CLI::App& app, int argc, char** argv, const std::function<int(
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_done : exit_input_error;
+    return run_and_flush([&]() -> int { return app.exit(error) == 0 ? exit_done : exit_input_error; });
   }
   return run_guarded(program);
 }
@@ -45,7 +47,8 @@ Program::Program(const std::string& question, const std::string& name, const std
                   fmt::format("Scene files or catalogue names (default: {})", default_scenes));
   app_.add_flag("--json", json_, "JSON on stdout");
   app_.add_option("--csv", csv_, "Write the table to this CSV file, and a manifest beside it")
-      ->check(writable_file());
+      ->check(writable_file())
+      ->check([](const std::string& csv) { return why_not_writable(manifest_of(csv).string()); });
 }
 
 int Program::run(int argc, char** argv, const std::function<int()>& answer) {

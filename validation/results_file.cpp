@@ -6,6 +6,7 @@
 
 #include "build_info.hpp"
 #include "validation/checksum.hpp"
+#include "validation/results_table.hpp"
 #include "validation/text_output.hpp"
 #include "validation/whole_file.hpp"
 
@@ -71,7 +72,7 @@ void ResultsFile::write(const fs::path& file, int argc, const char* const* argv)
       .text("cpu", cpu_model())
       .end_object();
   write_whole(file, csv);
-  write_whole(fs::path(file).replace_extension(".manifest.json"), manifest.str());
+  write_whole(manifest_of(file), manifest.str());
 }
 
 }  // namespace trivium

@@ -10,6 +10,7 @@
 
 #include "validation/checksum.hpp"
 #include "validation/exit_code.hpp"
+#include "validation/standard_output.hpp"
 #include "validation/whole_file.hpp"
 
 namespace trivium {
@@ -97,14 +98,16 @@ ResultsTable read_results(const fs::path& csv) {
 }
 
 int run_on_results(const std::function<int()>& program) {
-  try {
-    return program();
-  } catch (const ResultsError& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
-  } catch (const fs::filesystem_error& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
-  }
-  return exit_input_error;
+  return run_and_flush([&]() -> int {
+    try {
+      return program();
+    } catch (const ResultsError& error) {
+      complain(error.what());
+    } catch (const fs::filesystem_error& error) {
+      complain(error.what());
+    }
+    return exit_input_error;
+  });
 }
 
 fs::path manifest_of(fs::path csv) { return csv.replace_extension(".manifest.json"); }

@@ -1,0 +1,16 @@
+#pragma once
+/// Results on stdout arrive, or the program says that they did not.
+
+#include <functional>
+#include <string>
+
+namespace trivium {
+
+/// Says on stderr what went wrong, and fails at nothing itself.
+void complain(const std::string& message);
+
+/// Runs a program, then makes sure that all it printed has been written: a full disk or a closed stdout is no
+/// success. Gives the program's exit code, or exit_output_lost with a message on stderr.
+int run_and_flush(const std::function<int()>& program);
+
+}  // namespace trivium
