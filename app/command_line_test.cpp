@@ -336,6 +336,15 @@ TEST(LambdaInvariance, TakesWholeNumbersAndSaysWhich) {
       << r.err;
 }
 
+TEST(LambdaInvariance, HasNoDifferenceInJsonWhereNothingIsCompared) {
+  const Outcome r = run("lambda_invariance four_bar heavy_top --json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const json answer = json::parse(r.out);
+  EXPECT_EQ(answer["scenes"][0]["verdict"], "none");
+  for (const json& difference : answer["scenes"][0]["difference"]) EXPECT_TRUE(difference.is_null());
+  for (const json& difference : answer["scenes"][1]["difference"]) EXPECT_TRUE(difference.is_number());
+}
+
 TEST(LambdaInvariance, ARowThatCarriesNothingIsMeasuredAgainstItsNeighbours) {
   std::string legs;
   for (const char* corner : {"1, 1, 0", "-1, 1, 0", "-1, -1, 0", "1, -1, 0"})
