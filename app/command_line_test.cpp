@@ -40,10 +40,11 @@ fs::path fresh(const std::string& name) {
   return temporary(name);
 }
 
-/// Runs one of the project's programs with the words given.
-Outcome run(const std::string& words) {
+/// Runs one of the project's programs with the words given, in a folder if one is named.
+Outcome run(const std::string& words, const fs::path& folder = {}) {
+  const std::string there = folder.empty() ? "" : "cd " + folder.string() + " && ";
   const fs::path errors = temporary("err");
-  FILE* pipe = popen((TRIVIUM_BIN "/" + words + " 2>" + errors.string()).c_str(), "r");
+  FILE* pipe = popen((there + TRIVIUM_BIN "/" + words + " 2>" + errors.string()).c_str(), "r");
   Outcome result;
   std::array<char, 4096> buffer;
   for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
@@ -336,6 +337,15 @@ TEST(LambdaInvariance, TakesWholeNumbersAndSaysWhich) {
       << r.err;
 }
 
+TEST(LambdaInvariance, HasNoDifferenceInJsonWhereNothingIsCompared) {
+  const Outcome r = run("lambda_invariance four_bar heavy_top --json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const json answer = json::parse(r.out);
+  EXPECT_EQ(answer["scenes"][0]["verdict"], "none");
+  for (const json& difference : answer["scenes"][0]["difference"]) EXPECT_TRUE(difference.is_null());
+  for (const json& difference : answer["scenes"][1]["difference"]) EXPECT_TRUE(difference.is_number());
+}
+
 TEST(LambdaInvariance, ARowThatCarriesNothingIsMeasuredAgainstItsNeighbours) {
   std::string legs;
   for (const char* corner : {"1, 1, 0", "-1, 1, 0", "-1, -1, 0", "1, -1, 0"})
@@ -418,6 +428,39 @@ TEST(EveryProgram, DoesNotPassOverResultsThatCouldNotBeWritten) {
     EXPECT_EQ(r.exit_code, 3) << words;
     EXPECT_EQ(r.err, "error: the results could not be written to stdout: No space left on device\n") << words;
   }
+}
+
+TEST(EveryProgram, SuggestsTheNearestNameOfTheCatalogue) {
+  std::vector<std::string> all = validations();
+  all.push_back("trivium solve");
+  for (const std::string& program : all)
+    for (const std::string name : {"heavy_tpo", "heavy_tpo.json", "heavy_top.json"}) {
+      const Outcome r = run(program + " " + name);
+      EXPECT_EQ(r.exit_code, 2) << program;
+      EXPECT_EQ(r.err,
+                "error: " + name +
+                    ": no such file, and no such scene in the catalogue; accepted: a path to a scene file, "
+                    "or a name that trivium list prints (did you mean \"heavy_top\"?)\n");
+    }
+}
+
+TEST(EveryProgram, FindsASceneBesideAFolderOfItsName) {
+  const fs::path folder = temporary("folder");
+  fs::create_directories(folder / "heavy_top");
+  const Outcome r = run("trivium solve heavy_top", folder);
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_TRUE(r.out.starts_with("heavy_top: ")) << r.out;
+}
+
+TEST(Trivium, ListsItsSubcommandsToWhoeverNamesNone) {
+  EXPECT_EQ(run("trivium").err,
+            "error: no subcommand; accepted: solve, check, list, generate; trivium --help says more\n");
+  EXPECT_EQ(run("trivium foo").err,
+            "error: unknown subcommand \"foo\"; accepted: solve, check, list, generate; trivium --help says "
+            "more\n");
+  EXPECT_NE(run("trivium slove heavy_top").err.find("(did you mean \"solve\"?)"), std::string::npos);
+  for (const std::string words : {"trivium", "trivium foo", "trivium slove heavy_top"})
+    EXPECT_EQ(run(words).exit_code, 2) << words;
 }
 
 TEST(EveryProgram, AnswersMisuseWithExitCodeTwo) {

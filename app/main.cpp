@@ -4,7 +4,9 @@
 
 #include "app/commands.hpp"
 #include "bodies/error.hpp"
+#include "scenes/scene_error.hpp"
 #include "validation/program.hpp"
+#include "validation/standard_output.hpp"
 
 namespace trivium {
 
@@ -19,6 +21,21 @@ int run_named(const CLI::App& subcommand, const Command& run) {
     if (!scene) throw;
     throw ModelError(name_source(scene->as<std::string>(), error.what()));
   }
+}
+
+/// What is wrong with the first word if it should be a subcommand and is none; empty if nothing is.
+std::string misuse(const CLI::App& app, int argc, char** argv) {
+  const std::string word = argc > 1 ? argv[1] : "";
+  if (word.starts_with('-')) return {};
+  std::vector<std::string_view> names;
+  for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (known->get_name() == word) return {};
+    names.push_back(known->get_name());
+  }
+  const std::string found = argc > 1 ? "unknown subcommand " + scenes::in_quotes(word) : "no subcommand";
+  const std::string slip = scenes::nearest(word, names);
+  return fmt::format("{}; accepted: {}{}; trivium --help says more", found, scenes::list_of(names),
+                     slip.empty() ? "" : fmt::format(" (did you mean {}?)", scenes::in_quotes(slip)));
 }
 
 }  // namespace
@@ -36,6 +53,10 @@ int main(int argc, char** argv) {
                                                       {"check", add_check_command(app)},
                                                       {"list", add_list_command(app)},
                                                       {"generate", add_generate_command(app)}};
+  if (const std::string message = misuse(app, argc, argv); !message.empty()) {
+    complain(message);
+    return exit_input_error;
+  }
   return parse_and_run(app, argc, argv, [&] {
     for (const auto& [name, run] : commands)
       if (app.got_subcommand(name)) return run_named(*app.get_subcommand(name), run);

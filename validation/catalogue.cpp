@@ -34,11 +34,33 @@ std::vector<fs::path> catalogue() {
   return files;
 }
 
+namespace {
+
+/// No file and no scene of the catalogue; the nearest of its names is suggested.
+[[noreturn]] void throw_unknown_scene(const std::string& name) {
+  std::vector<std::string> names;
+  std::error_code error;
+  if (fs::is_directory(catalogue_directory(), error))
+    for (const fs::path& file : catalogue()) names.push_back(file.stem().string());
+  const fs::path asked(name);
+  throw scenes::SceneError(name.empty() ? "\"\"" : name, "",
+                           "no such file, and no such scene in the catalogue",
+                           "a path to a scene file, or a name that trivium list prints",
+                           scenes::nearest(asked.extension() == ".json" ? asked.stem().string() : name,
+                                           {names.begin(), names.end()}));
+}
+
+}  // namespace
+
 scenes::Scene load_scene(const std::string& path_or_name) {
-  const fs::path by_name = catalogue_directory() / (path_or_name + ".json");
-  const bool is_name =
-      path_or_name.find('/') == std::string::npos && !fs::exists(path_or_name) && fs::exists(by_name);
-  return scenes::read_scene_file(is_name ? by_name : fs::path(path_or_name));
+  std::error_code error;
+  const bool is_there = fs::exists(path_or_name, error);
+  if (path_or_name.find('/') == std::string::npos && (!is_there || fs::is_directory(path_or_name, error))) {
+    const fs::path by_name = catalogue_directory() / (path_or_name + ".json");
+    if (fs::exists(by_name, error)) return scenes::read_scene_file(by_name);
+    if (!is_there) throw_unknown_scene(path_or_name);
+  }
+  return scenes::read_scene_file(path_or_name);
 }
 
 InputErrors::InputErrors(const std::vector<std::string>& messages)

@@ -19,7 +19,8 @@ std::filesystem::path catalogue_directory();
 /// All scene files of the catalogue, sorted by name.
 std::vector<std::filesystem::path> catalogue();
 
-/// A path as given, or the catalogue's scene of that name. Throws scenes::SceneError.
+/// A path as given, or the catalogue's scene of that name, which no folder of the same name hides. Throws
+/// scenes::SceneError.
 scenes::Scene load_scene(const std::string& path_or_name);
 
 /// A scene and the path or name that it was asked for by, which messages about it carry.

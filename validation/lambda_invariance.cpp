@@ -174,7 +174,9 @@ class Survey {
       if (a.analysed) json.number("nc", a.nc).number("rank", a.rank).number("kappa", a.kappa);
       if (!a.difference.empty()) {
         json.begin_object("difference");
-        for (std::size_t k = 0; k < std::size(pairs); ++k) json.number(pairs[k].name, a.difference[k]);
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();  // null, as the table says "none"
+        for (std::size_t k = 0; k < std::size(pairs); ++k)
+          json.number(pairs[k].name, a.comparable() ? a.difference[k] : none);
         json.end_object();
       }
       if (a.analysed) json.number("bound", a.bound).number("cancellation", a.cancellation);
