@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "app/commands.hpp"
 #include "app/scene_state.hpp"
@@ -52,15 +53,16 @@ struct Report {
   const CheckArguments& arguments;
   const scenes::Scene& scene;
   const Mechanism<double>& mechanism;
-  const RowAnalysis& rows;
+  const std::optional<RowAnalysis>& analysis;  ///< none where it would be too large
   const Consistency& consistency;
   const Energy& energy;
   const std::vector<Sparsity>& sparsity;
 
   std::vector<std::string> names(bool (*chosen)(const RowAnalysis&, int)) const {
     std::vector<std::string> out;
+    if (!analysis) return out;
     for (int k = 0; k < mechanism.nc(); ++k)
-      if (chosen(rows, k)) out.push_back(mechanism.row_names[k]);
+      if (chosen(*analysis, k)) out.push_back(mechanism.row_names[k]);
     return out;
   }
   std::vector<std::string> redundant() const {
@@ -93,28 +95,30 @@ std::string Report::json() const {
       .text("scene", scene.name)
       .number("t", arguments.t)
       .number("nb", mechanism.nb())
-      .number("nc", mechanism.nc())
-      .number("dof", 6 * mechanism.nb() - rows.rank)
-      .number("rank", rows.rank)
-      .number("condition", rows.kappa)
-      .numbers("mu", rows.mu)
-      .texts("redundant", redundant())
-      .texts("not_unique", not_unique())
-      .texts("contradictory", contradictory())
-      .texts("unphysical_inertia", unphysical())
+      .number("nc", mechanism.nc());
+  if (analysis)
+    json.number("dof", 6 * mechanism.nb() - analysis->rank)
+        .number("rank", analysis->rank)
+        .number("condition", analysis->kappa)
+        .numbers("mu", analysis->mu)
+        .texts("redundant", redundant())
+        .texts("not_unique", not_unique())
+        .texts("contradictory", contradictory());
+  json.texts("unphysical_inertia", unphysical())
       .flag("consistent", consistency.holds())
       .texts("wrong_branches", consistency.wrong_branches)
       .number("kinetic_energy", energy.kinetic)
       .number("potential_energy", energy.potential)
       .number("effect_power", energy.power);
   json.begin_array("rows");
-  for (int k = 0; k < mechanism.nc(); ++k)
+  for (int k = 0; k < mechanism.nc(); ++k) {
     json.begin_object()
         .text("name", mechanism.row_names[k])
         .number("position_residual", consistency.positions[k].residual)
-        .number("velocity_residual", consistency.velocities[k].residual)
-        .flag("unique", rows.unique[k])
-        .end_object();
+        .number("velocity_residual", consistency.velocities[k].residual);
+    if (analysis) json.flag("unique", analysis->unique[k]);
+    json.end_object();
+  }
   json.end_array().begin_array("augmented_matrix");
   for (const Sparsity& s : sparsity)
     json.begin_object()
@@ -131,14 +135,17 @@ std::string Report::text() const {
   if (!scene.reference.empty()) out += fmt::format("reference: {}\n", scene.reference);
   out += fmt::format("\nbodies              {}\nconstraints         {} ({})\n", mechanism.nb(),
                      scene.constraints.size(), joint_summary(scene));
-  out += fmt::format("rows, rank          {}, {}\ndegrees of freedom  {}\ncondition           {:.2e}\n",
-                     mechanism.nc(), rows.rank, 6 * mechanism.nb() - rows.rank, rows.kappa);
-  if (rows.mu.size() > 0 && rows.mu.maxCoeff() > 0)
+  if (analysis)
+    out += fmt::format("rows, rank          {}, {}\ndegrees of freedom  {}\ncondition           {:.2e}\n",
+                       mechanism.nc(), analysis->rank, 6 * mechanism.nb() - analysis->rank, analysis->kappa);
+  else
+    out += fmt::format("rows, rank          {}, not determined\n", mechanism.nc());
+  if (analysis && analysis->mu.size() > 0 && analysis->mu.maxCoeff() > 0)
     out += fmt::format("singular mass       norms use M + Phi^T diag(mu) Phi, mu from {:.3g} to {:.3g}\n",
-                       rows.mu.minCoeff(), rows.mu.maxCoeff());
+                       analysis->mu.minCoeff(), analysis->mu.maxCoeff());
   for (const std::string& body : unphysical())
     out += fmt::format("unphysical inertia  body \"{}\", by its own word\n", body);
-  if (!rows.redundant.empty()) {
+  if (analysis && !analysis->redundant.empty()) {
     out += fmt::format("redundant rows      {}\n", fmt::join(redundant(), ", "));
     out += fmt::format("not unique lambda   {}\n", fmt::join(not_unique(), ", "));
   }
@@ -160,7 +167,16 @@ int run_check(const CheckArguments& arguments) {
   const auto mechanism = make_mechanism<double>(scene);
   const auto state = make_state<double>(scene, arguments.t);
   const Consistency consistency = check_consistency(mechanism, state);
-  const RowAnalysis rows = analyse_rows(tangent_system(mechanism, state));
+  // the rank is decided on the dense Jacobian; all else that is reported is sparse
+  const int unknowns = 6 * mechanism.nb() + mechanism.nc();
+  std::optional<RowAnalysis> rows;
+  if (unknowns <= most_dense_unknowns)
+    rows = analyse_rows(tangent_system(mechanism, state));
+  else
+    fmt::print(stderr,
+               "warning: {}: rank and redundant rows are not determined: a dense analysis of {} unknowns, "
+               "beyond the {} that it is done for\n",
+               arguments.scene, unknowns, most_dense_unknowns);
   const Report report{arguments,
                       scene,
                       mechanism,
@@ -169,7 +185,7 @@ int run_check(const CheckArguments& arguments) {
                       energy_of(mechanism, state),
                       augmented_sparsity(scene, arguments.t)};
   fmt::print("{}", arguments.json ? report.json() : report.text());
-  if (!rows.contradictory.empty()) {
+  if (rows && !rows->contradictory.empty()) {
     fmt::print(stderr, "error: {}: no acceleration satisfies all rows: {} against the rows before\n",
                arguments.scene, fmt::join(report.contradictory(), ", "));
     return exit_input_error;
