@@ -130,15 +130,15 @@ void append_offenders(std::string& text, const std::vector<Violation>& violation
 
 }  // namespace
 
-bool Consistency::holds_positions() const {
-  return wrong_branches.empty() &&
-         std::none_of(positions.begin(), positions.end(), [](const Violation& v) { return v.exceeds; });
+namespace {
+bool all_met(const std::vector<Violation>& violations) {
+  return std::none_of(violations.begin(), violations.end(), [](const Violation& v) { return v.exceeds; });
 }
+}  // namespace
 
-bool Consistency::holds() const {
-  return holds_positions() &&
-         std::none_of(velocities.begin(), velocities.end(), [](const Violation& v) { return v.exceeds; });
-}
+bool Consistency::holds_positions() const { return wrong_branches.empty() && all_met(positions); }
+bool Consistency::holds_rows() const { return all_met(positions) && all_met(velocities); }
+bool Consistency::holds() const { return wrong_branches.empty() && holds_rows(); }
 
 std::string Consistency::report() const {
   std::string text;
@@ -280,10 +280,16 @@ MechanismState<double> assemble(const Mechanism<double>& mechanism, MechanismSta
   if (check_consistency(mechanism, state).holds_positions()) approach(mechanism, start, state);
   project_velocities(mechanism, state);
   const Consistency result = check_consistency(mechanism, state);
-  if (!result.holds())
+  if (!result.holds()) {
+    const bool branch_alone = result.holds_rows();
     throw ModelError(
-        "the scene cannot be assembled from here: these rows are not met\n" + result.report() +
-        "move the bodies closer to where the joints hold, or remove a row that contradicts the others");
+        "the scene cannot be assembled from here: these " +
+        std::string(branch_alone ? "joints hold on a wrong branch" : "rows are not met") + "\n" +
+        result.report() +
+        (branch_alone ? "a wrong branch cannot be left by projection: turn the body or the axis in the file"
+                      : "move the bodies closer to where the joints hold, or remove a row that "
+                        "contradicts the others"));
+  }
   return state;
 }
 

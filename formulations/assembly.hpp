@@ -25,6 +25,7 @@ struct Consistency {
 
   bool holds() const;
   bool holds_positions() const;
+  bool holds_rows() const;  ///< positions and velocities, on whatever branch
   /// The offending rows, worst first, with their residuals; empty where all holds.
   std::string report() const;
 };

@@ -230,6 +230,19 @@ TEST(BalancedRotor, HasADiscrepancyWithinWhatCancels) {
   }
 }
 
+TEST(Cancellation, DoesNotDependOnACommonVelocity) {
+  auto scene = test::random_scene(3, {.bodies = 3, .closings = 0});
+  scene.constraints.clear();
+  auto rope = test::joint(scenes::ConstraintType::d, "rope", test::side(0), test::side(1));
+  double d2 = 0;
+  for (int k = 0; k < 3; ++k) d2 += std::pow(scene.bodies[1].position[k] - scene.bodies[0].position[k], 2);
+  rope.f = d2;
+  scene.constraints = {rope};
+  const double at_rest = solve_side_by_side<double>(scene, 0).cancellation();
+  for (auto& body : scene.bodies) body.velocity[0] += 1024;
+  EXPECT_NEAR(solve_side_by_side<double>(scene, 0).cancellation(), at_rest, 1e-9 * at_rest);
+}
+
 TEST(Cancellation, IsNoneWhereOneForceActs) {
   scenes::Scene scene;
   scene.bodies = {test::body("weight", 2)};

@@ -59,7 +59,7 @@ class CauseByMagnitude {
   Magnitude offset(const BodyPair& pair, const V& s_i, const V& s_j) const {
     const Magnitude i = vector(body_[pair.i], s_i, End::i), j = vector(body_[pair.j], s_j, End::j);
     return {(body_[pair.j].point(s_j) - body_[pair.i].point(s_i)).norm(),
-            body_[pair.i].r_dot.norm() + body_[pair.j].r_dot.norm() + i.rate + j.rate,
+            (body_[pair.j].r_dot - body_[pair.i].r_dot).norm() + i.rate + j.rate,
             i.bias + j.bias,
             1,
             i.rot_i,
@@ -98,7 +98,8 @@ class CauseByMagnitude {
     const auto load = [&](int body, const V& s_bar) {
       if (body == mechanism_.ground()) return;
       Q.segment<3>(6 * body) += pull * d.normalized().cwiseAbs();
-      Q.segment<3>(6 * body + 3).array() += pull * s_bar.norm();
+      const V arm = s_bar.cross(body_[body].A.transpose() * d.normalized());
+      Q.segment<3>(6 * body + 3) += pull * arm.cwiseAbs();
     };
     load(spring.i, spring.s_bar_i);
     load(spring.j, spring.s_bar_j);

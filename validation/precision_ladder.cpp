@@ -31,8 +31,9 @@ struct Rung {
   double ratio() const { return difference / (u * kappa); }
   /// 100 u kappa; beyond 45 digits the data, which are doubles, leave 1e-45.
   double bound() const { return std::max(100 * u * kappa, u < 1e-45 ? 1e-45 : 0.0); }
-  /// The bound, or beyond it by no more than what could cause lambda cancels.
-  bool passed() const { return solved() && (!any_unique || difference <= bound() * cancellation); }
+  bool passed() const { return solved() && (!any_unique || difference <= bound()); }
+  /// Beyond the bound by no more than what could cause lambda cancels.
+  bool cancels() const { return difference <= bound() * cancellation; }
   std::string verdict() const {
     return !solved()               ? "ERROR"
            : !any_unique           ? "none"
