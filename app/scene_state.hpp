@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -55,13 +54,8 @@ inline bool report_consistency(const SceneArguments& arguments, const Consistenc
   if (consistency.holds()) return true;
   fmt::print(stderr, "error: {}: the state at t = {} does not satisfy its constraints:\n{}", arguments.scene,
              arguments.t, consistency.report());
-  const auto offends = [](const Violation& v) { return v.exceeds; };
-  if (std::any_of(consistency.positions.begin(), consistency.positions.end(), offends) ||
-      std::any_of(consistency.velocities.begin(), consistency.velocities.end(), offends))
-    fmt::print(stderr, "--assemble projects it onto them\n");
-  if (!consistency.wrong_branches.empty())
-    fmt::print(stderr,
-               "a wrong branch cannot be left by projection: turn the body or the axis in the file\n");
+  if (!consistency.holds_rows()) fmt::print(stderr, "--assemble projects it onto them\n");
+  if (!consistency.wrong_branches.empty()) fmt::print(stderr, "{}\n", wrong_branch_advice);
   return false;
 }
 

@@ -33,6 +33,10 @@ struct Consistency {
 /// A state is consistent to 1e-8 of the scene's own lengths and speeds (and 1e-12 where nothing moves).
 Consistency check_consistency(const Mechanism<double>& mechanism, const MechanismState<double>& state);
 
+/// What to do about a wrong branch: to project is none of it.
+inline constexpr const char* wrong_branch_advice =
+    "a wrong branch cannot be left by projection: turn the body or the axis in the file";
+
 /// Projects positions, then velocities, onto the constraints: to the state nearest the given one,
 /// displacements and rotation vectors weighted by mass and inertia; redundant rows are allowed. Throws a
 /// ModelError naming the rows that cannot be met together.

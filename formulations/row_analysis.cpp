@@ -125,6 +125,18 @@ VectorX<double> inverse_or_zero(const VectorX<double>& v) {
   return v.unaryExpr([](double x) { return x > 0 ? 1 / x : 0.0; });
 }
 
+/// The Jacobian with rotations in metres and rows of unit size; a row without a gradient has scale 0.
+struct ScaledJacobian {
+  VectorX<double> columns, rows;  ///< the scales
+  MatrixX<double> Phi;
+
+  explicit ScaledJacobian(const TangentSystem& s)
+      : columns(geometric_column_scale(s)), Phi(s.Phi * columns.asDiagonal()) {
+    rows = inverse_or_zero(Phi.rowwise().norm());
+    Phi = rows.asDiagonal() * Phi;
+  }
+};
+
 /// The last rows, as far as possible, that the others determine: rows of the null basis picked from the end
 /// so that they stay well conditioned.
 std::vector<int> choose_redundant(const MatrixX<double>& Z) {
@@ -149,15 +161,13 @@ std::vector<int> choose_redundant(const MatrixX<double>& Z) {
   }
 }
 
-void decide_rank(const TangentSystem& s, RowAnalysis& out) {
-  const int nc = static_cast<int>(s.Phi.rows());
+void decide_rank(const ScaledJacobian& scaled, RowAnalysis& out) {
+  const int nc = static_cast<int>(scaled.Phi.rows());
+  const VectorX<double>& row_scale = scaled.rows;
   out.unique.assign(nc, true);
-  MatrixX<double> rows = s.Phi * geometric_column_scale(s).asDiagonal();
-  const VectorX<double> row_scale = inverse_or_zero(rows.rowwise().norm());
-  rows = row_scale.asDiagonal() * rows;
   Eigen::ColPivHouseholderQR<MatrixX<double>> qr;
   qr.setThreshold(rank_tolerance);
-  qr.compute(rows.transpose());
+  qr.compute(scaled.Phi.transpose());
   const int rank = static_cast<int>(qr.rank()), defect = nc - rank;
   out.rank = rank;
 
@@ -208,23 +218,19 @@ void decide_rank(const TangentSystem& s, RowAnalysis& out) {
 }
 
 /// The least-squares inverse of the independent rows' transpose, in geometric scaling.
-MatrixX<double> combination_of(const TangentSystem& s, const std::vector<int>& independent) {
-  const VectorX<double> columns = geometric_column_scale(s);
-  const Eigen::Index rank = static_cast<Eigen::Index>(independent.size());
-  MatrixX<double> rows = s.Phi(independent, Eigen::all) * columns.asDiagonal();
-  const VectorX<double> row_scale = inverse_or_zero(rows.rowwise().norm());
-  rows = row_scale.asDiagonal() * rows;
+MatrixX<double> combination_of(const ScaledJacobian& scaled, const std::vector<int>& independent) {
+  const Eigen::Index rank = static_cast<Eigen::Index>(independent.size()), columns = scaled.Phi.cols();
+  const MatrixX<double> rows = scaled.Phi(independent, Eigen::all);
   const Eigen::HouseholderQR<MatrixX<double>> qr(rows.transpose());
-  const MatrixX<double> Q = qr.householderQ() * MatrixX<double>::Identity(rows.cols(), rank);
+  const MatrixX<double> Q = qr.householderQ() * MatrixX<double>::Identity(columns, rank);
   const MatrixX<double> R = qr.matrixQR().topRows(rank);
-  return row_scale.asDiagonal() * R.triangularView<Eigen::Upper>().solve(Q.transpose()) *
-         columns.asDiagonal();
+  return scaled.rows(independent).asDiagonal() * R.triangularView<Eigen::Upper>().solve(Q.transpose()) *
+         scaled.columns.asDiagonal();
 }
 
 /// Redundant rows: gamma_k against what the independent rows make of it.
-void find_contradictions(const TangentSystem& s, RowAnalysis& out) {
-  const VectorX<double> columns = geometric_column_scale(s);
-  const VectorX<double> row_scale = inverse_or_zero((s.Phi * columns.asDiagonal()).rowwise().norm());
+void find_contradictions(const TangentSystem& s, const ScaledJacobian& scaled, RowAnalysis& out) {
+  const VectorX<double>&columns = scaled.columns, &row_scale = scaled.rows;
   const VectorX<double> gamma = (row_scale.array() > 0).select(row_scale, 1.0).cwiseProduct(s.gamma);
   // the least acceleration that meets the independent rows shows what they make of the others
   const VectorX<double> acceleration = out.combination.transpose() * s.gamma(out.independent);
@@ -355,10 +361,11 @@ RowAnalysis analyse_rows(const TangentSystem& s) {
   }
   out.acceleration_cause =
       std::max(out.acceleration_cause, least_share_of_causes * acceleration_by_magnitude);
-  decide_rank(s, out);
+  const ScaledJacobian scaled(s);
+  decide_rank(scaled, out);
   if (!out.redundant.empty()) {
-    out.combination = combination_of(s, out.independent);
-    find_contradictions(s, out);
+    out.combination = combination_of(scaled, out.independent);
+    find_contradictions(s, scaled, out);
   }
 
   W = W * E_inverse.asDiagonal();

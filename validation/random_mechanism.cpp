@@ -233,8 +233,7 @@ class Builder {
     sj.body = j, sj.point = plain(point_in(j, Q));
     add(type, side(i, P, z, x), sj);
   }
-  void add_driver(scenes::Side i, scenes::Side j, double angle) {
-    i.point = j.point = std::nullopt;  // a driver turns about its revolute
+  void add_driver(const scenes::Side& i, const scenes::Side& j, double angle) {
     add(ConstraintType::rotation_driver, i, j).angle = through(angle, true);
   }
 
