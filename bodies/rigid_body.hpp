@@ -53,6 +53,21 @@ struct BodyMotion {
   }
 };
 
+/// d = (r_j + A_j s_j) - (r_i + A_i s_i): from a point of i to one of j. The centres are subtracted first, so
+/// that a distance or a velocity that the bodies share leaves no rounding of its size.
+template <class Scalar>
+Vector3<Scalar> point_offset(const BodyMotion<Scalar>& i, const Vector3<Scalar>& s_bar_i,
+                             const BodyMotion<Scalar>& j, const Vector3<Scalar>& s_bar_j) {
+  return (j.r - i.r) + (j.A * s_bar_j - i.A * s_bar_i);
+}
+
+/// Its time derivative.
+template <class Scalar>
+Vector3<Scalar> point_offset_rate(const BodyMotion<Scalar>& i, const Vector3<Scalar>& s_bar_i,
+                                  const BodyMotion<Scalar>& j, const Vector3<Scalar>& s_bar_j) {
+  return (j.r_dot - i.r_dot) + (j.A * j.omega_bar.cross(s_bar_j) - i.A * i.omega_bar.cross(s_bar_i));
+}
+
 /// Force F [N, global] and moment nbar about the centre of mass [N m, body frame].
 template <class Scalar>
 struct Wrench {

@@ -107,7 +107,8 @@ struct MovingVectorFeature : BodyVectorFeature<Body, end> {
   Scalar drift_along(const Vector3<Scalar>& w) const { return drift.dot(w); }
 };
 
-/// d_ij = (r_j + A_j s_j) - (r_i + A_i s_i).
+/// d_ij = (r_j + A_j s_j) - (r_i + A_i s_i), the centres subtracted first: a distance or a velocity that the
+/// bodies share leaves no rounding of its size.
 template <BodyKinematics Body>
 struct PointOffsetFeature {
   using Scalar = typename Body::Scalar;
@@ -115,8 +116,8 @@ struct PointOffsetFeature {
   Matrix<Scalar, 3, Body::rotational_unknowns> B_i, B_j;
 
   PointOffsetFeature(const Body& i, const Vector3<Scalar>& s_i, const Body& j, const Vector3<Scalar>& s_j)
-      : value((j.r + j.A * s_j) - (i.r + i.A * s_i)),
-        velocity((j.r_dot + j.vector_rate(s_j)) - (i.r_dot + i.vector_rate(s_i))),
+      : value((j.r - i.r) + (j.A * s_j - i.A * s_i)),
+        velocity((j.r_dot - i.r_dot) + (j.vector_rate(s_j) - i.vector_rate(s_i))),
         bias(j.vector_bias(s_j) - i.vector_bias(s_i)),
         B_i(i.vector_jacobian(s_i)),
         B_j(j.vector_jacobian(s_j)) {}
@@ -133,7 +134,7 @@ struct PointOffsetFeature {
   }
   template <class Acceleration>
   Vector3<Scalar> acceleration(const Acceleration& on_i, const Acceleration& on_j) const {
-    return bias + (on_j.r_ddot + B_j * on_j.q_ddot) - (on_i.r_ddot + B_i * on_i.q_ddot);
+    return bias + (on_j.r_ddot - on_i.r_ddot) + (B_j * on_j.q_ddot - B_i * on_i.q_ddot);
   }
 };
 

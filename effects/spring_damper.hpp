@@ -43,11 +43,11 @@ struct SpringDamper {
 
   Line measure(const EffectView<Scalar>& view) const {
     const BodyMotion<Scalar>&bi = view.motion[i], &bj = view.motion[j];
-    const Vector3<Scalar> d = bj.point(s_bar_j) - bi.point(s_bar_i);
+    const Vector3<Scalar> d = point_offset(bi, s_bar_i, bj, s_bar_j);
     const Scalar length = d.norm();
     if (length == Scalar(0)) return at_zero_length(view.t);
     const Vector3<Scalar> direction = d / length;
-    return {length, direction.dot(bj.point_velocity(s_bar_j) - bi.point_velocity(s_bar_i)), direction};
+    return {length, direction.dot(point_offset_rate(bi, s_bar_i, bj, s_bar_j)), direction};
   }
   /// Where its ends meet, a spring with nothing but stiffness pulls with zero force; any other has no
   /// direction.

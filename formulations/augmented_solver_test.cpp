@@ -230,17 +230,40 @@ TEST(BalancedRotor, HasADiscrepancyWithinWhatCancels) {
   }
 }
 
-TEST(Cancellation, DoesNotDependOnACommonVelocity) {
+/// Two bodies in space on a rope, and a spring and damper between them.
+scenes::Scene roped_pair() {
   auto scene = test::random_scene(3, {.bodies = 3, .closings = 0});
-  scene.constraints.clear();
   auto rope = test::joint(scenes::ConstraintType::d, "rope", test::side(0), test::side(1));
   double d2 = 0;
   for (int k = 0; k < 3; ++k) d2 += std::pow(scene.bodies[1].position[k] - scene.bodies[0].position[k], 2);
   rope.f = d2;
   scene.constraints = {rope};
+  return scene;
+}
+
+TEST(Cancellation, DoesNotDependOnACommonVelocity) {
+  auto scene = roped_pair();
   const double at_rest = solve_side_by_side<double>(scene, 0).cancellation();
   for (auto& body : scene.bodies) body.velocity[0] += 1024;
   EXPECT_NEAR(solve_side_by_side<double>(scene, 0).cancellation(), at_rest, 1e-9 * at_rest);
+}
+
+TEST(Invariance, LambdaIsTheSameHoweverFastAllBodiesFlyTogether) {
+  for (const double v : {1e3, 1e5, 1e7}) {
+    auto scene = roped_pair();
+    for (auto& body : scene.bodies) body.velocity[0] += v;
+    const auto result = solve_side_by_side<double>(scene, 0);
+    EXPECT_LE(result.discrepancy().lambda, result.lambda_bound()) << v;
+  }
+}
+
+TEST(Invariance, LambdaIsTheSameHoweverFarAwayAllBodiesAre) {
+  for (const double x : {1e3, 1e5, 1e7}) {
+    auto scene = roped_pair();
+    for (auto& body : scene.bodies) body.position[0] += x;
+    const auto result = solve_side_by_side<double>(scene, 0);
+    EXPECT_LE(result.discrepancy().lambda, result.lambda_bound()) << x;
+  }
 }
 
 TEST(Cancellation, IsNoneWhereOneForceActs) {

@@ -58,7 +58,7 @@ class CauseByMagnitude {
   }
   Magnitude offset(const BodyPair& pair, const V& s_i, const V& s_j) const {
     const Magnitude i = vector(body_[pair.i], s_i, End::i), j = vector(body_[pair.j], s_j, End::j);
-    return {(body_[pair.j].point(s_j) - body_[pair.i].point(s_i)).norm(),
+    return {point_offset(body_[pair.i], s_i, body_[pair.j], s_j).norm(),
             (body_[pair.j].r_dot - body_[pair.i].r_dot).norm() + i.rate + j.rate,
             i.bias + j.bias,
             1,
@@ -91,8 +91,8 @@ class CauseByMagnitude {
   /// The parts of a tension, each pulling for itself.
   void add(const SpringDamper<double>& spring, VectorX<double>& Q) const {
     const auto &i = body_[spring.i], &j = body_[spring.j];
-    const V d = j.point(spring.s_bar_j) - i.point(spring.s_bar_i);
-    const V d_dot = j.point_velocity(spring.s_bar_j) - i.point_velocity(spring.s_bar_i);
+    const V d = point_offset(i, spring.s_bar_i, j, spring.s_bar_j);
+    const V d_dot = point_offset_rate(i, spring.s_bar_i, j, spring.s_bar_j);
     const double pull = spring.stiffness * (d.norm() + std::abs(spring.free_length)) +
                         std::abs(spring.damping * d.dot(d_dot) / d.norm()) + std::abs(spring.actuator(t_).f);
     const auto load = [&](int body, const V& s_bar) {
