@@ -1,0 +1,22 @@
+#pragma once
+/// Decisions that code over any Scalar may take: of one number, or lane by lane where a Scalar carries many
+/// (batch.hpp).
+
+namespace trivium {
+
+inline bool any(bool condition) { return condition; }
+inline bool all(bool condition) { return condition; }
+
+/// a where the condition holds, b elsewhere; both are evaluated.
+template <class Scalar>
+Scalar select(bool condition, const Scalar& a, const Scalar& b) {
+  return condition ? a : b;
+}
+
+/// The least of all lanes.
+template <class Scalar>
+const Scalar& least_lane(const Scalar& x) {
+  return x;
+}
+
+}  // namespace trivium
