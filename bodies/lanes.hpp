@@ -13,6 +13,12 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) {
   return condition ? a : b;
 }
 
+/// The worst of all lanes, for reports.
+template <class Scalar>
+double largest_lane(const Scalar& x) {
+  return static_cast<double>(x);
+}
+
 /// The least of all lanes.
 template <class Scalar>
 const Scalar& least_lane(const Scalar& x) {

@@ -251,7 +251,7 @@ class AccelerationSolver {
       lambda_size.add(C, solution_.edge[e], edge.size());
     }
     const auto ratio = [](const S& difference, const S& whole) {
-      return difference == S(0) ? 0.0 : std::sqrt(static_cast<double>(S(difference / whole)));
+      return largest_lane(difference) == 0 ? 0.0 : std::sqrt(largest_lane(S(difference / whole)));
     };
     corrections_ = {ratio(moved, size), std::max(ratio(lambda_moved.force, lambda_size.force),
                                                  ratio(lambda_moved.moment, lambda_size.moment))};

@@ -111,7 +111,7 @@ class GeneralLink {
           best_pull = p;
         }
       }
-      if (best < 0 || !all(best_pull > tolerance * size)) {
+      if (best < 0 || !(best_pull > tolerance * size)) {
         dropped[r] = true;
         for (int k = 0; k < 6; ++k) good = good && all(abs(G(r, 6 + k)) <= tolerance * parent_size[r]);
         G.row(r).setZero();

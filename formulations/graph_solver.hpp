@@ -254,13 +254,13 @@ class GraphSolver {
     std::array<bool, 6>& dropped = dropped_[closing.edge];
     const bool on_body = closing.column_slot >= 0;
     if (on_body) f.C = column_[closing.column_slot];
-    const S rounding = S(1000) * unit_roundoff<S>(), least(1e-16);
+    const S rounding = S(1000) * unit_roundoff<S>(), least = S(1e-16);
     const S cancelled = select(rounding > least, rounding, least);
     const S defect = select(rounding * rounding / S(100) > least, S(rounding * rounding / S(100)), least);
     for (int k = 0; k < n; ++k) {
       const S pivot = block(k, k);
-      const auto stands = pivot > cancelled * f.own[k] + defect * f.bound[k];
-      dropped[k] = !all(stands);
+      const bool stands = pivot > cancelled * f.own[k] + defect * f.bound[k];
+      dropped[k] = !stands;
       f.inverse[k] = dropped[k] ? S(0) : S(1 / pivot);
       for (int r = k + 1; r < n; ++r) {
         const S l = block(k, r) * f.inverse[k];

@@ -174,7 +174,8 @@ class PointLink {
   }
   /// Takes the closing's multiplier into the right side.
   void add_multiplier(const LinkColumn<S>& c, int k, const S& lambda) {
-    q_ -= lambda * (D_inverse_ * c.g.col(k).template head<free>());
+    const Free q = D_inverse_ * c.g.col(k).template head<free>();
+    q_ -= q * lambda;
     f_ -= lambda * c.rest.col(k).template head<3>();
     t_ -= lambda * c.rest.col(k).template tail<3>();
   }
