@@ -80,7 +80,7 @@ struct FeaturePair {
     return use(VectorI(i, c.a_bar_i), VectorJ(j, c.a_bar_j), c.f(t));
   }
   auto operator()(const TurningDP1<Scalar>& c) const {
-    const Jet<Scalar> alpha = c.alpha(t), sine = sin(alpha), cosine = cos(alpha);
+    const auto [sine, cosine] = SineCosine<Scalar>(c.alpha.phase(t));
     const MovingVectorFeature<Body, End::i> w(i, -sine.f * c.u_bar_i + cosine.f * c.v_bar_i,
                                               -sine.f_t * c.u_bar_i + cosine.f_t * c.v_bar_i,
                                               -sine.f_tt * c.u_bar_i + cosine.f_tt * c.v_bar_i);

@@ -107,8 +107,8 @@ struct MovingVectorFeature : BodyVectorFeature<Body, end> {
   Scalar drift_along(const Vector3<Scalar>& w) const { return drift.dot(w); }
 };
 
-/// d_ij = (r_j + A_j s_j) - (r_i + A_i s_i), the centres subtracted first: a distance or a velocity that the
-/// bodies share leaves no rounding of its size.
+/// d_ij = (r_j + A_j s_j) - (r_i + A_i s_i); its rate with the velocities of the centres subtracted first, so
+/// that a velocity which the bodies share leaves no rounding of its size.
 template <BodyKinematics Body>
 struct PointOffsetFeature {
   using Scalar = typename Body::Scalar;
@@ -116,7 +116,7 @@ struct PointOffsetFeature {
   Matrix<Scalar, 3, Body::rotational_unknowns> B_i, B_j;
 
   PointOffsetFeature(const Body& i, const Vector3<Scalar>& s_i, const Body& j, const Vector3<Scalar>& s_j)
-      : value((j.r - i.r) + (j.A * s_j - i.A * s_i)),
+      : value(offset_between<Scalar>(i.r, i.A * s_i, j.r, j.A * s_j)),
         velocity((j.r_dot - i.r_dot) + (j.vector_rate(s_j) - i.vector_rate(s_i))),
         bias(j.vector_bias(s_j) - i.vector_bias(s_i)),
         B_i(i.vector_jacobian(s_i)),

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -21,21 +22,41 @@ struct Jet {
   }
 };
 
-/// sin(g(t)) by the chain rule.
+/// A phase and what rounding left out of it: after many turns that rest is what its sine feels.
 template <class Scalar>
-Jet<Scalar> sin(const Jet<Scalar>& g) {
-  using std::cos, std::sin;
-  const Scalar s = sin(g.f), c = cos(g.f);
-  return {s, c * g.f_t, c * g.f_tt - s * g.f_t * g.f_t};
-}
+struct Phase {
+  Jet<Scalar> g;
+  Scalar rest{0};
 
-/// cos(g(t)) by the chain rule.
+  /// g = first t + constant, exactly rounded where Scalar is a hardware number: x y = p + fma(x, y, -p), and
+  /// the error of a sum by Knuth's two-sum.
+  static void add_product(const Scalar& x, const Scalar& y, const Scalar& constant, Scalar& sum,
+                          Scalar& rest) {
+    const Scalar product = x * y;
+    sum = product + constant;
+    rest = Scalar(0);
+    if constexpr (std::is_floating_point_v<Scalar>) {
+      const Scalar back = sum - product;
+      rest = std::fma(x, y, -product) + ((product - (sum - back)) + (constant - back));
+    }
+  }
+};
+
+/// The sine and cosine of a phase, by the chain rule.
 template <class Scalar>
-Jet<Scalar> cos(const Jet<Scalar>& g) {
-  using std::cos, std::sin;
-  const Scalar s = sin(g.f), c = cos(g.f);
-  return {c, -s * g.f_t, -s * g.f_tt - c * g.f_t * g.f_t};
-}
+struct SineCosine {
+  Jet<Scalar> sine, cosine;
+
+  explicit SineCosine(const Phase<Scalar>& phase) {
+    using std::cos, std::sin;
+    const Jet<Scalar>& g = phase.g;
+    // turned on by the rest, whose own sine and cosine end with these terms
+    const Scalar s_0 = sin(g.f), c_0 = cos(g.f), r = phase.rest, r_cos = r * r / 2, r_sin = r - r * r_cos / 3;
+    const Scalar s = s_0 + (r_sin * c_0 - r_cos * s_0), c = c_0 - (r_sin * s_0 + r_cos * c_0);
+    sine = {s, c * g.f_t, c * g.f_tt - s * g.f_t * g.f_t};
+    cosine = {c, -s * g.f_t, -s * g.f_tt - c * g.f_t * g.f_t};
+  }
+};
 
 /// A function of time as a scene states it: a tree of plain doubles, evaluated in any Scalar.
 class TimeFunction {
@@ -87,6 +108,12 @@ class TimeFunction {
   Jet<Scalar> operator()(const Scalar& t) const {
     return std::visit([&](const auto& kind) { return evaluate(kind, t); }, kind_);
   }
+  /// The same as a phase: what rounding leaves out of a polynomial is kept.
+  template <class Scalar>
+  Phase<Scalar> phase(const Scalar& t) const {
+    if (const auto* polynomial = std::get_if<Polynomial>(&kind_)) return polynomial_phase(*polynomial, t);
+    return {(*this)(t)};
+  }
 
  private:
   template <class Scalar>
@@ -100,18 +127,33 @@ class TimeFunction {
       y = {y.f * t + Scalar(*c), y.f_t * t + y.f, y.f_tt * t + 2 * y.f_t};
     return y;
   }
+  /// Horner with the rounding of every step carried along.
+  template <class Scalar>
+  static Phase<Scalar> polynomial_phase(const Polynomial& k, const Scalar& t) {
+    Phase<Scalar> phase{evaluate(k, t)};
+    Scalar sum(0);
+    for (auto c = k.coefficients.rbegin(); c != k.coefficients.rend(); ++c) {
+      Scalar next, rest;
+      Phase<Scalar>::add_product(sum, t, Scalar(*c), next, rest);
+      phase.rest = phase.rest * t + rest;
+      sum = next;
+    }
+    phase.g.f = sum;
+    return phase;
+  }
   template <class Scalar>
   static Jet<Scalar> evaluate(const Harmonic& k, const Scalar& t) {
-    const Jet<Scalar> phase{Scalar(k.angular_frequency) * t + Scalar(k.phase), Scalar(k.angular_frequency)};
-    return Jet<Scalar>{Scalar(k.offset)} + Jet<Scalar>{Scalar(k.amplitude)} * sin(phase);
+    Phase<Scalar> phase{{Scalar(0), Scalar(k.angular_frequency)}};
+    Phase<Scalar>::add_product(Scalar(k.angular_frequency), t, Scalar(k.phase), phase.g.f, phase.rest);
+    return Jet<Scalar>{Scalar(k.offset)} + Jet<Scalar>{Scalar(k.amplitude)} * SineCosine<Scalar>(phase).sine;
   }
   template <class Scalar>
   static Jet<Scalar> evaluate(const Sin& k, const Scalar& t) {
-    return sin(k.of.front()(t));
+    return SineCosine<Scalar>(k.of.front().phase(t)).sine;
   }
   template <class Scalar>
   static Jet<Scalar> evaluate(const Cos& k, const Scalar& t) {
-    return cos(k.of.front()(t));
+    return SineCosine<Scalar>(k.of.front().phase(t)).cosine;
   }
   template <class Scalar>
   static Jet<Scalar> evaluate(const Sum& k, const Scalar& t) {
