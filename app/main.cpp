@@ -4,9 +4,9 @@
 
 #include "app/commands.hpp"
 #include "bodies/error.hpp"
+#include "results/standard_output.hpp"
 #include "scenes/scene_error.hpp"
 #include "validation/program.hpp"
-#include "validation/standard_output.hpp"
 
 namespace trivium {
 

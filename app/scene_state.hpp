@@ -36,7 +36,7 @@ inline void add_scene_options(CLI::App& command, SceneArguments& arguments) {
 
 /// Reads the scene and, with `assemble`, projects its state onto the constraints and saves it if asked.
 inline scenes::Scene load_state(const SceneArguments& arguments) {
-  scenes::Scene scene = load_scene(arguments.scene);
+  scenes::Scene scene = load_scene(arguments.scene, arguments.t);
   if (!arguments.assemble) return scene;
   const auto mechanism = make_mechanism<double>(scene);
   set_state(scene, assemble(mechanism, make_state<double>(scene, arguments.t)));

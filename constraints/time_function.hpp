@@ -50,7 +50,9 @@ struct SineCosine {
   explicit SineCosine(const Phase<Scalar>& phase) {
     using std::cos, std::sin;
     const Jet<Scalar>& g = phase.g;
-    const Scalar s_0 = sin(g.f), c_0 = cos(g.f), s = s_0 + phase.rest * c_0, c = c_0 - phase.rest * s_0;
+    // turned on by the rest, whose own sine and cosine end with these terms
+    const Scalar s_0 = sin(g.f), c_0 = cos(g.f), r = phase.rest, r_cos = r * r / 2, r_sin = r - r * r_cos / 3;
+    const Scalar s = s_0 + (r_sin * c_0 - r_cos * s_0), c = c_0 - (r_sin * s_0 + r_cos * c_0);
     sine = {s, c * g.f_t, c * g.f_tt - s * g.f_t * g.f_t};
     cosine = {c, -s * g.f_t, -s * g.f_tt - c * g.f_t * g.f_t};
   }

@@ -266,6 +266,28 @@ TEST(Invariance, LambdaIsTheSameHoweverFarAwayAllBodiesAre) {
   }
 }
 
+TEST(Invariance, LambdaIsTheSameHoweverFarTheGroundHoldsItsBodies) {
+  for (const double x : {1e3, 1e5, 1e7}) {
+    scenes::Scene scene;
+    scene.bodies = {test::body("buoy", 2, {0.3, 0.4, 0.5})};
+    scene.bodies[0].position = {x + 1, 2 * x, -x / 4};
+    scene.bodies[0].orientation = scenes::EulerParameters{{0.8, 0.3, 0.4, 0.33}};
+    const scenes::Vector3 anchor{x, 2 * x + 2, -x / 4 + 1};
+    auto rope =
+        test::joint(scenes::ConstraintType::d, "rope", test::side(scenes::ground, anchor), test::side(0));
+    rope.f = 6.0;
+    scene.constraints = {rope};
+    scenes::SpringDamper spring;
+    spring.i = test::side(0, scenes::Vector3{0.1, 0.2, -0.1});
+    spring.j = test::side(scenes::ground, scenes::Vector3{x + 3, 2 * x, -x / 4});
+    spring.stiffness = 30;
+    scene.effects = {test::gravity(), spring};
+    const auto result = solve_side_by_side<double>(scene, 0);
+    EXPECT_LE(result.discrepancy().lambda, result.lambda_bound()) << x;
+    for (const auto& f : result.formulations) EXPECT_LE(f.estimate.lambda, 1e-14) << f.name << x;
+  }
+}
+
 TEST(Cancellation, IsNoneWhereOneForceActs) {
   scenes::Scene scene;
   scene.bodies = {test::body("weight", 2)};

@@ -52,6 +52,8 @@ std::vector<typename F::Kinematics> body_kinematics(const std::vector<BodyState<
   const Vector4<S> upright = Vector4<S>::Unit(0);
   const typename F::Chart chart = F::choose_chart(ChartOptions{}, upright);
   kinematics.push_back(F::kinematics(chart, zero, zero, F::from_pose(chart, upright, zero)));
+  // upright to the last bit: an angle of 90 degrees has none, and the ground's points may be far away
+  kinematics.back().A.setIdentity();
   return kinematics;
 }
 

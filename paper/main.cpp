@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "paper/table.hpp"
-#include "validation/exit_code.hpp"
-#include "validation/whole_file.hpp"
+#include "results/exit_code.hpp"
+#include "results/whole_file.hpp"
 
 namespace trivium::paper {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "validation/results_comparison.hpp"
+#include "results/results_comparison.hpp"
 
 namespace trivium::paper {
 

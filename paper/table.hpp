@@ -13,7 +13,7 @@
 #include <string>
 
 #include "paper/tex.hpp"
-#include "validation/results_table.hpp"
+#include "results/results_table.hpp"
 
 namespace trivium::paper {
 

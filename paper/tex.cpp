@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "validation/results_table.hpp"
+#include "results/results_table.hpp"
 
 namespace trivium::paper {
 

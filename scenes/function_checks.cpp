@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "scenes/scene_checks.hpp"
@@ -59,14 +60,50 @@ class PartChecks {
   const Path& at_;
 };
 
+void check_finite(const TimeFunction& f, double t, const Path& at) {
+  const Jet<double> jet = f(t);
+  if (!std::isfinite(jet.f) || !std::isfinite(jet.f_t) || !std::isfinite(jet.f_tt))
+    fail(at, fmt::format("f, f', f'' = {}, {}, {} at t = {}", jet.f, jet.f_t, jet.f_tt, shortest(t)),
+         "a function whose value and derivatives are finite");
+}
+
+/// Those of one effect.
+struct FunctionsOfEffect {
+  double t;
+  const Path& at;
+
+  void operator()(const Gravity&) const {}
+  void operator()(const Force& effect) const { check_all(effect.force, at / "force"); }
+  void operator()(const Torque& effect) const { check_all(effect.torque, at / "torque"); }
+  void operator()(const SpringDamper& effect) const { check_finite(effect.actuator, t, at / "actuator"); }
+  void operator()(const TorsionalSpringDamper& effect) const {
+    check_finite(effect.actuator, t, at / "actuator");
+  }
+
+ private:
+  void check_all(const std::array<TimeFunction, 3>& functions, const Path& place) const {
+    for (std::size_t k = 0; k < functions.size(); ++k) check_finite(functions[k], t, place / k);
+  }
+};
+
 }  // namespace
 
 void check_function(const TimeFunction& f, const Path& at) {
   std::visit(PartChecks(at), f.kind());
-  const Jet<double> jet = f(0.0);
-  if (!std::isfinite(jet.f) || !std::isfinite(jet.f_t) || !std::isfinite(jet.f_tt))
-    fail(at, fmt::format("f, f', f'' = {}, {}, {} at t = 0", jet.f, jet.f_t, jet.f_tt),
-         "a function whose value and derivatives are finite");
+  check_finite(f, 0, at);
+}
+
+void check_functions(const Scene& scene, double t, const Path& root) {
+  const Path constraints = root / "constraints", effects = root / "effects";
+  for (std::size_t k = 0; k < scene.constraints.size(); ++k) {
+    const Path at = constraints / k;
+    check_finite(scene.constraints[k].f, t, at / "f");
+    check_finite(scene.constraints[k].angle, t, at / "angle");
+  }
+  for (std::size_t k = 0; k < scene.effects.size(); ++k) {
+    const Path at = effects / k;
+    std::visit(FunctionsOfEffect{t, at}, scene.effects[k]);
+  }
 }
 
 }  // namespace trivium::scenes

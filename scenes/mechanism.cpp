@@ -64,7 +64,7 @@ Matrix3<Scalar> inertia_of(const scenes::Body& body, const Narrowed<Scalar>& nar
 template <class Scalar>
 JointFrame<Scalar> frame_of(const scenes::Side& side, const Narrowed<Scalar>& narrowed,
                             std::string_view point_key) {
-  const Vector3<Scalar> point = narrowed.vector(side.point, point_key);
+  const Vector3<Scalar> point = narrowed.place(side.point.value_or(scenes::Vector3{}), point_key);
   if (!side.axis) return {.point = point};
   const scenes::Vector3 axis = of_moderate_size(*side.axis);
   // which e_k is the scene's, in double: a Scalar that rounds two components to a tie has the same rows
@@ -141,7 +141,7 @@ struct EffectBuilder {
     mechanism.effects.add(Gravity<Scalar>{narrowed.vector(e.acceleration, "acceleration")});
   }
   void operator()(const scenes::Force& e) const {
-    mechanism.effects.add(Force<Scalar>{index(e.body), narrowed.vector(e.point, "point"),
+    mechanism.effects.add(Force<Scalar>{index(e.body), narrowed.place(e.point, "point"),
                                         narrowed.functions(e.force, "force"), frame(e.frame)});
   }
   void operator()(const scenes::Torque& e) const {
@@ -150,10 +150,11 @@ struct EffectBuilder {
   }
   void operator()(const scenes::SpringDamper& e) const {
     mechanism.effects.add(SpringDamper<Scalar>{
-        std::string(name), index(e.i.body), index(e.j.body), narrowed.vector(e.i.point, "i/point"),
-        narrowed.vector(e.j.point, "j/point"), narrowed.number(e.stiffness, "stiffness"),
-        narrowed.number(e.damping, "damping"), narrowed.number(e.free_length, "free_length"),
-        narrowed.function(e.actuator, "actuator")});
+        std::string(name), index(e.i.body), index(e.j.body),
+        narrowed.place(e.i.point.value_or(scenes::Vector3{}), "i/point"),
+        narrowed.place(e.j.point.value_or(scenes::Vector3{}), "j/point"),
+        narrowed.number(e.stiffness, "stiffness"), narrowed.number(e.damping, "damping"),
+        narrowed.number(e.free_length, "free_length"), narrowed.function(e.actuator, "actuator")});
   }
   void operator()(const scenes::TorsionalSpringDamper& e) const {
     const Joint<Scalar>& joint = mechanism.joints[e.joint];
@@ -252,10 +253,10 @@ MechanismState<Scalar> make_state(const scenes::Scene& scene, Scalar t) {
   state.t = Narrowed<Scalar>::time(t);
   for (const scenes::Body& body : scene.bodies) {
     const Narrowed<Scalar> narrowed("body", body.name);
-    state.pose.push_back({narrowed.vector(body.position, "position"),
+    state.pose.push_back({narrowed.place(body.position, "position"),
                           std::visit(ToEulerParameters<Scalar>{narrowed}, body.orientation)});
-    state.twist.push_back({narrowed.vector(body.velocity, "velocity"),
-                           narrowed.vector(body.angular_velocity, "angular_velocity")});
+    state.twist.push_back({narrowed.place(body.velocity, "velocity"),
+                           narrowed.place(body.angular_velocity, "angular_velocity")});
   }
   return state;
 }

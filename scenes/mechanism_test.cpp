@@ -254,13 +254,13 @@ const std::vector<Beyond>& beyond_float() {
        [](Scene& s) {
          s.bodies[0].position = {0, 1e39, 1};
        }},
-      {"body \"a\": velocity -1e-60",
+      {"body \"a\": velocity -1e+39",
        [](Scene& s) {
-         s.bodies[0].velocity = {0, -1e-60, 0};
+         s.bodies[0].velocity = {0, -1e39, 0};
        }},
-      {"body \"a\": angular_velocity 1e-60",
+      {"body \"a\": angular_velocity 1e+39",
        [](Scene& s) {
-         s.bodies[0].angular_velocity = {1e-60, 0, 0};
+         s.bodies[0].angular_velocity = {1e39, 0, 0};
        }},
       {"body \"a\": angle 1e+39",
        [](Scene& s) {

@@ -43,6 +43,13 @@ class Narrowed {
       if (overflows(x)) fail(x, key);
     return Scalar(x);
   }
+  /// A position or a velocity near zero is rounded to it like any other.
+  Vector3<Scalar> place(const scenes::Vector3& v, std::string_view key) const {
+    if constexpr (!holds_every_double)
+      for (double x : v)
+        if (overflows(x)) fail(x, key);
+    return {Scalar(v[0]), Scalar(v[1]), Scalar(v[2])};
+  }
   /// A component that vanishes beside others that do not is rounded like any digit; a vector that vanishes is
   /// lost.
   Vector3<Scalar> vector(const scenes::Vector3& v, std::string_view key) const {

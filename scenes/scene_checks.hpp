@@ -32,6 +32,8 @@ void check_body(const Body& body, const Path& at);
 void check_constraint(const Constraint& constraint, const Path& at);
 /// Its parts are complete, and f, f' and f'' are finite at t = 0.
 void check_function(const TimeFunction& f, const Path& at);
+/// f, f' and f'' of every function of time are finite at t.
+void check_functions(const Scene& scene, double t, const Path& root);
 /// The vector has a direction.
 void check_direction(const Vector3& vector, const Path& at);
 

@@ -46,7 +46,11 @@ Scene parse_scene(std::string_view text, std::string_view file_name) {
   return scene;
 }
 
-Scene read_scene_file(const fs::path& path) { return parse_scene(read_text(path), path.native()); }
+Scene read_scene_file(const fs::path& path, double t) {
+  Scene scene = parse_scene(read_text(path), path.native());
+  check_functions(scene, t, Path(path.native()));
+  return scene;
+}
 
 void write_scene_file(const fs::path& path, const Scene& scene) {
   const std::string text = write_scene(scene);

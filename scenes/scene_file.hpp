@@ -13,8 +13,9 @@
 
 namespace trivium::scenes {
 
-/// Throws SceneError, and nothing else, for what is not a scene.
-Scene read_scene_file(const std::filesystem::path& path);
+/// Throws SceneError, and nothing else, for what is not a scene; its functions of time must be finite at t
+/// too.
+Scene read_scene_file(const std::filesystem::path& path, double t = 0);
 Scene parse_scene(std::string_view text, std::string_view file_name);
 
 /// The scene as its file would have it: keys in the order of the format, defaults left out. Throws SceneError

@@ -6,9 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "validation/exit_code.hpp"
-#include "validation/results_acceptance.hpp"
-#include "validation/results_table.hpp"
+#include "results/exit_code.hpp"
+#include "results/results_acceptance.hpp"
+#include "results/results_table.hpp"
 
 namespace trivium {
 

@@ -7,8 +7,8 @@
 
 #include "bodies/error.hpp"
 #include "formulations/assembly.hpp"
+#include "results/standard_output.hpp"
 #include "scenes/scene_file.hpp"
-#include "validation/standard_output.hpp"
 
 namespace trivium {
 
@@ -52,15 +52,15 @@ namespace {
 
 }  // namespace
 
-scenes::Scene load_scene(const std::string& path_or_name) {
+scenes::Scene load_scene(const std::string& path_or_name, double t) {
   std::error_code error;
   const bool is_there = fs::exists(path_or_name, error);
   if (path_or_name.find('/') == std::string::npos && (!is_there || fs::is_directory(path_or_name, error))) {
     const fs::path by_name = catalogue_directory() / (path_or_name + ".json");
-    if (fs::exists(by_name, error)) return scenes::read_scene_file(by_name);
+    if (fs::exists(by_name, error)) return scenes::read_scene_file(by_name, t);
     if (!is_there) throw_unknown_scene(path_or_name);
   }
-  return scenes::read_scene_file(path_or_name);
+  return scenes::read_scene_file(path_or_name, t);
 }
 
 InputErrors::InputErrors(const std::vector<std::string>& messages)
@@ -90,7 +90,7 @@ std::vector<NamedScene> load_consistent_scenes(const std::vector<std::string>& p
   std::vector<std::string> messages;
   for (const std::string& source : paths_or_names) {
     try {
-      NamedScene named{source, load_scene(source)};
+      NamedScene named{source, load_scene(source, t)};
       const std::string message = inconsistency(named, t);
       if (message.empty())
         scenes.push_back(std::move(named));

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "results/exit_code.hpp"
 #include "scenes/scene.hpp"
-#include "validation/exit_code.hpp"
 
 namespace trivium {
 
@@ -19,9 +19,9 @@ std::filesystem::path catalogue_directory();
 /// All scene files of the catalogue, sorted by name.
 std::vector<std::filesystem::path> catalogue();
 
-/// A path as given, or the catalogue's scene of that name, which no folder of the same name hides. Throws
-/// scenes::SceneError.
-scenes::Scene load_scene(const std::string& path_or_name);
+/// The state at t of a path as given, or of the catalogue's scene of that name, which no folder of the same
+/// name hides. Throws scenes::SceneError.
+scenes::Scene load_scene(const std::string& path_or_name, double t);
 
 /// A scene and the path or name that it was asked for by, which messages about it carry.
 struct NamedScene {

@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "validation/exit_code.hpp"
-#include "validation/results_comparison.hpp"
+#include "results/exit_code.hpp"
+#include "results/results_comparison.hpp"
 #include "validation/text_output.hpp"
 
 namespace trivium {

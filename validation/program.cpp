@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "results/results_table.hpp"
+#include "results/standard_output.hpp"
 #include "validation/option_checks.hpp"
-#include "validation/results_table.hpp"
-#include "validation/standard_output.hpp"
 
 namespace trivium {
 

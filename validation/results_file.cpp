@@ -5,10 +5,10 @@
 #include <fstream>
 
 #include "build_info.hpp"
-#include "validation/checksum.hpp"
-#include "validation/results_table.hpp"
+#include "results/checksum.hpp"
+#include "results/results_table.hpp"
+#include "results/whole_file.hpp"
 #include "validation/text_output.hpp"
-#include "validation/whole_file.hpp"
 
 namespace trivium {
 

@@ -6,11 +6,11 @@
 
 #include <cmath>
 
-#include "validation/checksum.hpp"
-#include "validation/results_acceptance.hpp"
-#include "validation/results_comparison.hpp"
+#include "results/checksum.hpp"
+#include "results/results_acceptance.hpp"
+#include "results/results_comparison.hpp"
+#include "results/whole_file.hpp"
 #include "validation/results_file.hpp"
-#include "validation/whole_file.hpp"
 
 namespace trivium {
 namespace {

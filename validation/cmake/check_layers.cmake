@@ -1,6 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
 # Who may import whom. Reads the includes of every source below SOURCE_DIR and fails on one that the layers do not allow.
 #   bodies <- constraints <- effects <- scenes <- formulations <- validation, app;  integrators import none of them
+# results and paper read files only; both scenes and results replace them.
 # Of the constraints, effects may see the functions of time alone; app shares validation's output helpers.
 set(bodies_may bodies)
 set(constraints_may bodies constraints)
@@ -8,13 +9,14 @@ set(effects_may bodies effects constraints/time_function.hpp)
 set(scenes_may bodies constraints effects scenes)
 set(formulations_may bodies constraints effects scenes formulations)
 set(integrators_may integrators)
-set(validation_may bodies constraints effects scenes formulations integrators validation)
-set(app_may bodies constraints effects scenes formulations integrators validation app)
-set(paper_may validation paper)
+set(results_may results scenes/replaced_file.hpp)
+set(validation_may bodies constraints effects scenes formulations integrators results validation)
+set(app_may bodies constraints effects scenes formulations integrators results validation app)
+set(paper_may results paper)
 
 # However it is spelt: with <> or "", with blanks around the #.
 set(include_regex "^[ \t]*#[ \t]*include")
-set(layers bodies constraints effects scenes formulations integrators validation app paper)
+set(layers bodies constraints effects scenes formulations integrators validation app results paper)
 set(errors "")
 foreach(layer IN LISTS layers)
   file(GLOB_RECURSE sources ${SOURCE_DIR}/${layer}/*.hpp ${SOURCE_DIR}/${layer}/*.cpp)

@@ -14,7 +14,7 @@ function(check outcome what)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK})
-foreach(layer IN ITEMS bodies constraints effects scenes formulations validation app paper)
+foreach(layer IN ITEMS bodies constraints effects scenes formulations validation app results paper)
   file(COPY ${SOURCE_DIR}/${layer} DESTINATION ${WORK} FILES_MATCHING PATTERN "*.hpp" PATTERN "*.cpp")
 endforeach()
 file(READ ${WORK}/bodies/so3.hpp text)

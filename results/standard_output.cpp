@@ -1,4 +1,4 @@
-#include "validation/standard_output.hpp"
+#include "results/standard_output.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <iostream>
 #include <system_error>
 
-#include "validation/exit_code.hpp"
+#include "results/exit_code.hpp"
 
 namespace trivium {
 

@@ -1,4 +1,4 @@
-#include "validation/results_comparison.hpp"
+#include "results/results_comparison.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

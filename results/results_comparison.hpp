@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "validation/results_schema.hpp"
-#include "validation/results_table.hpp"
+#include "results/results_schema.hpp"
+#include "results/results_table.hpp"
 
 namespace trivium {
 

@@ -1,4 +1,4 @@
-#include "validation/results_table.hpp"
+#include "results/results_table.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "validation/checksum.hpp"
-#include "validation/exit_code.hpp"
-#include "validation/standard_output.hpp"
-#include "validation/whole_file.hpp"
+#include "results/checksum.hpp"
+#include "results/exit_code.hpp"
+#include "results/standard_output.hpp"
+#include "results/whole_file.hpp"
 
 namespace trivium {
 

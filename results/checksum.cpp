@@ -1,4 +1,4 @@
-#include "validation/checksum.hpp"
+#include "results/checksum.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "validation/whole_file.hpp"
+#include "results/whole_file.hpp"
 
 #include <fstream>
 #include <iterator>

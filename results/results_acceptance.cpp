@@ -1,9 +1,9 @@
-#include "validation/results_acceptance.hpp"
+#include "results/results_acceptance.hpp"
 
 #include <fmt/format.h>
 
-#include "validation/results_comparison.hpp"
-#include "validation/whole_file.hpp"
+#include "results/results_comparison.hpp"
+#include "results/whole_file.hpp"
 
 namespace trivium {
 

@@ -1,12 +1,12 @@
-#include "validation/results_schema.hpp"
+#include "results/results_schema.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "validation/results_table.hpp"
-#include "validation/whole_file.hpp"
+#include "results/results_table.hpp"
+#include "results/whole_file.hpp"
 
 namespace trivium {
 

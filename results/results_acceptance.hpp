@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "validation/results_schema.hpp"
+#include "results/results_schema.hpp"
 
 namespace trivium {
 
