@@ -1,7 +1,8 @@
 #pragma once
-/// A Scalar that carries N numbers at once, each its own state: the same code then walks N states of one scene
-/// in lockstep, on the processor's vector units. Every operation is that of each number alone, so results are
-/// those of the numbers one by one, up to how the compiler fuses a multiplication with an addition.
+/// A Scalar that carries N numbers at once, each its own state: the same code then walks N states of one
+/// scene in lockstep, on the processor's vector units. Every operation is that of each number alone, so
+/// results are those of the numbers one by one, up to how the compiler fuses a multiplication with an
+/// addition.
 
 #include <Eigen/Core>
 #include <cmath>

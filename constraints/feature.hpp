@@ -114,8 +114,8 @@ struct MovingVectorFeature : BodyVectorFeature<Body, end> {
   Scalar drift_along(const Vector3<Scalar>& w) const { return drift.dot(w); }
 };
 
-/// d_ij = (r_j + A_j s_j) - (r_i + A_i s_i), the centres subtracted first: a distance or a velocity that the
-/// bodies share leaves no rounding of its size.
+/// d_ij = (r_j + A_j s_j) - (r_i + A_i s_i); its rate with the velocities of the centres subtracted first, so
+/// that a velocity which the bodies share leaves no rounding of its size.
 template <BodyKinematics Body>
 struct PointOffsetFeature {
   using Scalar = typename Body::Scalar;

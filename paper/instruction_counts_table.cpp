@@ -25,7 +25,8 @@ std::string instruction_counts_table(Results& results, Numbers& numbers) {
     columns.push_back({"r", {"refined"}});
   }
   TexTable out(columns);
-  out.head({"& & \\multicolumn{2}{c}{\\romega} & \\multicolumn{2}{c}{\\rp} & \\multicolumn{2}{c}{\\reps} \\\\"});
+  out.head(
+      {"& & \\multicolumn{2}{c}{\\romega} & \\multicolumn{2}{c}{\\rp} & \\multicolumn{2}{c}{\\reps} \\\\"});
 
   Sample of_r_omega, refinement;  // times r-omega, times unrefined
   for (std::size_t first = 0; first < table.rows.size(); first += per_scene) {

@@ -55,10 +55,10 @@ void walk(const Workload& w, int evaluations) {
 /// All instructions of this program when it walks a workload so often.
 long long count(const Workload& w, int evaluations) {
   const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-  const std::string command =
-      fmt::format("valgrind --tool=callgrind --callgrind-out-file=/dev/null '{}' --walk {} --size {} "
-                  "--formulation {} --evaluations {}{} 2>&1",
-                  self, w.scene, w.n, w.formulation, evaluations, w.refined ? " --refined" : "");
+  const std::string command = fmt::format(
+      "valgrind --tool=callgrind --callgrind-out-file=/dev/null '{}' --walk {} --size {} "
+      "--formulation {} --evaluations {}{} 2>&1",
+      self, w.scene, w.n, w.formulation, evaluations, w.refined ? " --refined" : "");
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   if (!pipe) throw ModelError("cannot start a shell to run valgrind");
   std::string said;
@@ -85,8 +85,8 @@ Answer ask(const Workload& w) {
   return answer;
 }
 
-const std::vector<std::string> columns{"scene", "bodies", "formulation", "refinement", "instructions",
-                                       "instructions_per_body"};
+const std::vector<std::string> columns{"scene",      "bodies",       "formulation",
+                                       "refinement", "instructions", "instructions_per_body"};
 
 std::vector<std::string> fields(const Answer& a) {
   return {fmt::format("{}_{}", a.workload.scene, a.workload.n),
@@ -113,7 +113,8 @@ int run(const Program& program) {
   std::vector<Workload> workloads;
   for (const auto& [scene, n] : {std::pair("chain", 10), std::pair("chain", 100), std::pair("ladder", 40)})
     for (const auto formulation : {ROmega<double>::name, RP<double>::name, REpsilon<double>::name})
-      for (const bool refined : {false, true}) workloads.push_back({scene, std::string(formulation), n, refined});
+      for (const bool refined : {false, true})
+        workloads.push_back({scene, std::string(formulation), n, refined});
   Progress progress("instruction_counts", workloads.size());
   std::vector<Answer> answers;
   for (const Workload& w : workloads) {
