@@ -111,6 +111,9 @@ class Batch {
   friend Batch cos(const Batch& x) {
     return each(x, [](T v) { return std::cos(v); });
   }
+  friend Batch acos(const Batch& x) {
+    return each(x, [](T v) { return std::acos(v); });
+  }
   friend Batch atan2(const Batch& y, const Batch& x) {
     Batch out;
     for (int k = 0; k < N; ++k) out.lanes_[k] = std::atan2(y[k], x[k]);
@@ -123,7 +126,7 @@ class Batch {
   }
 
  private:
-  Batch(const Lanes& lanes, int) : lanes_(lanes) {}
+  Batch(const Lanes& values, int) : lanes_(values) {}
   template <class Function>
   static Batch each(const Batch& x, const Function& f) {
     Batch out;

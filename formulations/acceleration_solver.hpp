@@ -65,7 +65,8 @@ class AccelerationSolver {
     for (int b = 0; b < mechanism_.nb(); ++b) {
       const Matrix3<S>& J_bar = mechanism_.bodies[b].inertia;
       matrix_.H[b].xx = F::reduced_mass_block(body_[b], J_bar);
-      right_side_.body[b] << wrenches_[b].F, F::reduced_force(body_[b], J_bar, wrenches_[b].n_bar);
+      right_side_.body[b].template head<3>() = wrenches_[b].F;
+      right_side_.body[b].template tail<3>() = F::reduced_force(body_[b], J_bar, wrenches_[b].n_bar);
     }
     for (const PointJoint& joint : points_) assemble_point(joint, t);
     for (const int edge : general_) assemble_rows(edge, t);
@@ -219,8 +220,12 @@ class AccelerationSolver {
       const auto& constraint = mechanism_.rows[edge.rows[k]];
       const BodyPair pair = bodies_of(constraint);
       const Row row = evaluate_row(constraint, body_[pair.i], body_[pair.j], t);
-      (pair.i == edge.i ? rows.C_i : rows.C_j).col(k) << row.r_i.transpose(), row.rot_i.transpose();
-      (pair.i == edge.i ? rows.C_j : rows.C_i).col(k) << row.r_j.transpose(), row.rot_j.transpose();
+      auto on_i = (pair.i == edge.i ? rows.C_i : rows.C_j).col(k);
+      auto on_j = (pair.i == edge.i ? rows.C_j : rows.C_i).col(k);
+      on_i.template head<3>() = row.r_i.transpose();
+      on_i.template tail<3>() = row.rot_i.transpose();
+      on_j.template head<3>() = row.r_j.transpose();
+      on_j.template tail<3>() = row.rot_j.transpose();
       right_side_.edge[e][k] = row.gamma;
     }
   }

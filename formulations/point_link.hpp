@@ -34,16 +34,20 @@ struct OrientationRows {
       const auto is_flat = a.x() * a.x() + a.y() * a.y() < a.z() * a.z();
       const Vector3<S> n(select(is_flat, a.z(), -a.y()), select(is_flat, zero, a.x()),
                          select(is_flat, -a.x(), zero));
-      N << n, a.cross(n) / sqrt_of(aa);
+      N.col(0) = n;
+      N.col(1) = a.cross(n) / sqrt_of(aa);
       Y = a / aa;
     } else if constexpr (m == 2) {
       N = a.cross(b);
       const S inverse = 1 / N.squaredNorm();
-      Y << b.cross(Vector3<S>(N)) * inverse, Vector3<S>(N).cross(a) * inverse;
+      Y.col(0) = b.cross(Vector3<S>(N)) * inverse;
+      Y.col(1) = Vector3<S>(N).cross(a) * inverse;
     } else {
       const Vector3<S> bc = b.cross(c);
       const S inverse = 1 / a.dot(bc);
-      Y << bc * inverse, c.cross(a) * inverse, a.cross(b) * inverse;
+      Y.col(0) = bc * inverse;
+      Y.col(1) = c.cross(a) * inverse;
+      Y.col(2) = a.cross(b) * inverse;
     }
   }
 
@@ -134,7 +138,8 @@ class PointLink {
       const Free g = N_.transpose() * x, q = D_inverse_ * g;
       out.g.col(k).template head<free>() = g;
       const Vector3<S> rest_r = r - U_r_ * q, rest_x = x - U_x_ * q;
-      out.rest.col(k) << rest_r, rest_x;
+      out.rest.col(k).template head<3>() = rest_r;
+      out.rest.col(k).template tail<3>() = rest_x;
       if (parent == nullptr) continue;
       parent->col(k).template head<3>() += rest_r;
       parent->col(k).template tail<3>() += rows.K_parent.transpose() * rest_r + V_.transpose() * rest_x;
@@ -191,7 +196,8 @@ class PointLink {
     lambda.template head<3>() = rows.sign * (f_ - rr_ * u - rx_ * x);
     lambda.template segment<m>(3).noalias() = Y_.transpose() * (t_ - rx_.transpose() * u - xx_ * x);
     x += N_ * (q_ - D_inverse_ * (U_r_.transpose() * u + U_x_.transpose() * x));
-    a << u - rows.K_child * x, x;
+    a.template head<3>() = u - rows.K_child * x;
+    a.template tail<3>() = x;
   }
 
  private:
