@@ -376,4 +376,9 @@ class GraphSolver {
   const GraphMatrix<S>* matrix_ = nullptr;
 };
 
+// dear to compile, so compiled once
+extern template class GraphSolver<float>;
+extern template class GraphSolver<double>;
+extern template class GraphSolver<Quad>;
+
 }  // namespace trivium
