@@ -1,6 +1,6 @@
 #pragma once
-/// Decisions that code over any Scalar may take: of one number, or lane by lane where a Scalar carries many
-/// (batch.hpp).
+/// Decisions in code over any Scalar, spelt so that a Scalar which carries many numbers at once could take
+/// them lane by lane.
 
 namespace trivium {
 

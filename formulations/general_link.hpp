@@ -22,7 +22,10 @@ class GeneralLink {
     M << block.rr, block.rx, block.rx.transpose(), block.xx;
     if (!solve_rows(M, link, dropped)) return Elimination::binds_the_parent;
     const Vector6<S> size = M.diagonal();
-    for (int k = 0; k < 6; ++k) inverse_size_[k] = select(size[k] > S(0), S(1 / size[k]), S(0));
+    // what is rounding beside the other moments has no size
+    const S least = S(1e-8) * size.template tail<3>().maxCoeff();
+    for (int k = 0; k < 6; ++k)
+      inverse_size_[k] = select(size[k] > (k < 3 ? S(0) : least), S(1 / size[k]), S(0));
     U_ = M * H_;
     if (!invert(H_.transpose() * U_)) return Elimination::no_inertia;
     rest_ = M - U_ * D_inverse_ * U_.transpose();
@@ -90,7 +93,7 @@ class GeneralLink {
       const S least = S(1e-6) * largest_mass;
       weight[k] = 1 / S(sqrt(select(M(k, k) > least, M(k, k), least)));
     }
-    // entries are judged against what they are made of, their own columns' units cancelling
+    // rows are judged against what they are made of
     Matrix6<S> made_of = link.C.transpose().cwiseAbs();
     Vector6<S> parent_size = link.C_parent.cwiseAbs().colwise().maxCoeff().transpose();
     std::array<int, 6> pivot_of_row;
@@ -103,9 +106,9 @@ class GeneralLink {
       int best = -1;
       S best_pull(0), size(0);
       for (int k = 0; k < 6; ++k) {
-        if (is_basic[k]) continue;
         const S p = abs(G(r, k)) * weight[k], whole = made_of(r, k) * weight[k];
         size = select(whole > size, whole, size);
+        if (is_basic[k]) continue;
         if (best < 0 || least_lane(p) > least_lane(best_pull)) {
           best = k;
           best_pull = p;

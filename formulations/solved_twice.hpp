@@ -74,7 +74,9 @@ void expect_agreement(const scenes::Scene& scene, const std::string& what) {
   EXPECT_EQ(s.structured.unique(), s.printed.rows.unique) << what;
   EXPECT_LE(s.accelerations_apart(), bound) << what;
   EXPECT_LE(s.lambda_apart(), bound) << what;
-  EXPECT_LE(s.forces_apart(), 10 * bound) << what;
+  // rows that depend on each other do so to the rounding of the scene's numbers, which are doubles
+  const bool redundant = s.printed.rows.rank < s.mechanism.nc();
+  EXPECT_LE(s.forces_apart(), std::max(10 * bound, redundant ? 1e-14 : 0.0)) << what;
 }
 
 /// Trees and loops, redundant and driven, of many sizes.
