@@ -32,7 +32,7 @@ class Results {
 /// Returns the table's LaTeX and defines the numbers that the text around it quotes.
 using MakeTable = std::string(Results&, Numbers&);
 
-MakeTable lambda_invariance_table, precision_ladder_table, simbody_reference_table, instruction_counts_table;
+MakeTable lambda_invariance_table, precision_ladder_table, simbody_reference_table;
 
 struct PaperTable {
   const char* name;
@@ -40,8 +40,7 @@ struct PaperTable {
 };
 inline constexpr PaperTable paper_tables[] = {{"lambda_invariance", lambda_invariance_table},
                                               {"precision_ladder", precision_ladder_table},
-                                              {"simbody_reference", simbody_reference_table},
-                                              {"instruction_counts", instruction_counts_table}};
+                                              {"simbody_reference", simbody_reference_table}};
 
 /// What paper/tables holds: file names and contents.
 std::map<std::string, std::string> render(const std::filesystem::path& results);
