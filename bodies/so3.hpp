@@ -102,6 +102,27 @@ Matrix3<Scalar> axis_rotation(int k, const Scalar& angle) {
   return R;
 }
 
+/// M tilde(a), a column at a time.
+template <class Scalar>
+Matrix3<Scalar> times_tilde(const Matrix3<Scalar>& M, const Vector3<Scalar>& a) {
+  Matrix3<Scalar> product;
+  product << M.col(1) * a.z() - M.col(2) * a.y(), M.col(2) * a.x() - M.col(0) * a.z(),
+      M.col(0) * a.y() - M.col(1) * a.x();
+  return product;
+}
+
+/// M times the rotation by `angle` about coordinate axis k: two columns mix.
+template <class Scalar>
+Matrix3<Scalar> times_axis_rotation(const Matrix3<Scalar>& M, int k, const Scalar& angle) {
+  using std::cos, std::sin;
+  const Scalar c = cos(angle), s = sin(angle);
+  const int m = (k + 1) % 3, n = (k + 2) % 3;
+  Matrix3<Scalar> product = M;
+  product.col(m) = c * M.col(m) + s * M.col(n);
+  product.col(n) = c * M.col(n) - s * M.col(m);
+  return product;
+}
+
 /// exp(tilde(phi)) as Euler parameters; exact at phi = 0.
 template <class Scalar>
 Vector4<Scalar> exponential_parameters(const Vector3<Scalar>& phi) {

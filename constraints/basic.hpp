@@ -104,20 +104,26 @@ auto with_features(const BasicConstraint<typename Body::Scalar>& constraint, con
   return std::visit(FeaturePair<Body, Use>{i, j, t, use}, constraint);
 }
 
-/// Phi, nu, gamma and the Jacobian blocks of one constraint.
+/// Phi, nu, gamma and the Jacobian blocks of x . y - f.
+template <class Row, class X, class Y, class Scalar>
+Row product_row(const X& x, const Y& y, const Jet<Scalar>& f) {
+  const Vector3<Scalar> a = x.value(), b = y.value();
+  Row row;
+  row.phi = a.dot(b) - f.f;
+  row.nu = f.f_t - (x.drift_along(b) + y.drift_along(a));
+  row.gamma = f.f_tt - (x.bias_along(b) + y.bias_along(a) + 2 * x.rate().dot(y.rate()));
+  x.add_jacobian(b, row);
+  y.add_jacobian(a, row);
+  return row;
+}
+
+/// The row of one constraint.
 template <BodyKinematics Body>
 auto evaluate_row(const BasicConstraint<typename Body::Scalar>& constraint, const Body& i, const Body& j,
                   const typename Body::Scalar& t) {
-  using Scalar = typename Body::Scalar;
-  return with_features(constraint, i, j, t, [](const auto& x, const auto& y, const Jet<Scalar>& f) {
-    ConstraintRow<Scalar, Body::rotational_unknowns> row;
-    row.phi = x.value.dot(y.value) - f.f;
-    row.nu = f.f_t - (x.drift_along(y.value) + y.drift_along(x.value));
-    row.gamma = f.f_tt - (x.bias_along(y.value) + y.bias_along(x.value) + 2 * x.rate().dot(y.rate()));
-    x.add_jacobian(y.value, row);
-    y.add_jacobian(x.value, row);
-    return row;
-  });
+  using Row = ConstraintRow<typename Body::Scalar, Body::rotational_unknowns>;
+  return with_features(constraint, i, j, t,
+                       [](const auto& x, const auto& y, const auto& f) { return product_row<Row>(x, y, f); });
 }
 
 /// Phi'' of one constraint under given accelerations of its bodies, from the features alone: no Jacobian, no
@@ -128,7 +134,7 @@ typename Body::Scalar row_acceleration(const BasicConstraint<typename Body::Scal
                                        const Acceleration& on_i, const Acceleration& on_j) {
   using Scalar = typename Body::Scalar;
   return with_features(constraint, i, j, t, [&](const auto& x, const auto& y, const Jet<Scalar>& f) {
-    return Scalar(x.acceleration(on_i, on_j).dot(y.value) + x.value.dot(y.acceleration(on_i, on_j)) +
+    return Scalar(x.acceleration(on_i, on_j).dot(y.value()) + x.value().dot(y.acceleration(on_i, on_j)) +
                   2 * x.rate().dot(y.rate()) - f.f_tt);
   });
 }

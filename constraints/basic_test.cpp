@@ -77,9 +77,9 @@ TYPED_TEST_SUITE(Features, Scalars);
 /// feature in S and in Taylor<S>.
 template <class S, class Now, class Along, class Moving>
 void expect_derivatives(const Now& now, const Along& along, const Moving& i, const Moving& j) {
-  EXPECT_LE(distance(now.rate(), test::first_derivative<S, 3, 1>(along.value)), roundings<S>(200));
+  EXPECT_LE(distance(now.rate(), test::first_derivative<S, 3, 1>(along.value())), roundings<S>(200));
   EXPECT_LE(distance(now.acceleration(i.acceleration, j.acceleration),
-                     test::second_derivative<S, 3, 1>(along.value)),
+                     test::second_derivative<S, 3, 1>(along.value())),
             roundings<S>(1000));
 }
 

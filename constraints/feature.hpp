@@ -11,18 +11,25 @@
 
 namespace trivium {
 
-/// How a body vector moves in the coordinates of one formulation: all that the constraint library asks of it.
+/// A body vector a = A abar as it moves in the coordinates of one formulation, with its rate and its bias
+/// (the second derivative where the unknowns are zero).
+template <class Scalar>
+struct BodyVector {
+  Vector3<Scalar> a_bar, a, rate, bias;
+};
+
+/// How body vectors move: all that the constraint library asks of coordinates.
 template <class K>
-concept BodyKinematics = requires(const K& body, const Vector3<typename K::Scalar>& a_bar) {
+concept BodyKinematics = requires(const K& body, const Vector3<typename K::Scalar>& v,
+                                  const BodyVector<typename K::Scalar>& a) {
   { K::rotational_unknowns } -> std::convertible_to<int>;
   { body.r } -> std::convertible_to<Vector3<typename K::Scalar>>;      // centre of mass, global
   { body.r_dot } -> std::convertible_to<Vector3<typename K::Scalar>>;  // its velocity
   { body.A } -> std::convertible_to<Matrix3<typename K::Scalar>>;      // rotation, body to global
-  {
-    body.vector_jacobian(a_bar)
-    } -> std::convertible_to<Matrix<typename K::Scalar, 3, K::rotational_unknowns>>;
-  { body.vector_rate(a_bar) } -> std::convertible_to<Vector3<typename K::Scalar>>;
-  { body.vector_bias(a_bar) } -> std::convertible_to<Vector3<typename K::Scalar>>;
+  { body.vector(v) } -> std::convertible_to<BodyVector<typename K::Scalar>>;
+  { body.jacobian(a) } -> std::convertible_to<Matrix<typename K::Scalar, 3, K::rotational_unknowns>>;
+  // v^T times it
+  { body.jacobian_along(a, v) } -> std::convertible_to<Matrix<typename K::Scalar, 1, K::rotational_unknowns>>;
 };
 
 enum class End { i, j };
@@ -49,8 +56,9 @@ struct ConstraintRow {
 /// A vector fixed in the global frame.
 template <class Scalar>
 struct ConstantFeature {
-  Vector3<Scalar> value;
+  Vector3<Scalar> vector;
 
+  const Vector3<Scalar>& value() const { return vector; }
   Scalar rate_along(const Vector3<Scalar>&) const { return Scalar(0); }
   Scalar bias_along(const Vector3<Scalar>&) const { return Scalar(0); }
   Scalar drift_along(const Vector3<Scalar>&) const { return Scalar(0); }
@@ -67,26 +75,23 @@ struct ConstantFeature {
 template <BodyKinematics Body, End end>
 struct BodyVectorFeature {
   using Scalar = typename Body::Scalar;
-  Vector3<Scalar> value, velocity, bias;
-  Matrix<Scalar, 3, Body::rotational_unknowns> B;
+  const Body& body;
+  BodyVector<Scalar> vector;
 
-  BodyVectorFeature(const Body& body, const Vector3<Scalar>& a_bar)
-      : value(body.A * a_bar),
-        velocity(body.vector_rate(a_bar)),
-        bias(body.vector_bias(a_bar)),
-        B(body.vector_jacobian(a_bar)) {}
+  BodyVectorFeature(const Body& of, const Vector3<Scalar>& a_bar) : body(of), vector(of.vector(a_bar)) {}
 
-  Vector3<Scalar> rate() const { return velocity; }
-  Scalar bias_along(const Vector3<Scalar>& w) const { return bias.dot(w); }
+  const Vector3<Scalar>& value() const { return vector.a; }
+  const Vector3<Scalar>& rate() const { return vector.rate; }
+  Scalar bias_along(const Vector3<Scalar>& w) const { return vector.bias.dot(w); }
   Scalar drift_along(const Vector3<Scalar>&) const { return Scalar(0); }
   template <class Row>
   void add_jacobian(const Vector3<Scalar>& w, Row& row) const {
-    (end == End::i ? row.rot_i : row.rot_j).noalias() += w.transpose() * B;
+    (end == End::i ? row.rot_i : row.rot_j) += body.jacobian_along(vector, w);
   }
   /// The second derivative of the feature when its bodies accelerate so.
   template <class Acceleration>
   Vector3<Scalar> acceleration(const Acceleration& on_i, const Acceleration& on_j) const {
-    return bias + B * (end == End::i ? on_i : on_j).q_ddot;
+    return vector.bias + body.jacobian(vector) * (end == End::i ? on_i : on_j).q_ddot;
   }
 };
 
@@ -98,11 +103,13 @@ struct MovingVectorFeature : BodyVectorFeature<Body, end> {
   using Scalar = typename Body::Scalar;
   Vector3<Scalar> drift;
 
-  MovingVectorFeature(const Body& body, const Vector3<Scalar>& a_bar, const Vector3<Scalar>& a_bar_t,
+  MovingVectorFeature(const Body& of, const Vector3<Scalar>& a_bar, const Vector3<Scalar>& a_bar_t,
                       const Vector3<Scalar>& a_bar_tt)
-      : Base(body, a_bar), drift(body.A * a_bar_t) {
-    this->velocity += drift;
-    this->bias += 2 * body.vector_rate(a_bar_t) + body.A * a_bar_tt;
+      : Base(of, a_bar) {
+    const BodyVector<Scalar> a_t = of.vector(a_bar_t);
+    drift = a_t.a;
+    this->vector.rate += drift;
+    this->vector.bias += 2 * a_t.rate + of.A * a_bar_tt;
   }
   Scalar drift_along(const Vector3<Scalar>& w) const { return drift.dot(w); }
 };
@@ -112,29 +119,28 @@ struct MovingVectorFeature : BodyVectorFeature<Body, end> {
 template <BodyKinematics Body>
 struct PointOffsetFeature {
   using Scalar = typename Body::Scalar;
-  Vector3<Scalar> value, velocity, bias;
-  Matrix<Scalar, 3, Body::rotational_unknowns> B_i, B_j;
+  const Body &i, &j;
+  BodyVector<Scalar> s_i, s_j;
 
-  PointOffsetFeature(const Body& i, const Vector3<Scalar>& s_i, const Body& j, const Vector3<Scalar>& s_j)
-      : value(offset_between<Scalar>(i.r, i.A * s_i, j.r, j.A * s_j)),
-        velocity((j.r_dot - i.r_dot) + (j.vector_rate(s_j) - i.vector_rate(s_i))),
-        bias(j.vector_bias(s_j) - i.vector_bias(s_i)),
-        B_i(i.vector_jacobian(s_i)),
-        B_j(j.vector_jacobian(s_j)) {}
+  PointOffsetFeature(const Body& on_i, const Vector3<Scalar>& s_bar_i, const Body& on_j,
+                     const Vector3<Scalar>& s_bar_j)
+      : i(on_i), j(on_j), s_i(i.vector(s_bar_i)), s_j(j.vector(s_bar_j)) {}
 
-  Vector3<Scalar> rate() const { return velocity; }
-  Scalar bias_along(const Vector3<Scalar>& w) const { return bias.dot(w); }
+  Vector3<Scalar> value() const { return offset_between<Scalar>(i.r, s_i.a, j.r, s_j.a); }
+  Vector3<Scalar> rate() const { return (j.r_dot - i.r_dot) + (s_j.rate - s_i.rate); }
+  Scalar bias_along(const Vector3<Scalar>& w) const { return (s_j.bias - s_i.bias).dot(w); }
   Scalar drift_along(const Vector3<Scalar>&) const { return Scalar(0); }
   template <class Row>
   void add_jacobian(const Vector3<Scalar>& w, Row& row) const {
     row.r_i -= w.transpose();
     row.r_j += w.transpose();
-    row.rot_i.noalias() -= w.transpose() * B_i;
-    row.rot_j.noalias() += w.transpose() * B_j;
+    row.rot_i -= i.jacobian_along(s_i, w);
+    row.rot_j += j.jacobian_along(s_j, w);
   }
   template <class Acceleration>
   Vector3<Scalar> acceleration(const Acceleration& on_i, const Acceleration& on_j) const {
-    return bias + (on_j.r_ddot - on_i.r_ddot) + (B_j * on_j.q_ddot - B_i * on_i.q_ddot);
+    return (s_j.bias - s_i.bias) + (on_j.r_ddot - on_i.r_ddot) +
+           (j.jacobian(s_j) * on_j.q_ddot - i.jacobian(s_i) * on_i.q_ddot);
   }
 };
 

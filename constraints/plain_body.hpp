@@ -15,9 +15,14 @@ struct PlainBody {
   Matrix3<S> A = Matrix3<S>::Identity();
   Vector3<S> omega = Vector3<S>::Zero();  ///< global components
 
-  Matrix3<S> vector_jacobian(const Vector3<S>& a_bar) const { return -tilde<S>(A * a_bar); }
-  Vector3<S> vector_rate(const Vector3<S>& a_bar) const { return omega.cross(A * a_bar); }
-  Vector3<S> vector_bias(const Vector3<S>& a_bar) const { return omega.cross(omega.cross(A * a_bar)); }
+  BodyVector<S> vector(const Vector3<S>& a_bar) const {
+    const Vector3<S> a = A * a_bar, rate = omega.cross(a);
+    return {a_bar, a, rate, omega.cross(rate)};
+  }
+  Matrix3<S> jacobian(const BodyVector<S>& v) const { return -tilde<S>(v.a); }
+  Matrix<S, 1, 3> jacobian_along(const BodyVector<S>& v, const Vector3<S>& w) const {
+    return v.a.cross(w).transpose();
+  }
 };
 static_assert(BodyKinematics<PlainBody<double>>);
 

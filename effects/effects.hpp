@@ -29,6 +29,16 @@ class Effects {
     return std::get<std::vector<E>>(lists_);
   }
 
+  /// Whether any effect looks at how bodies move; gravity alone does not.
+  bool see_motion() const {
+    bool seen = false;
+    for_each([&](const auto& effect) {
+      using E = std::decay_t<decltype(effect)>;
+      if constexpr (!std::is_same_v<E, Gravity<Scalar>>) seen = true;
+    });
+    return seen;
+  }
+
   /// Adds every effect's wrenches; one wrench per motion, the ground's last.
   void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
     for_each([&](const auto& effect) { effect.apply(view, wrenches); });

@@ -163,8 +163,9 @@ TEST(Identities, GammaOfAnglesDiffersByDDotTerms) {
     const auto j = x.body<REpsilon<S>>(x.r_j, x.v_j, x.p_j, x.w_j);
     const S terms = omega.rot_i.dot(i.D_dot_rates) + omega.rot_j.dot(j.D_dot_rates);
     // raw charts stand anywhere: D^-1 amplifies as 1/distance
-    const double size = 1 + i.epsilon_dot.squaredNorm().convert_to<double>() +
-                        j.epsilon_dot.squaredNorm().convert_to<double>();
+    const auto rates_of = [](const auto& body) { return Vector3<S>(body.D.inverse() * body.omega_bar); };
+    const double size =
+        1 + rates_of(i).squaredNorm().convert_to<double>() + rates_of(j).squaredNorm().convert_to<double>();
     EXPECT_LE(error(x.row<REpsilon<S>>(c).gamma, omega.gamma - terms), bound * size);
   });
 }

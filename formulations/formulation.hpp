@@ -61,6 +61,13 @@ concept Formulation = BodyKinematics<typename F::Kinematics> &&
   // internal row
   {F::internal_jacobian(body)};
   {F::internal_gamma(body)};
+  // internal row eliminated in closed form: three rotational unknowns x, q'' = from_reduced(x), and with them
+  //   reduced_mass_block x + Phi_x^T lambda = reduced_force(n_bar)
+  requires BodyKinematics<typename F::Reduced>;
+  requires F::Reduced::rotational_unknowns == 3;
+  { F::reduced_mass_block(body, J_bar) } -> std::convertible_to<Matrix3<typename F::Scalar>>;
+  { F::reduced_force(body, J_bar, v) } -> std::convertible_to<Vector3<typename F::Scalar>>;
+  { F::from_reduced(body, v) } -> std::convertible_to<typename F::Unknown>;
   // the rotational unknown and omega_bar': q'' = lift omega_bar' + (terms of q, q'), and back
   {F::lift(body)};
   { F::to_angular_acceleration(body, x) } -> std::convertible_to<Vector3<typename F::Scalar>>;

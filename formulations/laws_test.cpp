@@ -70,7 +70,7 @@ TYPED_TEST(FormulationLaws, BodyVectorJacobianIsTheDerivativeAlongTheRetraction)
               F::kinematics(s.chart, none, none, F::retract(s.chart, s.q, (by * step).eval())).A);
         };
         const Matrix3<S> A_k = (moved(h) - moved(-h)) / (2 * h);
-        EXPECT_LE(distance(A_k * s.a_bar, s.body.vector_jacobian(s.a_bar) * step), 1e-19);
+        EXPECT_LE(distance(A_k * s.a_bar, s.body.jacobian(s.body.vector(s.a_bar)) * step), 1e-19);
         EXPECT_LE(distance(A_k, s.body.A * tilde<S>(Vector3<S>::Unit(k))), 1e-19);
       }
     });
@@ -87,12 +87,12 @@ TYPED_TEST(FormulationLaws, BodyVectorRateAndBiasAreThoseOfARotatingVector) {
   using S = typename F::Scalar;
   for_all_samples<F>([](const auto& s) {
     const Matrix3<S> A = rotation_matrix(s.p), W = tilde(s.omega_bar);
-    EXPECT_LE(distance(s.body.vector_rate(s.a_bar), A * W * s.a_bar), roundings<S>(300));
+    EXPECT_LE(distance(s.body.vector(s.a_bar).rate, A * W * s.a_bar), roundings<S>(300));
     // q'' of no angular acceleration leaves the centripetal term alone
     const typename F::Unknown q_ddot = F::from_angular_acceleration(s.body, Vector3<S>::Zero());
-    EXPECT_LE(
-        distance(s.body.vector_jacobian(s.a_bar) * q_ddot + s.body.vector_bias(s.a_bar), A * W * W * s.a_bar),
-        roundings<S>(2000));
+    EXPECT_LE(distance(s.body.jacobian(s.body.vector(s.a_bar)) * q_ddot + s.body.vector(s.a_bar).bias,
+                       A * W * W * s.a_bar),
+              roundings<S>(2000));
   });
 }
 
@@ -100,9 +100,9 @@ TYPED_TEST(FormulationLaws, JacobianTimesLiftIsTheBodyFrameJacobian) {
   using F = TypeParam;
   using S = typename F::Scalar;
   for_all_samples<F>([](const auto& s) {
-    EXPECT_LE(
-        distance(s.body.vector_jacobian(s.a_bar) * F::lift(s.body), -rotation_matrix(s.p) * tilde(s.a_bar)),
-        roundings<S>(300));
+    EXPECT_LE(distance(s.body.jacobian(s.body.vector(s.a_bar)) * F::lift(s.body),
+                       -rotation_matrix(s.p) * tilde(s.a_bar)),
+              roundings<S>(300));
   });
 }
 

@@ -25,64 +25,49 @@ struct REpsilon {
     Vector3<S> epsilon = Vector3<S>::Zero(), epsilon_dot = Vector3<S>::Zero();
   };
 
-  // orientation: A = R_1 R_2 R_3 C
+  // orientation: A = R_1 R_2 R_3 C; g_k the axes of the three turns in the global frame
   struct Kinematics : BodyMotion<S> {
     using Scalar = S;
     static constexpr int rotational_unknowns = 3;
-    Matrix3<S> R_1, R_2, R_3, C;
-    Vector3<S> e_1, e_2, e_3;  ///< the axes of the three turns
-    Vector3<S> epsilon_dot;
-    Matrix3<S> D;            ///< D(epsilon): omega_bar = D epsilon'; singular where the sequence is
-    Vector3<S> D_dot_rates;  ///< D' epsilon'
+    Matrix3<S> g;                   ///< [e_1, R_1 e_2, R_1 R_2 e_3]: omega = g epsilon'
+    Vector3<S> omega, g_dot_rates;  ///< g epsilon' and g' epsilon'
+    Matrix3<S> D;                   ///< A^T g: omega_bar = D epsilon'; singular where the sequence is
+    Vector3<S> D_dot_rates;         ///< D' epsilon' = A^T g' epsilon'
 
-    /// [A_phi abar, A_theta abar, A_psi abar].
-    Matrix3<S> vector_jacobian(const Vector3<S>& a_bar) const {
-      const Vector3<S> x_3 = R_3 * (C * a_bar), x_2 = R_2 * x_3, x_1 = R_1 * x_2;
+    /// Rate B(epsilon, abar) epsilon' = omega x a, bias B'(epsilon, epsilon', abar) epsilon'.
+    BodyVector<S> vector(const Vector3<S>& a_bar) const {
+      const Vector3<S> a = this->A * a_bar, rate = omega.cross(a);
+      return {a_bar, a, rate, g_dot_rates.cross(a) + omega.cross(rate)};
+    }
+    /// B = [A_phi abar, A_theta abar, A_psi abar] = [g_1 x a, g_2 x a, g_3 x a].
+    Matrix3<S> jacobian(const BodyVector<S>& v) const {
       Matrix3<S> B;
-      B << e_1.cross(x_1), R_1 * e_2.cross(x_2), R_1 * (R_2 * e_3.cross(x_3));
+      B << g.col(0).cross(v.a), g.col(1).cross(v.a), g.col(2).cross(v.a);
       return B;
     }
-    Vector3<S> vector_rate(const Vector3<S>& a_bar) const { return vector_jacobian(a_bar) * epsilon_dot; }
-    /// B'(epsilon, epsilon', abar) epsilon': each turn adds 2 a' e x w' + a'^2 e x (e x w) to the vector w it
-    /// carries.
-    Vector3<S> vector_bias(const Vector3<S>& a_bar) const {
-      Vector3<S> w = C * a_bar, w_dot = Vector3<S>::Zero(), bias = Vector3<S>::Zero();
-      const auto turn = [&](const Matrix3<S>& R, const Vector3<S>& e, const S& rate) {
-        bias = R * (bias + 2 * rate * e.cross(w_dot) + rate * rate * e.cross(e.cross(w)));
-        w_dot = R * (w_dot + rate * e.cross(w));
-        w = R * w;
-      };
-      turn(R_3, e_3, epsilon_dot[2]);
-      turn(R_2, e_2, epsilon_dot[1]);
-      turn(R_1, e_1, epsilon_dot[0]);
-      return bias;
+    /// w^T B.
+    Matrix<S, 1, 3> jacobian_along(const BodyVector<S>& v, const Vector3<S>& w) const {
+      return v.a.cross(w).transpose() * g;
     }
   };
   static Kinematics kinematics(const Chart& chart, const Vector3<S>& r, const Vector3<S>& r_dot,
                                const Coordinates& q) {
-    Kinematics k;
     const auto& axis = chart.sequence.axis;
-    k.R_1 = axis_rotation(axis[0], q.epsilon[0]);
-    k.R_2 = axis_rotation(axis[1], q.epsilon[1]);
-    k.R_3 = axis_rotation(axis[2], q.epsilon[2]);
-    k.C = chart.C;
-    k.e_1 = unit_axis<S>(axis[0]);
-    k.e_2 = unit_axis<S>(axis[1]);
-    k.e_3 = unit_axis<S>(axis[2]);
-    k.epsilon_dot = q.epsilon_dot;
-    // columns of C D: the three axes seen from the body side of the later turns, and their rates
-    const Vector3<S> y = k.R_2.transpose() * k.e_1, y_dot = -q.epsilon_dot[1] * k.e_2.cross(y);
-    const Vector3<S> d_1 = k.R_3.transpose() * y, d_2 = k.R_3.transpose() * k.e_2;
-    const Vector3<S> d_1_dot = k.R_3.transpose() * y_dot - q.epsilon_dot[2] * k.e_3.cross(d_1);
-    const Vector3<S> d_2_dot = -q.epsilon_dot[2] * k.e_3.cross(d_2);
-    Matrix3<S> CD;
-    CD << d_1, d_2, k.e_3;
-    k.D = chart.C.transpose() * CD;
-    k.D_dot_rates = chart.C.transpose() * (d_1_dot * q.epsilon_dot[0] + d_2_dot * q.epsilon_dot[1]);
+    const Vector3<S>& rate = q.epsilon_dot;
+    const Matrix3<S> R_1 = axis_rotation(axis[0], q.epsilon[0]);
+    const Matrix3<S> R_12 = times_axis_rotation(R_1, axis[1], q.epsilon[1]);
+    Kinematics k;
     k.r = r;
     k.r_dot = r_dot;
-    k.A = k.R_1 * (k.R_2 * (k.R_3 * k.C));
-    k.omega_bar = k.D * q.epsilon_dot;
+    k.A = times_axis_rotation(R_12, axis[2], q.epsilon[2]) * chart.C;
+    k.g << unit_axis<S>(axis[0]), R_1.col(axis[1]), R_12.col(axis[2]);
+    // each axis is carried by the turns before it
+    const Vector3<S> first = rate[0] * k.g.col(0), second = first + rate[1] * k.g.col(1);
+    k.omega = second + rate[2] * k.g.col(2);
+    k.g_dot_rates = rate[1] * first.cross(k.g.col(1)) + rate[2] * second.cross(k.g.col(2));
+    k.D = k.A.transpose() * k.g;
+    k.D_dot_rates = k.A.transpose() * k.g_dot_rates;
+    k.omega_bar = k.D * rate;
     return k;
   }
 
@@ -102,6 +87,16 @@ struct REpsilon {
   // internal row: none
   static Matrix<S, 0, 3> internal_jacobian(const Kinematics&) { return {}; }
   static Vector<S, 0> internal_gamma(const Kinematics&) { return {}; }
+
+  // internal row eliminated: there is none
+  using Reduced = Kinematics;
+  static Matrix3<S> reduced_mass_block(const Kinematics& k, const Matrix3<S>& J_bar) {
+    return mass_block(k, J_bar);
+  }
+  static Vector3<S> reduced_force(const Kinematics& k, const Matrix3<S>& J_bar, const Vector3<S>& n_bar) {
+    return k.D.transpose() * (n_bar - k.omega_bar.cross(J_bar * k.omega_bar) - J_bar * k.D_dot_rates);
+  }
+  static Unknown from_reduced(const Kinematics&, const Vector3<S>& epsilon_ddot) { return epsilon_ddot; }
 
   // the unknown and omega_bar': omega_bar' = D epsilon'' + D' epsilon'
   static Matrix3<S> lift(const Kinematics& k) { return k.D.inverse(); }

@@ -37,7 +37,7 @@ struct REpsilonOmegaFirst {
   static Kinematics kinematics(const Chart& chart, const Vector3<S>& r, const Vector3<S>& r_dot,
                                const Coordinates& q) {
     const typename Angles::Kinematics k = Angles::kinematics(chart, r, r_dot, q);
-    return {{BodyMotion<S>(k)}, k.D, k.D_dot_rates};
+    return {{BodyMotion<S>(k), k.A * k.omega_bar}, k.D, k.D_dot_rates};
   }
 
   // mass block and quadratic-velocity force
@@ -54,6 +54,14 @@ struct REpsilonOmegaFirst {
   // internal row: none
   static Matrix<S, 0, 3> internal_jacobian(const Kinematics&) { return {}; }
   static Vector<S, 0> internal_gamma(const Kinematics&) { return {}; }
+
+  // internal row eliminated: there is none
+  using Reduced = Kinematics;
+  static Matrix3<S> reduced_mass_block(const Kinematics&, const Matrix3<S>& J_bar) { return J_bar; }
+  static Vector3<S> reduced_force(const Kinematics& k, const Matrix3<S>& J_bar, const Vector3<S>& n_bar) {
+    return Rates::reduced_force(k, J_bar, n_bar);
+  }
+  static Unknown from_reduced(const Kinematics&, const Vector3<S>& omega_bar_dot) { return omega_bar_dot; }
 
   // the unknown is omega_bar'
   static Matrix3<S> lift(const Kinematics& k) { return Rates::lift(k); }

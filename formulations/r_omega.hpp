@@ -31,18 +31,23 @@ struct ROmega {
     using Scalar = S;
     static constexpr int rotational_unknowns = 3;
 
+    Vector3<S> omega;  ///< A omega_bar
+
+    /// Rate A tilde(omega_bar) abar = omega x a, bias A tilde(omega_bar)^2 abar.
+    BodyVector<S> vector(const Vector3<S>& a_bar) const {
+      const Vector3<S> a = this->A * a_bar, rate = omega.cross(a);
+      return {a_bar, a, rate, omega.cross(rate)};
+    }
     /// B = -A tilde(abar): (A abar)' = B omega_bar.
-    Matrix3<S> vector_jacobian(const Vector3<S>& a_bar) const { return -this->A * tilde(a_bar); }
-    /// A tilde(omega_bar) abar.
-    Vector3<S> vector_rate(const Vector3<S>& a_bar) const { return this->A * this->omega_bar.cross(a_bar); }
-    /// A tilde(omega_bar)^2 abar.
-    Vector3<S> vector_bias(const Vector3<S>& a_bar) const {
-      return this->A * this->omega_bar.cross(this->omega_bar.cross(a_bar));
+    Matrix3<S> jacobian(const BodyVector<S>& v) const { return -times_tilde<S>(this->A, v.a_bar); }
+    /// w^T B.
+    Matrix<S, 1, 3> jacobian_along(const BodyVector<S>& v, const Vector3<S>& w) const {
+      return v.a_bar.cross(Vector3<S>(this->A.transpose() * w)).transpose();
     }
   };
   static Kinematics kinematics(const Chart&, const Vector3<S>& r, const Vector3<S>& r_dot,
                                const Coordinates& q) {
-    return {BodyMotion<S>{r, r_dot, q.A, q.omega_bar}};
+    return {BodyMotion<S>{r, r_dot, q.A, q.omega_bar}, q.A * q.omega_bar};
   }
 
   // mass block
@@ -57,6 +62,14 @@ struct ROmega {
   // internal row: none
   static Matrix<S, 0, 3> internal_jacobian(const Kinematics&) { return {}; }
   static Vector<S, 0> internal_gamma(const Kinematics&) { return {}; }
+
+  // internal row eliminated: there is none
+  using Reduced = Kinematics;
+  static Matrix3<S> reduced_mass_block(const Kinematics&, const Matrix3<S>& J_bar) { return J_bar; }
+  static Vector3<S> reduced_force(const Kinematics& k, const Matrix3<S>& J_bar, const Vector3<S>& n_bar) {
+    return applied_force(k, n_bar) + velocity_force(k, J_bar);
+  }
+  static Unknown from_reduced(const Kinematics&, const Vector3<S>& omega_bar_dot) { return omega_bar_dot; }
 
   // the unknown is omega_bar'
   static Matrix3<S> lift(const Kinematics&) { return Matrix3<S>::Identity(); }

@@ -1,0 +1,65 @@
+/// The solver along the graph and the printed system say the same.
+
+#include "formulations/acceleration_solver.hpp"
+
+#include <filesystem>
+
+#include "bodies/testing.hpp"
+#include "formulations/solved_twice.hpp"
+#include "scenes/scene_file.hpp"
+#include "scenes/test_scenes.hpp"
+
+namespace trivium {
+namespace {
+
+using test::SolvedTwice;
+
+template <class F>
+class StructuredSolver : public testing::Test {};
+TYPED_TEST_SUITE(StructuredSolver, test::AllFormulations<double>, test::FormulationNames);
+
+TYPED_TEST(StructuredSolver, AgreesWithThePrintedSystem) { test::expect_agreement_on<TypeParam>(150); }
+
+TYPED_TEST(StructuredSolver, AgreesOnTheCatalogue) {
+  for (const auto& entry : std::filesystem::directory_iterator(TRIVIUM_SCENES_DIR)) {
+    const auto& path = entry.path();
+    if (path.extension() != ".json" || path.stem().extension() == ".schema" || path.stem() == "n_four_bar_40")
+      continue;
+    test::expect_agreement<TypeParam>(scenes::read_scene_file(path), path.stem().string());
+  }
+}
+
+TEST(StructuredSolver, NamesTheBodyWhoseMotionHasNoInertia) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("rod", 1, {0, 1, 1})};
+  scene.constraints = {test::joint(scenes::ConstraintType::spherical, "ball",
+                                   test::side(scenes::ground, scenes::Vector3{}),
+                                   test::side(0, scenes::Vector3{1, 0, 0}))};
+  scene.bodies[0].position = {-1, 0, 0};
+  const auto mechanism = make_mechanism<double>(scene);
+  const auto state = make_state<double>(scene);
+  AccelerationSolver<ROmega<double>> solver(mechanism);
+  try {
+    solver.solve(to_coordinates<ROmega<double>>(mechanism, state, {}), 0);
+    ADD_FAILURE() << "a free spin without inertia has no acceleration";
+  } catch (const ModelError& error) {
+    EXPECT_NE(std::string(error.what()).find("body \"rod\""), std::string::npos) << error.what();
+  }
+}
+
+TEST(StructuredSolver, CorrectionsCoverTheErrorOfTheUnrefinedSolution) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    using F = ROmega<double>;
+    SolvedTwice<F> s(test::varied_scene(seed));
+    const auto exact = solve_side_by_side<Quad>(test::varied_scene(seed), 0, {{"r-omega"}, {}, false});
+    s.structured.solve(s.bodies, s.state.t, Refinement::none);
+    const VectorX<double> rough = s.structured.lambda();
+    s.structured.refine();
+    const double error = lambda_distance(s.printed.rows, VectorX<Quad>(scalar_cast<Quad>(rough)),
+                                         exact.formulations.front().solution.lambda);
+    EXPECT_GE(100 * (s.structured.corrections().lambda + 1e-16), error) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace trivium

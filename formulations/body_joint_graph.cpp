@@ -1,0 +1,73 @@
+#include "formulations/body_joint_graph.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace trivium {
+
+namespace {
+
+using scenes::ConstraintType;
+
+bool holds_a_point(ConstraintType type) {
+  return type == ConstraintType::spherical || type == ConstraintType::universal ||
+         type == ConstraintType::revolute || type == ConstraintType::fixed;
+}
+
+bool is_basic(ConstraintType type) {
+  return type == ConstraintType::dp1 || type == ConstraintType::dp2 || type == ConstraintType::d ||
+         type == ConstraintType::cd;
+}
+
+std::pair<int, int> unordered(const BodyPair& pair) { return std::minmax(pair.i, pair.j); }
+
+}  // namespace
+
+template <class Scalar>
+BodyJointGraph body_joint_graph(const Mechanism<Scalar>& mechanism) {
+  BodyJointGraph graph;
+  graph.bodies = mechanism.nb();
+  std::map<std::pair<int, int>, int> basic_edge, point_edge;
+  const auto add_edge = [&](const BodyPair& pair, bool is_point) {
+    graph.edges.push_back({pair, {}, is_point, true});
+    return static_cast<int>(graph.edges.size()) - 1;
+  };
+  const auto take_rows = [&](int edge, const Joint<Scalar>& joint) {
+    for (int k = 0; k < joint.rows; ++k) graph.edges[edge].rows.push_back(joint.first_row + k);
+  };
+  std::vector<const Joint<Scalar>*> drivers;
+  for (const Joint<Scalar>& joint : mechanism.joints) {
+    const auto pair = unordered(joint);
+    if (joint.type == ConstraintType::rotation_driver) {
+      drivers.push_back(&joint);
+    } else if (is_basic(joint.type)) {
+      const auto found = basic_edge.find(pair);
+      const bool fits = found != basic_edge.end() && graph.edges[found->second].size() < GraphEdge::most_rows;
+      if (!fits) basic_edge[pair] = add_edge(joint, false);
+      take_rows(basic_edge[pair], joint);
+      if (joint.type == ConstraintType::cd && joint.i != graph.bodies && joint.j != graph.bodies)
+        graph.edges[basic_edge[pair]].is_relative = false;
+    } else {
+      const bool is_point = holds_a_point(joint.type);
+      const int edge = add_edge(joint, is_point);
+      if (is_point) point_edge.emplace(pair, edge);
+      take_rows(edge, joint);
+    }
+  }
+  // a driver turns the axis that a revolute leaves free: together they are one block
+  for (const Joint<Scalar>* driver : drivers) {
+    const auto found = point_edge.find(unordered(*driver));
+    const bool joins = found != point_edge.end() && graph.edges[found->second].size() == 5;
+    take_rows(joins ? found->second : add_edge(*driver, false), *driver);
+  }
+  return graph;
+}
+
+template BodyJointGraph body_joint_graph(const Mechanism<float>&);
+template BodyJointGraph body_joint_graph(const Mechanism<double>&);
+template BodyJointGraph body_joint_graph(const Mechanism<long double>&);
+template BodyJointGraph body_joint_graph(const Mechanism<Quad>&);
+template BodyJointGraph body_joint_graph(const Mechanism<Real50>&);
+
+}  // namespace trivium

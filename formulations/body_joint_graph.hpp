@@ -1,0 +1,36 @@
+#pragma once
+/// A mechanism as a graph: bodies are nodes, groups of constraint rows between two bodies are edges. Topology
+/// only; what a solver along the graph plans with.
+
+#include <vector>
+
+#include "scenes/mechanism.hpp"
+
+namespace trivium {
+
+/// The rows between two bodies that are treated as one block.
+struct GraphEdge : BodyPair {
+  static constexpr int most_rows = 6;
+
+  std::vector<int> rows;  ///< of the mechanism
+  /// The first three rows hold a point of i on a point of j along the global axes; the others, at most three,
+  /// see orientations only.
+  bool is_point = false;
+  /// The rows see how j moves relative to i and nothing else; a cd of two moving bodies also sees them turn
+  /// together.
+  bool is_relative = true;
+
+  int size() const { return static_cast<int>(rows.size()); }
+};
+
+struct BodyJointGraph {
+  int bodies = 0;  ///< the ground is node `bodies`
+  std::vector<GraphEdge> edges;
+};
+
+/// A joint is an edge; a rotation_driver joins the edge of the point joint that it drives; up to six basic
+/// constraints between the same two bodies are one edge.
+template <class Scalar>
+BodyJointGraph body_joint_graph(const Mechanism<Scalar>& mechanism);
+
+}  // namespace trivium

@@ -1,0 +1,190 @@
+#pragma once
+/// A body that hangs on its parent by any joint of at most six rows, or by none. The rows are solved by
+/// pivoting: Phi H = 0, Phi Y = I, and the body goes in the motion H that they leave free.
+///
+///   M a + Phi^T lambda = F,   Phi a + P a_p = gamma,   a = Y (gamma - P a_p) + H q
+
+#include <array>
+
+#include "bodies/lanes.hpp"
+#include "formulations/point_link.hpp"
+
+namespace trivium {
+
+template <class S>
+class GeneralLink {
+ public:
+  /// Rows that depend on the ones before them have multiplier 0 and are marked in `dropped`; binds_the_parent
+  /// where such a row would still bind the parent's absolute motion.
+  Elimination factor(const BodyBlock<S>& block, const LinkRows<S>& link, BodyBlock<S>* parent,
+                     std::array<bool, 6>& dropped) {
+    Matrix6<S> M;
+    M << block.rr, block.rx, block.rx.transpose(), block.xx;
+    if (!solve_rows(M, link, dropped)) return Elimination::binds_the_parent;
+    const Vector6<S> size = M.diagonal();
+    // what is rounding beside the other moments has no size
+    const S least = S(1e-8) * size.template tail<3>().maxCoeff();
+    for (int k = 0; k < 6; ++k)
+      inverse_size_[k] = select(size[k] > (k < 3 ? S(0) : least), S(1 / size[k]), S(0));
+    U_ = M * H_;
+    if (!invert(H_.transpose() * U_)) return Elimination::no_inertia;
+    rest_ = M - U_ * D_inverse_ * U_.transpose();
+    if (parent == nullptr) return Elimination::done;
+    const Matrix6<S> left = V_.transpose() * rest_ * V_;
+    parent->rr += left.template topLeftCorner<3, 3>();
+    parent->rx += left.template topRightCorner<3, 3>();
+    parent->xx += left.template bottomRightCorner<3, 3>();
+    return Elimination::done;
+  }
+
+  void factor(const Matrix6<S>& C, int n, const LinkRows<S>&, LinkColumn<S>& out, Matrix6<S>* parent) const {
+    for (int k = 0; k < n; ++k) {
+      const Free g = H_.transpose() * C.col(k);
+      out.g.col(k).setZero();
+      out.g.col(k).head(g.size()) = g;
+      out.rest.col(k) = C.col(k) - U_ * (D_inverse_ * g);
+      if (parent != nullptr) parent->col(k) += V_.transpose() * out.rest.col(k);
+    }
+  }
+  S product(const LinkColumn<S>& a, int k, const LinkColumn<S>& b, int n) const {
+    return a.g.col(k).head(free()).dot(D_inverse_ * b.g.col(n).head(free()));
+  }
+  S bound(const Matrix6<S>& C, int k, const LinkRows<S>&) const {
+    return C.col(k).cwiseAbs2().dot(inverse_size_);
+  }
+
+  void forward(const Vector6<S>& force, const Vector6<S>& gamma, const LinkRows<S>&, Vector6<S>* parent) {
+    q_ = D_inverse_ * (H_.transpose() * force);
+    f_ = force - U_ * q_;
+    a_ = Y_ * gamma;
+    if (parent != nullptr) *parent += V_.transpose() * (f_ - rest_ * a_);
+  }
+  S closing_rate(const LinkColumn<S>& c, int k) const {
+    return c.rest.col(k).dot(a_) + c.g.col(k).head(free()).dot(q_);
+  }
+  void add_multiplier(const LinkColumn<S>& c, int k, const S& lambda) {
+    q_ -= lambda * (D_inverse_ * c.g.col(k).head(free()));
+    f_ -= lambda * c.rest.col(k);
+  }
+  void backward(const Vector6<S>* parent, const LinkRows<S>&, Vector6<S>& a, Vector6<S>& lambda) const {
+    a = a_;
+    if (parent != nullptr) a += V_ * *parent;
+    lambda = Y_.transpose() * (f_ - rest_ * a);
+    a += H_ * (q_ - D_inverse_ * (U_.transpose() * a));
+  }
+
+ private:
+  using Free = Eigen::Matrix<S, Eigen::Dynamic, 1, 0, 6, 1>;
+  using Motion = Eigen::Matrix<S, 6, Eigen::Dynamic, 0, 6, 6>;
+  using Block = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+
+  int free() const { return static_cast<int>(H_.cols()); }
+
+  /// Gauss-Jordan on [Phi | P | I] with the largest pivot, columns weighed by the body's own inertia: a
+  /// motion without inertia is solved for first.
+  bool solve_rows(const Matrix6<S>& M, const LinkRows<S>& link, std::array<bool, 6>& dropped) {
+    using std::abs, std::sqrt;
+    const int rows = link.count;
+    Matrix<S, 6, 18> G;
+    G << link.C.transpose(), link.C_parent.transpose(), Matrix6<S>::Identity();
+    const S largest_mass = M.diagonal().maxCoeff();
+    Vector6<S> weight;
+    for (int k = 0; k < 6; ++k) {
+      const S least = S(1e-6) * largest_mass;
+      weight[k] = 1 / S(sqrt(select(M(k, k) > least, M(k, k), least)));
+    }
+    // rows are judged against what they are made of
+    Matrix6<S> made_of = link.C.transpose().cwiseAbs();
+    Vector6<S> parent_size = link.C_parent.cwiseAbs().colwise().maxCoeff().transpose();
+    std::array<int, 6> pivot_of_row;
+    std::array<bool, 6> is_basic{};
+    const S tolerance = select(S(100 * unit_roundoff<S>()) > S(1e-8), S(100 * unit_roundoff<S>()), S(1e-8));
+    dropped.fill(false);
+    bool good = true;
+    // row by row, so that the row left out is the one that depends on those before it
+    for (int r = 0; r < rows; ++r) {
+      int best = -1;
+      S best_pull(0), size(0);
+      for (int k = 0; k < 6; ++k) {
+        const S p = abs(G(r, k)) * weight[k], whole = made_of(r, k) * weight[k];
+        size = select(whole > size, whole, size);
+        if (is_basic[k]) continue;
+        if (best < 0 || least_lane(p) > least_lane(best_pull)) {
+          best = k;
+          best_pull = p;
+        }
+      }
+      if (best < 0 || !(best_pull > tolerance * size)) {
+        dropped[r] = true;
+        for (int k = 0; k < 6; ++k) good = good && all(abs(G(r, 6 + k)) <= tolerance * parent_size[r]);
+        G.row(r).setZero();
+        continue;
+      }
+      is_basic[best] = true;
+      pivot_of_row[r] = best;
+      const S inverse = 1 / G(r, best);
+      G.row(r) *= inverse;
+      made_of.row(r) *= abs(inverse);
+      parent_size[r] *= abs(inverse);
+      for (int other = 0; other < rows; ++other) {
+        if (other == r || (other < r && dropped[other])) continue;
+        const S factor = G(other, best);
+        G.row(other) -= factor * G.row(r);
+        made_of.row(other) += abs(factor) * made_of.row(r);
+        parent_size[other] += abs(factor) * parent_size[r];
+      }
+    }
+    Y_.setZero();
+    V_.setZero();
+    int free = 0;
+    for (int k = 0; k < 6; ++k) free += is_basic[k] ? 0 : 1;
+    H_.setZero(6, free);
+    for (int r = 0; r < rows; ++r) {
+      if (dropped[r]) continue;
+      Y_.row(pivot_of_row[r]) = G.row(r).template tail<6>();
+      V_.row(pivot_of_row[r]) = -G.row(r).template segment<6>(6);
+    }
+    for (int k = 0, n = 0; k < 6; ++k) {
+      if (is_basic[k]) continue;
+      H_(k, n) = S(1);
+      for (int r = 0; r < rows; ++r)
+        if (!dropped[r]) H_(pivot_of_row[r], n) = -G(r, k);
+      ++n;
+    }
+    return good;
+  }
+
+  /// D^-1 by L D L^T; false where a pivot is its own rounding.
+  bool invert(const Block& D) {
+    const int n = free();
+    Block L = D;
+    bool good = true;
+    D_inverse_.setIdentity(n, n);
+    for (int k = 0; k < n; ++k) {
+      good = good && all(L(k, k) > 16 * unit_roundoff<S>() * D(k, k)) && all(D(k, k) > S(0));
+      for (int r = k + 1; r < n; ++r) {
+        const S factor = L(r, k) / L(k, k);
+        L.row(r) -= factor * L.row(k);
+        D_inverse_.row(r) -= factor * D_inverse_.row(k);
+      }
+    }
+    for (int k = n - 1; k >= 0; --k) {
+      const S inverse = 1 / L(k, k);
+      for (int c = k + 1; c < n; ++c) {
+        const S factor = L(k, c);
+        D_inverse_.row(k) -= factor * D_inverse_.row(c);
+      }
+      D_inverse_.row(k) *= inverse;
+    }
+    return good;
+  }
+
+  Matrix6<S> Y_, V_, rest_;
+  Vector6<S> inverse_size_;  ///< of the block's diagonal; 0 where that is
+  Motion H_, U_;
+  Block D_inverse_;
+  Free q_;
+  Vector6<S> f_, a_;
+};
+
+}  // namespace trivium

@@ -1,0 +1,384 @@
+#pragma once
+/// [H Phi^T; Phi 0] factored and solved along the body-joint graph: one block operation per entry of the
+/// plan, no allocation and no search. Cost and memory are linear in the bodies of a tree, and wherever loops
+/// are short.
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "bodies/error.hpp"
+#include "formulations/general_link.hpp"
+#include "formulations/graph_system.hpp"
+#include "formulations/point_link.hpp"
+
+namespace trivium {
+
+/// A body that cannot be eliminated with its link: the joint to its parent leaves a motion without inertia
+/// free, or binds the parent's absolute motion. The system may still be regular.
+class SingularLink : public ModelError {
+ public:
+  SingularLink(int body, const std::string& why) : ModelError(why), body_(body) {}
+  int body() const { return body_; }
+
+ private:
+  int body_;
+};
+
+template <class S>
+class GraphSolver {
+ public:
+  explicit GraphSolver(EliminationPlan plan)
+      : plan_(std::move(plan)),
+        block_(plan_.graph.bodies),
+        column_(plan_.column_slots),
+        coupling_(plan_.coupling_slots),
+        closing_(plan_.closings.size()),
+        carried_(plan_.graph.bodies + 1) {
+    dropped_.resize(plan_.graph.edges.size());
+    int columns = 0;
+    std::array<int, 5> count{};
+    for (const EliminationPlan::Link& link : plan_.links) {
+      const bool is_point = link.edge >= 0 && plan_.graph.edges[link.edge].is_point;
+      const int kind = is_point ? plan_.graph.edges[link.edge].size() - 3 : general;
+      place_.push_back(
+          {kind, count[kind]++, columns, link.edge >= 0 ? plan_.graph.edges[link.edge].size() : 0});
+      columns += static_cast<int>(link.columns.size());
+    }
+    link_column_.resize(columns);
+    std::get<0>(links_).resize(count[0]);
+    std::get<1>(links_).resize(count[1]);
+    std::get<2>(links_).resize(count[2]);
+    std::get<3>(links_).resize(count[3]);
+    std::get<4>(links_).resize(count[4]);
+  }
+
+  const EliminationPlan& plan() const { return plan_; }
+
+  /// Throws SingularLink.
+  void factor(const GraphMatrix<S>& matrix) {
+    matrix_ = &matrix;
+    block_ = matrix.H;
+    start_closings();
+    for (const EliminationPlan::Step& step : plan_.steps) {
+      for (int c : step.closings) factor_closing(c);
+      if (step.link >= 0) factor_link(step.link);
+    }
+  }
+
+  /// The solution for a right side. Rows that depend on others have multiplier 0; what their right sides say
+  /// is not asked.
+  void solve(const GraphVector<S>& right_side, GraphVector<S>& solution) {
+    carried_ = right_side.body;
+    for (std::size_t c = 0; c < closing_.size(); ++c)
+      closing_[c].gamma = right_side.edge[plan_.closings[c].edge];
+    for (const EliminationPlan::Step& step : plan_.steps) {
+      for (int c : step.closings) forward_closing(c);
+      if (step.link >= 0) forward_link(step.link, right_side);
+    }
+    for (auto step = plan_.steps.rbegin(); step != plan_.steps.rend(); ++step) {
+      if (step->link >= 0) backward_link(step->link, solution);
+      for (auto c = step->closings.rbegin(); c != step->closings.rend(); ++c) backward_closing(*c, solution);
+    }
+    solution.body.back().setZero();
+  }
+
+  /// Whether row k of an edge was left out because it depends on others.
+  bool is_dropped(int edge, int k) const { return dropped_[edge][k]; }
+
+  /// right_side - [H Phi^T; Phi 0] solution, into `defect`.
+  void residual(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side,
+                const GraphVector<S>& solution, GraphVector<S>& defect) const {
+    const int ground = plan_.graph.bodies;
+    for (int b = 0; b < ground; ++b) {
+      const auto r = solution.body[b].template head<3>(), x = solution.body[b].template tail<3>();
+      const BodyBlock<S>& H = matrix.H[b];
+      defect.body[b].template head<3>() = right_side.body[b].template head<3>() - H.rr * r - H.rx * x;
+      defect.body[b].template tail<3>() =
+          right_side.body[b].template tail<3>() - H.rx.transpose() * r - H.xx * x;
+    }
+    for (std::size_t n = 0; n < plan_.links.size(); ++n) {
+      const EliminationPlan::Link& link = plan_.links[n];
+      if (place_[n].kind == general) {
+        if (link.edge >= 0) edge_residual(matrix, link.edge, right_side, solution, defect);
+        continue;
+      }
+      const PointRows<S>& rows = matrix.point[n];
+      const int m = place_[n].kind;
+      const Vector6<S>& lambda = solution.edge[link.edge];
+      const Vector3<S> f = rows.sign * lambda.template head<3>(), w = lambda.template tail<3>();
+      const Vector3<S> x = solution.body[link.body].template tail<3>();
+      Vector3<S> u = solution.body[link.body].template head<3>() + rows.K_child * x;
+      Vector3<S> t = rows.K_child.transpose() * f, z = Vector3<S>::Zero();
+      for (int k = 0; k < m; ++k) {
+        t += w[k] * rows.W_child.col(k);
+        z[k] = rows.W_child.col(k).dot(x);
+      }
+      defect.body[link.body].template head<3>() -= f;
+      defect.body[link.body].template tail<3>() -= t;
+      if (link.parent != ground) {
+        const Vector3<S> x_p = solution.body[link.parent].template tail<3>();
+        u -= solution.body[link.parent].template head<3>() + rows.K_parent * x_p;
+        t = -(rows.K_parent.transpose() * f);
+        for (int k = 0; k < m; ++k) {
+          t += w[k] * rows.W_parent.col(k);
+          z[k] += rows.W_parent.col(k).dot(x_p);
+        }
+        defect.body[link.parent].template head<3>() += f;
+        defect.body[link.parent].template tail<3>() -= t;
+      }
+      defect.edge[link.edge] = right_side.edge[link.edge];
+      defect.edge[link.edge].template head<3>() -= rows.sign * u;
+      for (int k = 0; k < m; ++k) defect.edge[link.edge][3 + k] -= z[k];
+    }
+    for (const EliminationPlan::Closing& closing : plan_.closings)
+      edge_residual(matrix, closing.edge, right_side, solution, defect);
+  }
+
+ private:
+  static constexpr int general = 4;
+
+  void edge_residual(const GraphMatrix<S>& matrix, int e, const GraphVector<S>& right_side,
+                     const GraphVector<S>& solution, GraphVector<S>& defect) const {
+    const GraphEdge& edge = plan_.graph.edges[e];
+    const EdgeRows<S>& rows = matrix.rows[e];
+    defect.edge[e] = right_side.edge[e];
+    const auto one = [&](int body, const Matrix6<S>& C) {
+      if (body == plan_.graph.bodies) return;
+      for (int k = 0; k < edge.size(); ++k) {
+        defect.body[body] -= solution.edge[e][k] * C.col(k);
+        defect.edge[e][k] -= C.col(k).dot(solution.body[body]);
+      }
+    };
+    one(edge.i, rows.C_i);
+    one(edge.j, rows.C_j);
+  }
+
+  struct Place {
+    int kind;          ///< rows of orientation of a point link, or `general`
+    int index;         ///< among the links of its kind
+    int first_column;  ///< in link_column_
+    int rows;
+  };
+  struct ClosingFactor {
+    Matrix6<S> L;           ///< unit lower triangle of its pivoted block; columns of dropped rows are zero
+    Vector6<S> inverse;     ///< of the pivots; 0 for dropped rows
+    Matrix6<S> C;           ///< L^-1 C^T transposed: 6 x rows, on the body where it is eliminated
+    Vector6<S> own, bound;  ///< the diagonal before other closings go, and its magnitude
+    Vector6<S> gamma;       ///< the right side at hand
+    Vector6<S> lambda;
+  };
+
+  template <class Visit>
+  decltype(auto) with_link(const Place& place, const Visit& visit) {
+    switch (place.kind) {
+      case 0:
+        return visit(std::get<0>(links_)[place.index]);
+      case 1:
+        return visit(std::get<1>(links_)[place.index]);
+      case 2:
+        return visit(std::get<2>(links_)[place.index]);
+      case 3:
+        return visit(std::get<3>(links_)[place.index]);
+      default:
+        return visit(std::get<4>(links_)[place.index]);
+    }
+  }
+
+  LinkRows<S> rows_of(int index) const {
+    static const Matrix6<S> none = Matrix6<S>::Zero();
+    const EliminationPlan::Link& link = plan_.links[index];
+    if (link.edge < 0) return {matrix_->point[index], none, none, 0};
+    const EdgeRows<S>& edge = matrix_->rows[link.edge];
+    return {matrix_->point[index], link.body_is_j ? edge.C_j : edge.C_i, link.body_is_j ? edge.C_i : edge.C_j,
+            place_[index].rows};
+  }
+  int rows_of_closing(int c) const { return plan_.graph.edges[plan_.closings[c].edge].size(); }
+  bool has_parent(const EliminationPlan::Link& link) const { return link.parent != plan_.graph.bodies; }
+
+  void start_closings() {
+    for (const EliminationPlan::Link& link : plan_.links)
+      for (const EliminationPlan::Column& column : link.columns) column_[column.slot].setZero();
+    for (Matrix6<S>& block : coupling_) block.setZero();
+    for (std::size_t c = 0; c < closing_.size(); ++c) {
+      const EliminationPlan::Closing& closing = plan_.closings[c];
+      if (closing.column_slot >= 0) column_[closing.column_slot].setZero();
+      if (closing.slot_i >= 0) column_[closing.slot_i] = matrix_->rows[closing.edge].C_i;
+      if (closing.slot_j >= 0) column_[closing.slot_j] = matrix_->rows[closing.edge].C_j;
+      closing_[c].bound.setZero();
+      closing_[c].own.setZero();
+    }
+  }
+
+  void factor_link(int index) {
+    const EliminationPlan::Link& link = plan_.links[index];
+    const LinkRows<S> rows = rows_of(index);
+    with_link(place_[index], [&](auto& factors) {
+      std::array<bool, 6> dropped{};
+      const Elimination result =
+          factors.factor(block_[link.body], rows, has_parent(link) ? &block_[link.parent] : nullptr, dropped);
+      if (result != Elimination::done) throw_singular(link, result);
+      if (link.edge >= 0) dropped_[link.edge] = dropped;
+      LinkColumn<S>* const columns = link_column_.data() + place_[index].first_column;
+      for (std::size_t n = 0; n < link.columns.size(); ++n) {
+        const EliminationPlan::Column& column = link.columns[n];
+        const int size = rows_of_closing(column.closing);
+        const Matrix6<S>& C = column_[column.slot];
+        factors.factor(C, size, rows, columns[n],
+                       column.parent_slot >= 0 ? &column_[column.parent_slot] : nullptr);
+        for (int k = 0; k < size; ++k) closing_[column.closing].bound[k] += factors.bound(C, k, rows);
+      }
+      for (const EliminationPlan::Coupling& pair : link.couplings) {
+        const LinkColumn<S>&a = columns[pair.first], &b = columns[pair.second];
+        const int rows_a = rows_of_closing(link.columns[pair.first].closing);
+        const int rows_b = rows_of_closing(link.columns[pair.second].closing);
+        for (int n = 0; n < rows_b; ++n)
+          for (int k = 0; k < rows_a; ++k) coupling_[pair.slot](k, n) += factors.product(a, k, b, n);
+        if (pair.first == pair.second)
+          for (int k = 0; k < rows_a; ++k)
+            closing_[link.columns[pair.first].closing].own[k] += factors.product(a, k, a, k);
+      }
+    });
+  }
+
+  /// The closing's block is positive semidefinite: rows in their order, those that depend on the ones before
+  /// them left out.
+  void factor_closing(int c) {
+    const EliminationPlan::Closing& closing = plan_.closings[c];
+    ClosingFactor& f = closing_[c];
+    Matrix6<S>& block = coupling_[plan_.diagonal_slot[c]];
+    const int n = rows_of_closing(c);
+    std::array<bool, 6>& dropped = dropped_[closing.edge];
+    const bool on_body = closing.column_slot >= 0;
+    if (on_body) f.C = column_[closing.column_slot];
+    const S rounding = S(1000) * unit_roundoff<S>(), least = S(1e-16);
+    const S cancelled = select(rounding > least, rounding, least);
+    const S defect = select(rounding * rounding / S(100) > least, S(rounding * rounding / S(100)), least);
+    for (int k = 0; k < n; ++k) {
+      const S pivot = block(k, k);
+      const bool stands = pivot > cancelled * f.own[k] + defect * f.bound[k];
+      dropped[k] = !stands;
+      f.inverse[k] = dropped[k] ? S(0) : S(1 / pivot);
+      for (int r = k + 1; r < n; ++r) {
+        const S l = block(k, r) * f.inverse[k];
+        f.L(r, k) = l;
+        if (dropped[k]) continue;
+        for (int s = r; s < n; ++s) block(r, s) -= l * block(k, s);
+        if (on_body) f.C.col(r) -= l * f.C.col(k);
+        for (const EliminationPlan::Neighbour& next : closing.later)
+          coupling_[next.slot].row(r) -= l * coupling_[next.slot].row(k);
+      }
+    }
+    for (int k = 0; k < n; ++k) {
+      if (dropped[k]) continue;
+      if (on_body) {
+        const Vector6<S> column = f.C.col(k), scaled = f.inverse[k] * column;
+        BodyBlock<S>& H = block_[closing.body];
+        H.rr += column.template head<3>() * scaled.template head<3>().transpose();
+        H.rx += column.template head<3>() * scaled.template tail<3>().transpose();
+        H.xx += column.template tail<3>() * scaled.template tail<3>().transpose();
+        for (const EliminationPlan::Neighbour& next : closing.later)
+          if (next.column_slot >= 0)
+            for (int m = 0; m < rows_of_closing(next.closing); ++m)
+              column_[next.column_slot].col(m) -= coupling_[next.slot](k, m) * scaled;
+      }
+      for (const EliminationPlan::Fill& fill : closing.fill) {
+        const EliminationPlan::Neighbour &a = closing.later[fill.first], &b = closing.later[fill.second];
+        for (int s = 0; s < rows_of_closing(b.closing); ++s) {
+          const S scaled = f.inverse[k] * coupling_[b.slot](k, s);
+          for (int r = 0; r < rows_of_closing(a.closing); ++r)
+            coupling_[fill.slot](r, s) -= coupling_[a.slot](k, r) * scaled;
+        }
+      }
+    }
+  }
+
+  void forward_link(int index, const GraphVector<S>& right_side) {
+    const EliminationPlan::Link& link = plan_.links[index];
+    with_link(place_[index], [&](auto& factors) {
+      factors.forward(carried_[link.body], link.edge >= 0 ? right_side.edge[link.edge] : none_,
+                      rows_of(index), has_parent(link) ? &carried_[link.parent] : nullptr);
+      const LinkColumn<S>* column = link_column_.data() + place_[index].first_column;
+      for (const EliminationPlan::Column& c : link.columns) {
+        for (int k = 0; k < rows_of_closing(c.closing); ++k)
+          closing_[c.closing].gamma[k] -= factors.closing_rate(*column, k);
+        ++column;
+      }
+    });
+  }
+  void forward_closing(int c) {
+    const EliminationPlan::Closing& closing = plan_.closings[c];
+    ClosingFactor& f = closing_[c];
+    const int n = rows_of_closing(c);
+    for (int k = 0; k < n; ++k)
+      for (int r = k + 1; r < n; ++r) f.gamma[r] -= f.L(r, k) * f.gamma[k];
+    for (int k = 0; k < n; ++k) {
+      const S scaled = f.inverse[k] * f.gamma[k];
+      if (closing.column_slot >= 0) carried_[closing.body] += scaled * f.C.col(k);
+      for (const EliminationPlan::Neighbour& next : closing.later)
+        for (int m = 0; m < rows_of_closing(next.closing); ++m)
+          closing_[next.closing].gamma[m] -= scaled * coupling_[next.slot](k, m);
+    }
+  }
+  void backward_closing(int c, GraphVector<S>& solution) {
+    const EliminationPlan::Closing& closing = plan_.closings[c];
+    ClosingFactor& f = closing_[c];
+    const int n = rows_of_closing(c);
+    Vector6<S>& lambda = solution.edge[closing.edge];
+    for (int k = 0; k < n; ++k) {
+      S sum = -f.gamma[k];
+      if (closing.column_slot >= 0) sum += f.C.col(k).dot(solution.body[closing.body]);
+      for (const EliminationPlan::Neighbour& next : closing.later) {
+        const Vector6<S>& theirs = solution.edge[plan_.closings[next.closing].edge];
+        for (int m = 0; m < rows_of_closing(next.closing); ++m) sum -= coupling_[next.slot](k, m) * theirs[m];
+      }
+      lambda[k] = f.inverse[k] * sum;
+    }
+    for (int k = n - 1; k >= 0; --k)
+      for (int r = k + 1; r < n; ++r)
+        if (!dropped_[closing.edge][k]) lambda[k] -= f.L(r, k) * lambda[r];
+  }
+  void backward_link(int index, GraphVector<S>& solution) {
+    const EliminationPlan::Link& link = plan_.links[index];
+    with_link(place_[index], [&](auto& factors) {
+      const LinkColumn<S>* column = link_column_.data() + place_[index].first_column;
+      for (const EliminationPlan::Column& c : link.columns) {
+        const Vector6<S>& lambda = solution.edge[plan_.closings[c.closing].edge];
+        for (int k = 0; k < rows_of_closing(c.closing); ++k) factors.add_multiplier(*column, k, lambda[k]);
+        ++column;
+      }
+      factors.backward(has_parent(link) ? &solution.body[link.parent] : nullptr, rows_of(index),
+                       solution.body[link.body], link.edge >= 0 ? solution.edge[link.edge] : none_);
+    });
+  }
+
+  [[noreturn]] static void throw_singular(const EliminationPlan::Link& link, Elimination result) {
+    throw SingularLink(link.body, result == Elimination::no_inertia
+                                      ? "the joint to its parent leaves a motion without inertia free"
+                                      : "its rows depend on each other and bind the parent's own motion");
+  }
+
+  EliminationPlan plan_;
+  std::vector<Place> place_;
+  std::tuple<std::vector<PointLink<S, 0>>, std::vector<PointLink<S, 1>>, std::vector<PointLink<S, 2>>,
+             std::vector<PointLink<S, 3>>, std::vector<GeneralLink<S>>>
+      links_;
+  std::vector<BodyBlock<S>> block_;
+  std::vector<Matrix6<S>> column_, coupling_;
+  std::vector<LinkColumn<S>> link_column_;
+  std::vector<ClosingFactor> closing_;
+  std::vector<Vector6<S>> carried_;
+  std::vector<std::array<bool, 6>> dropped_;
+  Vector6<S> none_ = Vector6<S>::Zero();  ///< the rows of a body that hangs on nothing
+  const GraphMatrix<S>* matrix_ = nullptr;
+};
+
+// dear to compile, so compiled once
+extern template class GraphSolver<float>;
+extern template class GraphSolver<double>;
+extern template class GraphSolver<Quad>;
+
+}  // namespace trivium

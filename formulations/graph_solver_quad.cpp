@@ -1,0 +1,3 @@
+#include "formulations/graph_solver.hpp"
+
+template class trivium::GraphSolver<trivium::Quad>;

@@ -1,0 +1,157 @@
+/// How many instructions does one evaluation of accelerations and multipliers take? Counted by callgrind on
+/// this very program, so that a regression of the hot path shows whatever else the machine is doing.
+
+#include <fmt/format.h>
+#include <stdio.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "bodies/error.hpp"
+#include "formulations/acceleration_solver.hpp"
+#include "formulations/r_epsilon.hpp"
+#include "formulations/r_omega.hpp"
+#include "formulations/r_p.hpp"
+#include "scenes/generators.hpp"
+#include "validation/program.hpp"
+#include "validation/progress.hpp"
+#include "validation/text_output.hpp"
+
+namespace trivium {
+
+namespace {
+
+struct Workload {
+  std::string scene, formulation;
+  int n = 0;
+  bool refined = false;
+};
+
+scenes::Scene scene_of(const Workload& w) {
+  return w.scene == "chain" ? scenes::chain(w.n) : scenes::ladder(w.n);
+}
+
+template <Formulation F>
+void walk(const Workload& w, int evaluations) {
+  const scenes::Scene scene = scene_of(w);
+  const auto mechanism = make_mechanism<double>(scene);
+  const auto state = make_state<double>(scene);
+  const auto bodies = to_coordinates<F>(mechanism, state, {});
+  AccelerationSolver<F> solver(mechanism);
+  for (int k = 0; k < evaluations; ++k)
+    solver.solve(bodies, state.t, w.refined ? Refinement::once : Refinement::none);
+}
+
+void walk(const Workload& w, int evaluations) {
+  if (w.formulation == ROmega<double>::name)
+    walk<ROmega<double>>(w, evaluations);
+  else if (w.formulation == RP<double>::name)
+    walk<RP<double>>(w, evaluations);
+  else
+    walk<REpsilon<double>>(w, evaluations);
+}
+
+/// All instructions of this program when it walks a workload so often.
+long long count(const Workload& w, int evaluations) {
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
+  const std::string command = fmt::format(
+      "valgrind --tool=callgrind --callgrind-out-file=/dev/null '{}' --walk {} --size {} "
+      "--formulation {} --evaluations {}{} 2>&1",
+      self, w.scene, w.n, w.formulation, evaluations, w.refined ? " --refined" : "");
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  if (!pipe) throw ModelError("cannot start a shell to run valgrind");
+  std::string said;
+  for (char block[4096]; fgets(block, sizeof block, pipe.get());) said += block;
+  const std::string key = "Collected : ";
+  const std::size_t at = said.find(key);
+  if (at == std::string::npos)
+    throw ModelError(fmt::format("valgrind counted nothing; is it installed? It said:\n{}", said));
+  return std::stoll(said.substr(at + key.size()));
+}
+
+struct Answer {
+  Workload workload;
+  int bodies = 0;
+  long long instructions = 0;
+
+  double per_body() const { return static_cast<double>(instructions) / bodies; }
+};
+
+Answer ask(const Workload& w) {
+  constexpr int few = 2, many = 12;
+  Answer answer{w, static_cast<int>(scene_of(w).bodies.size()), 0};
+  answer.instructions = (count(w, many) - count(w, few)) / (many - few);
+  return answer;
+}
+
+const std::vector<std::string> columns{"scene",      "bodies",       "formulation",
+                                       "refinement", "instructions", "instructions_per_body"};
+
+std::vector<std::string> fields(const Answer& a) {
+  return {fmt::format("{}_{}", a.workload.scene, a.workload.n),
+          std::to_string(a.bodies),
+          a.workload.formulation,
+          a.workload.refined ? "once" : "none",
+          std::to_string(a.instructions),
+          fmt::format("{:.0f}", a.per_body())};
+}
+
+std::string json_of(const std::vector<Answer>& answers) {
+  JsonWriter json;
+  json.begin_object().begin_array("workloads");
+  for (const Answer& a : answers) {
+    json.begin_object().text("scene", fmt::format("{}_{}", a.workload.scene, a.workload.n));
+    json.number("bodies", a.bodies).text("formulation", a.workload.formulation);
+    json.text("refinement", a.workload.refined ? "once" : "none").number("instructions", a.instructions);
+    json.end_object();
+  }
+  return json.end_array().end_object().str();
+}
+
+int run(const Program& program) {
+  std::vector<Workload> workloads;
+  for (const auto& [scene, n] : {std::pair("chain", 10), std::pair("chain", 100), std::pair("ladder", 40)})
+    for (const auto formulation : {ROmega<double>::name, RP<double>::name, REpsilon<double>::name})
+      for (const bool refined : {false, true})
+        workloads.push_back({scene, std::string(formulation), n, refined});
+  Progress progress("instruction_counts", workloads.size());
+  std::vector<Answer> answers;
+  for (const Workload& w : workloads) {
+    answers.push_back(ask(w));
+    progress.step();
+  }
+  ResultsFile file("instruction_counts", columns);
+  Table table(columns);
+  for (const Answer& a : answers) {
+    file.add(fields(a));
+    table.add(fields(a));
+  }
+  program.write(file);
+  fmt::print("{}", program.json() ? json_of(answers) : table.text());
+  return 0;
+}
+
+}  // namespace
+
+}  // namespace trivium
+
+int main(int argc, char** argv) {
+  using namespace trivium;
+  Program program("How many instructions does one evaluation of accelerations and multipliers take?",
+                  "instruction_counts");
+  Workload workload;
+  int evaluations = 0;
+  // what the program calls itself with, under valgrind
+  CLI::App& options = program.options();
+  options.add_option("--walk", workload.scene)->group("");
+  options.add_option("--size", workload.n)->group("");
+  options.add_option("--formulation", workload.formulation)->group("");
+  options.add_option("--evaluations", evaluations)->group("");
+  options.add_flag("--refined", workload.refined)->group("");
+  return program.run(argc, argv, [&] {
+    if (workload.scene.empty()) return run(program);
+    walk(workload, evaluations);
+    return 0;
+  });
+}
