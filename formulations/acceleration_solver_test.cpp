@@ -29,6 +29,16 @@ TYPED_TEST(StructuredSolver, AgreesOnTheCatalogue) {
   }
 }
 
+TYPED_TEST(StructuredSolver, MinimumNormIsThatOfThePrintedSystem) {
+  for (const char* name : {"four_bar", "bricard", "door"}) {
+    test::SolvedTwice<TypeParam> s(
+        scenes::read_scene_file(std::filesystem::path(TRIVIUM_SCENES_DIR) / (std::string(name) + ".json")));
+    ASSERT_LT(s.structured.rank(), s.mechanism.nc()) << name;
+    const VectorX<double> least = s.structured.minimum_norm_lambda(), printed = s.by_print.lambda;
+    EXPECT_LE((least - printed).norm(), 1e-10 * (1e-6 + printed.norm())) << name;
+  }
+}
+
 TEST(StructuredSolver, NamesTheBodyWhoseMotionHasNoInertia) {
   scenes::Scene scene;
   scene.bodies = {test::body("rod", 1, {0, 1, 1})};
