@@ -1,5 +1,7 @@
 #include "validation/cost/ensemble.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -10,6 +12,7 @@
 #include "formulations/r_omega.hpp"
 #include "formulations/r_p.hpp"
 #include "validation/catalogue.hpp"
+#include "validation/cost/batch_sweep.hpp"
 #include "validation/cost/ours.hpp"
 #include "validation/cost/peer_translation.hpp"
 #ifdef TRIVIUM_COST_MUJOCO
@@ -26,7 +29,7 @@ constexpr int states = 4096;
 constexpr int checked_states = 16;
 
 scenes::Scene arm_under_gravity() {
-  scenes::Scene arm = load_scene("open_arm_7");
+  scenes::Scene arm = load_scene("open_arm_7", 0);
   std::erase_if(arm.effects,
                 [](const scenes::Effect& e) { return !std::holds_alternative<scenes::Gravity>(e); });
   return arm;
@@ -148,6 +151,16 @@ Sweep our_sweep(const Ensemble& ensemble, Measurement row, Refinement refinement
           }};
 }
 
+Sweep our_batches(const Ensemble& ensemble, Measurement row, const char* formulation, Refinement refinement) {
+  const bool refined = refinement == Refinement::once;
+  const BatchSweep batches = batch_sweep(ensemble.arm.mechanism, ensemble.state, formulation, refined);
+  row.engine = fmt::format("{}, {} lanes", our_name, batches.lanes);
+  row.ours = true;
+  row.formulation = formulation;
+  row.refinement = refined ? "refined" : "unrefined";
+  return {row, batches.all, batches.r_ddot};
+}
+
 #ifdef TRIVIUM_COST_MUJOCO
 Sweep mujoco_sweep(const Ensemble& ensemble, Measurement row) {
   struct Data {
@@ -187,6 +200,8 @@ std::vector<Sweep> sweeps(const Ensemble& ensemble) {
     all.push_back(our_sweep<ROmega<double>>(ensemble, row, refinement));
     all.push_back(our_sweep<RP<double>>(ensemble, row, refinement));
     all.push_back(our_sweep<REpsilon<double>>(ensemble, row, refinement));
+    for (const char* formulation : formulations)
+      all.push_back(our_batches(ensemble, row, formulation, refinement));
   }
 #ifdef TRIVIUM_COST_MUJOCO
   all.push_back(mujoco_sweep(ensemble, row));
