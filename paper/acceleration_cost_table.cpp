@@ -63,8 +63,9 @@ Tex microseconds(double x) {
 std::string plot(const ResultsTable& table, const std::string& family) {
   std::string out =
       "\\begin{tikzpicture}\n\\begin{loglogaxis}[width=0.49\\textwidth,height=0.44\\textwidth,grid=major,\n"
-      "  xlabel={$n$},ylabel={microseconds per body},legend style={font=\\scriptsize},\n"
-      "  legend pos=north west,cycle list name=black white]\n";
+      "  xlabel={$n$},ylabel={microseconds per body},legend columns=3,\n"
+      "  legend style={font=\\scriptsize,draw=none,at={(0.5,-0.24)},anchor=north,/tikz/every even "
+      "column/.append style={column sep=4pt}}]\n";
   std::vector<Solver> all = ours;
   all.insert(all.end(), others.begin(), others.end());
   for (const Solver& solver : all) {
