@@ -197,13 +197,16 @@ class Planner {
       // of two nodes the one that is eliminated earlier moves to its parent
       int a = e.i, b = e.j;
       std::vector<int> path;
+      bool is_relative = e.is_relative;
       while (a != b) {
         int& lower = depth_order(a) < depth_order(b) ? a : b;
         path.push_back(link_of_[lower]);
+        const int joint = plan_.links[link_of_[lower]].edge;
+        is_relative = is_relative && (joint < 0 || plan_.graph.edges[joint].is_relative);
         lower = forest_.parent[lower];
       }
-      // rows that see absolute motion are settled only when no body is left
-      for (; !e.is_relative && a != ground_; a = forest_.parent[a]) path.push_back(link_of_[a]);
+      // where any row of the loop sees absolute motion, what it leaves is settled only when no body is left
+      for (; !is_relative && a != ground_; a = forest_.parent[a]) path.push_back(link_of_[a]);
       std::sort(path.begin(), path.end());
       plan_.closings[c].body = a;
       for (int link : path) slot_[{c, plan_.links[link].body}] = plan_.column_slots++;
