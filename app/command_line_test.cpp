@@ -415,9 +415,17 @@ TEST(Generate, RefusesANegativeSeed) {
 }
 
 TEST(Generate, WritesWhatCheckAccepts) {
-  const std::string file = temporary("chain.json").string();
-  ASSERT_EQ(run("trivium generate chain 12 --out " + file).exit_code, 0);
-  EXPECT_EQ(run("trivium check " + file).exit_code, 0);
+  for (const std::string kind : {"chain", "ladder", "tree", "ring", "hub"}) {
+    const std::string file = temporary(kind + ".json").string();
+    ASSERT_EQ(run("trivium generate " + kind + " 12 --out " + file).exit_code, 0) << kind;
+    EXPECT_EQ(run("trivium check " + file).exit_code, 0) << kind;
+  }
+}
+
+TEST(Generate, RefusesARingOfTwo) {
+  const Outcome r = run("trivium generate ring 2");
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_NE(r.err.find("N: found 2; accepted: 3 bars of a ring or more"), std::string::npos) << r.err;
 }
 
 TEST(EveryProgram, HasHelpAndVersion) {

@@ -23,6 +23,12 @@ struct GenerateArguments {
 scenes::Scene generate(const GenerateArguments& arguments) {
   if (arguments.kind == "chain") return scenes::chain(arguments.n);
   if (arguments.kind == "ladder") return scenes::ladder(arguments.n);
+  if (arguments.kind == "ring") {
+    if (arguments.n < 3)
+      throw InputErrors({fmt::format("N: found {}; accepted: 3 bars of a ring or more", arguments.n)});
+    return scenes::ring(arguments.n);
+  }
+  if (arguments.kind == "hub") return scenes::hub(arguments.n);
   return scenes::tree(arguments.n, arguments.seed);
 }
 
@@ -39,12 +45,13 @@ int run_generate(const GenerateArguments& arguments) {
 
 Command add_generate_command(CLI::App& app) {
   auto arguments = std::make_shared<GenerateArguments>();
-  CLI::App* command = app.add_subcommand("generate", "A chain, ladder or tree of N as a scene file");
+  CLI::App* command =
+      app.add_subcommand("generate", "A chain, ladder, tree, ring or hub of N as a scene file");
   command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
-  command->add_option("KIND", arguments->kind, "chain, ladder or tree")
+  command->add_option("KIND", arguments->kind, "chain, ladder, tree, ring or hub")
       ->required()
-      ->check(CLI::IsMember({"chain", "ladder", "tree"}));
-  command->add_option("N", arguments->n, "Bars, or loops of the ladder")
+      ->check(CLI::IsMember({"chain", "ladder", "tree", "ring", "hub"}));
+  command->add_option("N", arguments->n, "Bars (3 or more of a ring), or loops of the ladder")
       ->required()
       ->check(CLI::Range(1, 100000));
   command->add_option("--seed", arguments->seed, "Seed of the tree")

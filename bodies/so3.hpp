@@ -37,14 +37,19 @@ Matrix3<Scalar> tilde(const Vector3<Scalar>& a) {
 /// e0 I + tilde(e), the 3x3 part that E and B(p, abar) share.
 template <class Scalar>
 Matrix3<Scalar> euler_parameter_block(const Vector4<Scalar>& p) {
-  return p[0] * Matrix3<Scalar>::Identity() + tilde<Scalar>(p.template tail<3>());
+  Matrix3<Scalar> block;
+  block.col(0) = Vector3<Scalar>(p[0], p[3], -p[2]);
+  block.col(1) = Vector3<Scalar>(-p[3], p[0], p[1]);
+  block.col(2) = Vector3<Scalar>(p[2], -p[1], p[0]);
+  return block;
 }
 
 /// E = [-e, e0 I + tilde(e)], 3x4.
 template <class Scalar>
 Matrix<Scalar, 3, 4> E_matrix(const Vector4<Scalar>& p) {
   Matrix<Scalar, 3, 4> E;
-  E << -p.template tail<3>(), euler_parameter_block(p);
+  E.col(0) = -p.template tail<3>();
+  E.template rightCols<3>() = euler_parameter_block(p);
   return E;
 }
 
@@ -52,7 +57,8 @@ Matrix<Scalar, 3, 4> E_matrix(const Vector4<Scalar>& p) {
 template <class Scalar>
 Matrix<Scalar, 3, 4> G_matrix(const Vector4<Scalar>& p) {
   Matrix<Scalar, 3, 4> G;
-  G << -p.template tail<3>(), euler_parameter_block(p).transpose();
+  G.col(0) = -p.template tail<3>();
+  G.template rightCols<3>() = euler_parameter_block(p).transpose();
   return G;
 }
 
@@ -106,20 +112,9 @@ Matrix3<Scalar> axis_rotation(int k, const Scalar& angle) {
 template <class Scalar>
 Matrix3<Scalar> times_tilde(const Matrix3<Scalar>& M, const Vector3<Scalar>& a) {
   Matrix3<Scalar> product;
-  product << M.col(1) * a.z() - M.col(2) * a.y(), M.col(2) * a.x() - M.col(0) * a.z(),
-      M.col(0) * a.y() - M.col(1) * a.x();
-  return product;
-}
-
-/// M times the rotation by `angle` about coordinate axis k: two columns mix.
-template <class Scalar>
-Matrix3<Scalar> times_axis_rotation(const Matrix3<Scalar>& M, int k, const Scalar& angle) {
-  using std::cos, std::sin;
-  const Scalar c = cos(angle), s = sin(angle);
-  const int m = (k + 1) % 3, n = (k + 2) % 3;
-  Matrix3<Scalar> product = M;
-  product.col(m) = c * M.col(m) + s * M.col(n);
-  product.col(n) = c * M.col(n) - s * M.col(m);
+  product.col(0) = M.col(1) * a.z() - M.col(2) * a.y();
+  product.col(1) = M.col(2) * a.x() - M.col(0) * a.z();
+  product.col(2) = M.col(0) * a.y() - M.col(1) * a.x();
   return product;
 }
 

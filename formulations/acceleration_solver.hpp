@@ -3,6 +3,8 @@
 /// rows eliminated in closed form, assembled joint by joint and solved along the body-joint graph. One object
 /// per mechanism, planned once; solving again at another state allocates nothing.
 
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <cmath>
 #include <span>
 #include <string>
@@ -11,6 +13,7 @@
 
 #include "formulations/equations_of_motion.hpp"
 #include "formulations/graph_solver.hpp"
+#include "formulations/point_joint.hpp"
 
 namespace trivium {
 
@@ -42,43 +45,37 @@ class AccelerationSolver {
         motion_(mechanism.nb() + 1) {
     body_.resize(mechanism.nb() + 1);
     body_.back() = Body{body_kinematics(std::vector<BodyState<F>>{}).back()};
-    for (int b = 0; b < mechanism.nb(); ++b) {
-      matrix_.H[b].rr = mechanism.bodies[b].mass * Matrix3<S>::Identity();
-      matrix_.H[b].rx.setZero();
-    }
+    turning_.resize(mechanism.nb() + 1);
+    turning_.back() = F::turning(body_.back());
+    for (int b = 0; b < mechanism.nb(); ++b) matrix_.H[b].rr.diagonal().setConstant(mechanism.bodies[b].mass);
     plan_assembly();
   }
 
   /// Solves at a state. Throws a ModelError that names the body where a link is singular.
   void solve(std::span<const BodyState<F>> state, const S& t, Refinement refinement = Refinement::once) {
-    assemble(state, t);
-    factor();
-    solver_.solve(right_side_, solution_);
+    move_bodies(state, t);
+    assemble_closings(t);
+    solver_.start(matrix_, right_side_);
+    naming_bodies([&] {
+      auto joint = links_.begin();
+      for (int step = 0; step < solver_.steps(); ++step) {
+        if (joint != links_.end() && joint->link == solver_.plan().steps[step].link)
+          assemble_link(*joint++, t);
+        solver_.eliminate(step, right_side_);
+      }
+    });
+    solver_.substitute(solution_);
     if (refinement == Refinement::once) refine();
   }
 
-  // the steps of `solve`, for those who time or reuse them
+  // the same in steps, for those who reuse the factors
   void assemble(std::span<const BodyState<F>> state, const S& t) {
-    for (int b = 0; b < mechanism_.nb(); ++b)
-      body_[b] = Body{F::kinematics(state[b].chart, state[b].r, state[b].r_dot, state[b].q)};
-    apply_effects(t);
-    for (int b = 0; b < mechanism_.nb(); ++b) {
-      const Matrix3<S>& J_bar = mechanism_.bodies[b].inertia;
-      matrix_.H[b].xx = F::reduced_mass_block(body_[b], J_bar);
-      right_side_.body[b].template head<3>() = wrenches_[b].F;
-      right_side_.body[b].template tail<3>() = F::reduced_force(body_[b], J_bar, wrenches_[b].n_bar);
-    }
-    for (const PointJoint& joint : points_) assemble_point(joint, t);
-    for (const int edge : general_) assemble_rows(edge, t);
+    move_bodies(state, t);
+    assemble_closings(t);
+    for (const LinkJoint& link : links_) assemble_link(link, t);
   }
   void factor() {
-    try {
-      solver_.factor(matrix_);
-    } catch (const SingularLink& e) {
-      throw ModelError(fmt::format(
-          "body \"{}\": {}; its links cannot be eliminated one by one: solve the printed system instead",
-          mechanism_.body_names[e.body()], e.what()));
-    }
+    naming_bodies([&] { solver_.factor(matrix_); });
   }
   /// One step of iterative refinement.
   void refine() {
@@ -91,10 +88,10 @@ class AccelerationSolver {
   /// Of the last refinement.
   const Corrections& corrections() const { return corrections_; }
 
-  Vector3<S> r_ddot(int b) const { return solution_.body[b].template head<3>(); }
+  Vector3<S> r_ddot(int b) const { return unpadded<S>(solution_.body[b].r); }
   /// The formulation's own unknown.
   typename F::Unknown q_ddot(int b) const {
-    return F::from_reduced(body_[b], Vector3<S>(solution_.body[b].template tail<3>()));
+    return F::from_reduced(body_[b], unpadded<S>(solution_.body[b].x));
   }
   Vector3<S> omega_bar_dot(int b) const { return F::to_angular_acceleration(body_[b], q_ddot(b)); }
   /// One multiplier per row of the mechanism; 0 in rows that were left out because they depend on others.
@@ -113,119 +110,126 @@ class AccelerationSolver {
   }
   int rank() const { return mechanism_.nc() - static_cast<int>(dropped_rows().size()); }
 
-  /// Which multipliers are unique: those that no combination that acts on nothing contains. One solve per
-  /// dropped row; not for the timed path.
+  // on demand, one solve per dropped row; not for the timed path
+
+  /// Which multipliers are unique: those that no combination that acts on nothing contains.
   std::vector<bool> unique();
+  /// Lambda of minimum |E lambda| among those with the same Phi^T lambda, E = diag(Phi M^-1 Phi^T)^(1/2).
+  /// Throws a ModelError that names the body where M is singular and the choice matters.
+  VectorX<S> minimum_norm_lambda();
 
  private:
-  /// The rows of a point joint in the tree, its body vectors listed once.
-  struct PointJoint {
+  /// A point joint of the tree, and one that closes a loop.
+  struct LinkJoint {
     int link, edge;
-    BodyPair bodies;
     bool child_is_j;
-    Vector3<S> s_bar_i, s_bar_j;
-    /// At most three vectors, each once.
-    struct Vectors {
-      std::array<Vector3<S>, 3> a_bar;
-      int size = 0;
-
-      int index_of(const Vector3<S>& vector) {
-        int k = 0;
-        while (k < size && a_bar[k] != vector) ++k;
-        if (k == size) a_bar[size++] = vector;
-        return k;
-      }
-    };
-    Vectors on_i, on_j;
-    struct Orientation {
-      int i, j;  ///< of on_i and on_j; -1: a row of another kind
-      int row;
-    };
-    std::array<Orientation, 3> rows;
-    int size = 0;
+    PointJoint<S> joint;
   };
-  using Row = ConstraintRow<S, 3>;
+  struct ClosingJoint {
+    int edge;
+    PointJoint<S> joint;
+  };
 
   void plan_assembly() {
     const EliminationPlan& plan = solver_.plan();
-    std::vector<bool> is_point_link(plan.graph.edges.size(), false);
     for (std::size_t n = 0; n < plan.links.size(); ++n) {
-      const int e = plan.links[n].edge;
-      if (e < 0 || !plan.graph.edges[e].is_point) continue;
-      is_point_link[e] = true;
-      points_.push_back(point_joint(static_cast<int>(n), e));
+      const EliminationPlan::Link& link = plan.links[n];
+      if (plan.is_point_link(link))
+        links_.push_back(
+            {static_cast<int>(n), link.edge, link.body_is_j, {mechanism_, plan.graph.edges[link.edge]}});
     }
-    for (std::size_t e = 0; e < plan.graph.edges.size(); ++e)
-      if (!is_point_link[e]) general_.push_back(static_cast<int>(e));
+    for (int e = 0; e < static_cast<int>(plan.graph.edges.size()); ++e) {
+      const GraphEdge& edge = plan.graph.edges[e];
+      if (plan.rows_slot[e] < 0) continue;
+      if (edge.is_point) {
+        closings_.push_back({e, {mechanism_, edge}});
+        EdgeRows<S>& rows = matrix_.rows[plan.rows_slot[e]];
+        for (int k = 0; k < 3; ++k) {
+          rows.C_i.r(k, k) = S(-1);
+          rows.C_j.r(k, k) = S(1);
+        }
+      } else {
+        others_.push_back(e);
+      }
+    }
   }
 
-  PointJoint point_joint(int link, int e) const {
-    const GraphEdge& edge = solver_.plan().graph.edges[e];
-    const auto& point = std::get<CD<S>>(mechanism_.rows[edge.rows[0]]);
-    PointJoint joint{link, e,  edge, solver_.plan().links[link].body_is_j, point.s_bar_i, point.s_bar_j, {},
-                     {},   {}, 0};
-    for (std::size_t k = 3; k < edge.rows.size(); ++k) {
-      const auto* row = std::get_if<DP1<S>>(&mechanism_.rows[edge.rows[k]]);
-      const bool plain = row != nullptr && row->i == edge.i && row->f.is_number();
-      joint.rows[joint.size++] = {plain ? joint.on_i.index_of(row->a_bar_i) : -1,
-                                  plain ? joint.on_j.index_of(row->a_bar_j) : -1, edge.rows[k]};
+  template <class Work>
+  void naming_bodies(const Work& work) const {
+    try {
+      work();
+    } catch (const SingularLink& e) {
+      throw ModelError(fmt::format(
+          "body \"{}\": {}; its links cannot be eliminated one by one: solve the printed system instead",
+          mechanism_.body_names[e.body()], e.what()));
     }
-    return joint;
+  }
+
+  void move_bodies(std::span<const BodyState<F>> state, const S& t) {
+    const bool effects_see_motion = mechanism_.effects.see_motion();
+    if (!effects_see_motion) apply_effects(t);
+    for (int b = 0; b < mechanism_.nb(); ++b) {
+      move_body(b, state[b]);
+      if (!effects_see_motion) push_body(b);
+    }
+    if (!effects_see_motion) return;
+    std::copy(body_.begin(), body_.end(), motion_.begin());
+    apply_effects(t);
+    for (int b = 0; b < mechanism_.nb(); ++b) push_body(b);
+  }
+  [[gnu::flatten]] void move_body(int b, const BodyState<F>& state) {
+    body_[b] = Body{F::kinematics(state.chart, state.r, state.r_dot, state.q)};
+    turning_[b] = F::turning(body_[b]);
+    matrix_.H[b].xx.template topRows<3>() = F::reduced_mass_block(body_[b], mechanism_.bodies[b].inertia);
+  }
+  [[gnu::flatten]] void push_body(int b) {
+    const Wrench<S>& wrench = wrenches_[b];
+    const Vector3<S> force = F::reduced_force(body_[b], mechanism_.bodies[b].inertia, wrench.n_bar);
+    right_side_.body[b] = {padded<S>(wrench.F), padded<S>(force)};
+  }
+
+  void assemble_closings(const S& t) {
+    for (const ClosingJoint& closing : closings_) assemble_closing(closing, t);
+    for (const int edge : others_) assemble_rows(edge, t);
   }
 
   void apply_effects(const S& t) {
     for (Wrench<S>& w : wrenches_) w = {};
-    if (mechanism_.effects.see_motion()) std::copy(body_.begin(), body_.end(), motion_.begin());
     mechanism_.effects.apply(EffectView<S>{mechanism_.bodies, motion_, t}, wrenches_);
   }
 
-  void assemble_point(const PointJoint& joint, const S& t) {
-    const Body &i = body_[joint.bodies.i], &j = body_[joint.bodies.j];
-    PointRows<S>& rows = matrix_.point[joint.link];
-    Vector6<S>& gamma = right_side_.edge[joint.edge];
-    const BodyVector<S> s_i = i.vector(joint.s_bar_i), s_j = j.vector(joint.s_bar_j);
-    (joint.child_is_j ? rows.K_child : rows.K_parent) = j.jacobian(s_j);
-    (joint.child_is_j ? rows.K_parent : rows.K_child) = i.jacobian(s_i);
-    gamma.template head<3>() = s_i.bias - s_j.bias;
-    Matrix3<S>&W_i = joint.child_is_j ? rows.W_parent : rows.W_child,
-    &W_j = joint.child_is_j ? rows.W_child : rows.W_parent;
-    using VectorI = BodyVectorFeature<Body, End::i>;
-    using VectorJ = BodyVectorFeature<Body, End::j>;
-    const auto place = [&](int k, const Row& row) {
-      W_i.col(k) = row.rot_i.transpose();
-      W_j.col(k) = row.rot_j.transpose();
-      gamma[3 + k] = row.gamma;
-    };
-    // a vector that two rows share is evaluated once
-    for (int n = 0; n < joint.on_j.size; ++n) {
-      const VectorJ b(j, joint.on_j.a_bar[n]);
-      for (int k = 0; k < joint.size; ++k)
-        if (joint.rows[k].j == n)
-          place(k, product_row<Row>(VectorI(i, joint.on_i.a_bar[joint.rows[k].i]), b, Jet<S>{}));
-    }
-    for (int k = 0; k < joint.size; ++k) {
-      if (joint.rows[k].i >= 0) continue;
-      const auto& constraint = mechanism_.rows[joint.rows[k].row];
-      const BodyPair pair = bodies_of(constraint);
-      Row row = evaluate_row(constraint, body_[pair.i], body_[pair.j], t);
-      if (pair.i != joint.bodies.i) row.rot_i.swap(row.rot_j);
-      place(k, row);
-    }
+  void assemble_link(const LinkJoint& link, const S& t) {
+    PointRows<S>& rows = matrix_.point[link.link];
+    Vector6<S>& gamma = right_side_.edge[link.edge];
+    if (link.child_is_j)
+      link.joint.evaluate(turning_, body_, t, rows.L_parent, rows.L_child, rows.W_parent, rows.W_child,
+                          gamma);
+    else
+      link.joint.evaluate(turning_, body_, t, rows.L_child, rows.L_parent, rows.W_child, rows.W_parent,
+                          gamma);
+  }
+
+  void assemble_closing(const ClosingJoint& closing, const S& t) {
+    EdgeRows<S>& rows = matrix_.rows[solver_.plan().rows_slot[closing.edge]];
+    closing.joint.evaluate(turning_, body_, t, rows.C_i.x.template leftCols<3>(),
+                           rows.C_j.x.template leftCols<3>(), rows.C_i.x.template rightCols<3>(),
+                           rows.C_j.x.template rightCols<3>(), right_side_.edge[closing.edge]);
+    rows.C_i.x.template leftCols<3>() *= S(-1);
   }
 
   void assemble_rows(int e, const S& t) {
     const GraphEdge& edge = solver_.plan().graph.edges[e];
-    EdgeRows<S>& rows = matrix_.rows[e];
+    EdgeRows<S>& rows = matrix_.rows[solver_.plan().rows_slot[e]];
     for (int k = 0; k < edge.size(); ++k) {
       const auto& constraint = mechanism_.rows[edge.rows[k]];
       const BodyPair pair = bodies_of(constraint);
-      const Row row = evaluate_row(constraint, body_[pair.i], body_[pair.j], t);
-      auto on_i = (pair.i == edge.i ? rows.C_i : rows.C_j).col(k);
-      auto on_j = (pair.i == edge.i ? rows.C_j : rows.C_i).col(k);
-      on_i.template head<3>() = row.r_i.transpose();
-      on_i.template tail<3>() = row.rot_i.transpose();
-      on_j.template head<3>() = row.r_j.transpose();
-      on_j.template tail<3>() = row.rot_j.transpose();
+      const auto row = evaluate_row(constraint, body_[pair.i], body_[pair.j], t);
+      const auto place = [&](BodyColumns<S>& C, const auto& r, const auto& x) {
+        C.r.col(k) = padded<S>(r.transpose());
+        C.x.col(k) = padded<S>(x.transpose());
+      };
+      place(pair.i == edge.i ? rows.C_i : rows.C_j, row.r_i, row.rot_i);
+      place(pair.i == edge.i ? rows.C_j : rows.C_i, row.r_j, row.rot_j);
       right_side_.edge[e][k] = row.gamma;
     }
   }
@@ -233,9 +237,8 @@ class AccelerationSolver {
   void measure_and_add_step() {
     S moved(0), size(0);
     for (int b = 0; b < mechanism_.nb(); ++b) {
-      const auto energy = [&](const Vector6<S>& a) {
-        const Vector3<S> x = a.template tail<3>();
-        return S(mechanism_.bodies[b].mass * a.template head<3>().squaredNorm() + x.dot(matrix_.H[b].xx * x));
+      const auto energy = [&](const BodyPart<S>& a) {
+        return S(mechanism_.bodies[b].mass * a.r.squaredNorm() + a.x.dot(times<S, 3>(matrix_.H[b].xx, a.x)));
       };
       moved += energy(step_.body[b]);
       solution_.body[b] += step_.body[b];
@@ -244,17 +247,20 @@ class AccelerationSolver {
     WrenchSize lambda_moved, lambda_size;
     const EliminationPlan& plan = solver_.plan();
     for (std::size_t e = 0; e < plan.graph.edges.size(); ++e) solution_.edge[e] += step_.edge[e];
-    for (const PointJoint& joint : points_) {
-      const PointRows<S>& rows = matrix_.point[joint.link];
-      lambda_moved.add(rows, step_.edge[joint.edge], joint.size);
-      lambda_size.add(rows, solution_.edge[joint.edge], joint.size);
+    for (const LinkJoint& link : links_) {
+      const PointRows<S>& rows = matrix_.point[link.link];
+      lambda_moved.add(rows, step_.edge[link.edge], link.joint.size());
+      lambda_size.add(rows, solution_.edge[link.edge], link.joint.size());
     }
-    for (const int e : general_) {
+    const auto measure = [&](int e) {
       const GraphEdge& edge = plan.graph.edges[e];
-      const Matrix6<S>& C = edge.j == plan.graph.bodies ? matrix_.rows[e].C_i : matrix_.rows[e].C_j;
+      const EdgeRows<S>& rows = matrix_.rows[plan.rows_slot[e]];
+      const BodyColumns<S>& C = edge.j == plan.graph.bodies ? rows.C_i : rows.C_j;
       lambda_moved.add(C, step_.edge[e], edge.size());
       lambda_size.add(C, solution_.edge[e], edge.size());
-    }
+    };
+    for (const ClosingJoint& closing : closings_) measure(closing.edge);
+    for (const int e : others_) measure(e);
     const auto ratio = [](const S& difference, const S& whole) {
       return largest_lane(difference) == 0 ? 0.0 : std::sqrt(largest_lane(S(difference / whole)));
     };
@@ -267,19 +273,25 @@ class AccelerationSolver {
     S force{0}, moment{0};
 
     void add(const PointRows<S>& rows, const Vector6<S>& lambda, int orientations) {
-      const Vector3<S> f = lambda.template head<3>();
+      const Padded<S> f = padded<S>(lambda.template head<3>());
       force += f.squaredNorm();
-      moment += (rows.K_child.transpose() * f).squaredNorm();
+      moment += times<S, 3>(rows.L_child, f).squaredNorm();
       for (int k = 0; k < orientations; ++k)
         moment += lambda[3 + k] * lambda[3 + k] * rows.W_child.col(k).squaredNorm();
     }
-    void add(const Matrix6<S>& C, const Vector6<S>& lambda, int size) {
+    void add(const BodyColumns<S>& C, const Vector6<S>& lambda, int size) {
       for (int k = 0; k < size; ++k) {
-        force += lambda[k] * lambda[k] * C.col(k).template head<3>().squaredNorm();
-        moment += lambda[k] * lambda[k] * C.col(k).template tail<3>().squaredNorm();
+        force += lambda[k] * lambda[k] * C.r.col(k).squaredNorm();
+        moment += lambda[k] * lambda[k] * C.x.col(k).squaredNorm();
       }
     }
   };
+
+  /// Null space of Phi^T, a column per dropped row.
+  MatrixX<S> idle_combinations();
+  /// Per row the sum over its bodies of norm2(body, r, x) of what the row does there.
+  template <class Norm2>
+  VectorX<S> row_sizes(const Norm2& norm2) const;
 
   template <class Visit>
   void for_each_row(const Visit& visit) const {
@@ -292,34 +304,108 @@ class AccelerationSolver {
   GraphSolver<S> solver_;
   GraphMatrix<S> matrix_;
   GraphVector<S> right_side_, solution_, defect_, step_;
-  std::vector<Body> body_;  ///< nb + 1, the ground last
+  std::vector<Body> body_;  ///< nb + 1, the ground last, and so
+  std::vector<Turning<S>> turning_;
   std::vector<Wrench<S>> wrenches_;
   std::vector<BodyMotion<S>> motion_;
-  std::vector<PointJoint> points_;
-  std::vector<int> general_;  ///< edges that are not point joints of the tree
+  std::vector<LinkJoint> links_;
+  std::vector<ClosingJoint> closings_;
+  std::vector<int> others_;  ///< edges that are not point joints
   Corrections corrections_;
 };
 
 template <Formulation F>
-std::vector<bool> AccelerationSolver<F>::unique() {
-  // a row's size in the units of its multiplier: the acceleration that a unit of it gives its bodies
+MatrixX<typename F::Scalar> AccelerationSolver<F>::idle_combinations() {
+  const std::vector<int> dropped = dropped_rows();
+  MatrixX<S> N = MatrixX<S>::Zero(mechanism_.nc(), static_cast<Eigen::Index>(dropped.size()));
   const auto& edges = solver_.plan().graph.edges;
-  std::vector<bool> flags(mechanism_.nc(), true);
   GraphVector<S> unit(solver_.plan().graph), combination(unit);
   for_each_row([&](int edge, int k, int row) {
     if (!solver_.is_dropped(edge, k)) return;
-    flags[row] = false;
-    for (Vector6<S>& f : unit.body) f.setZero();
-    const EdgeRows<S>& rows = matrix_.rows[edge];
-    unit.body[edges[edge].i] -= rows.C_i.col(k);
-    unit.body[edges[edge].j] -= rows.C_j.col(k);
+    const auto n = std::lower_bound(dropped.begin(), dropped.end(), row) - dropped.begin();
+    // what the row does to its bodies, done by the others
+    std::fill(unit.body.begin(), unit.body.end(), BodyPart<S>{});
+    const EdgeRows<S>& rows = matrix_.rows[solver_.plan().rows_slot[edge]];
+    unit.body[edges[edge].i] += BodyPart<S>{-rows.C_i.r.col(k), -rows.C_i.x.col(k)};
+    unit.body[edges[edge].j] += BodyPart<S>{-rows.C_j.r.col(k), -rows.C_j.x.col(k)};
     solver_.solve(unit, combination);
-    for_each_row([&](int other, int n, int other_row) {
-      using std::abs;
-      if (abs(combination.edge[other][n]) > S(1e-6)) flags[other_row] = false;
-    });
+    for_each_row([&](int other, int m, int other_row) { N(other_row, n) = combination.edge[other][m]; });
+    N(row, n) = S(1);
   });
+  return N;
+}
+
+template <Formulation F>
+template <class Norm2>
+VectorX<typename F::Scalar> AccelerationSolver<F>::row_sizes(const Norm2& norm2) const {
+  const EliminationPlan& plan = solver_.plan();
+  VectorX<S> E2 = VectorX<S>::Zero(mechanism_.nc());
+  const auto add = [&](int body, int row, const Padded<S>& r, const Padded<S>& x) {
+    if (body != plan.graph.bodies) E2[row] += norm2(body, unpadded<S>(r), unpadded<S>(x));
+  };
+  for (const LinkJoint& joint : links_) {
+    const EliminationPlan::Link& link = plan.links[joint.link];
+    const PointRows<S>& rows = matrix_.point[joint.link];
+    const std::vector<int>& row = plan.graph.edges[joint.edge].rows;
+    for (int k = 0; k < static_cast<int>(row.size()); ++k) {
+      const bool is_point = k < 3;
+      const Padded<S> r = is_point ? padded<S>(Vector3<S>::Unit(k)) : Padded<S>(Padded<S>::Zero());
+      add(link.body, row[k], r, is_point ? rows.L_child.col(k) : rows.W_child.col(k - 3));
+      add(link.parent, row[k], r, is_point ? rows.L_parent.col(k) : rows.W_parent.col(k - 3));
+    }
+  }
+  for (std::size_t e = 0; e < plan.graph.edges.size(); ++e) {
+    if (plan.rows_slot[e] < 0) continue;
+    const GraphEdge& edge = plan.graph.edges[e];
+    const EdgeRows<S>& rows = matrix_.rows[plan.rows_slot[e]];
+    for (int k = 0; k < edge.size(); ++k) {
+      add(edge.i, edge.rows[k], rows.C_i.r.col(k), rows.C_i.x.col(k));
+      add(edge.j, edge.rows[k], rows.C_j.r.col(k), rows.C_j.x.col(k));
+    }
+  }
+  return E2;
+}
+
+template <Formulation F>
+std::vector<bool> AccelerationSolver<F>::unique() {
+  std::vector<bool> flags(mechanism_.nc(), true);
+  const MatrixX<S> N = idle_combinations();
+  if (N.cols() == 0) return flags;
+  // a combination is judged row by row by what each could do to its bodies
+  const VectorX<S> E2 = row_sizes([&](int b, const Vector3<S>& r, const Vector3<S>& x) {
+    const S moments = matrix_.H[b].xx(0, 0) + matrix_.H[b].xx(1, 1) + matrix_.H[b].xx(2, 2);
+    const S by_moment = moments > S(0) ? S(x.squaredNorm() / moments) : S(0);
+    return S(r.squaredNorm() / mechanism_.bodies[b].mass + by_moment);
+  });
+  for (Eigen::Index n = 0; n < N.cols(); ++n) {
+    S largest(0);
+    for (int row = 0; row < mechanism_.nc(); ++row) {
+      const S size = N(row, n) * N(row, n) * E2[row];
+      largest = select(size > largest, size, largest);
+    }
+    for (int row = 0; row < mechanism_.nc(); ++row)
+      if (N(row, n) * N(row, n) * E2[row] > S(1e-12) * largest) flags[row] = false;
+  }
   return flags;
+}
+
+template <Formulation F>
+VectorX<typename F::Scalar> AccelerationSolver<F>::minimum_norm_lambda() {
+  VectorX<S> all = lambda();
+  const MatrixX<S> N = idle_combinations();
+  if (N.cols() == 0) return all;
+  const VectorX<S> E2 = row_sizes([&](int b, const Vector3<S>& r, const Vector3<S>& x) {
+    const Matrix3<S> J = matrix_.H[b].xx.template topRows<3>();
+    const S moments = J.trace() / 3;
+    if (!(J.determinant() > unit_roundoff<S>() * moments * moments * moments))
+      throw ModelError(
+          fmt::format("body \"{}\" has no inertia about an axis, so that its share in E is not "
+                      "defined: ask the printed system for the minimum norm",
+                      mechanism_.body_names[b]));
+    return S(r.squaredNorm() / mechanism_.bodies[b].mass + x.dot(J.inverse() * x));
+  });
+  const MatrixX<S> gram = N.transpose() * E2.asDiagonal() * N;
+  return all - N * gram.ldlt().solve(N.transpose() * E2.cwiseProduct(all));
 }
 
 }  // namespace trivium

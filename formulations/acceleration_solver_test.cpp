@@ -29,6 +29,27 @@ TYPED_TEST(StructuredSolver, AgreesOnTheCatalogue) {
   }
 }
 
+TYPED_TEST(StructuredSolver, MinimumNormIsThatOfThePrintedSystem) {
+  for (const char* name : {"four_bar", "bricard", "door"}) {
+    test::SolvedTwice<TypeParam> s(
+        scenes::read_scene_file(std::filesystem::path(TRIVIUM_SCENES_DIR) / (std::string(name) + ".json")));
+    ASSERT_LT(s.structured.rank(), s.mechanism.nc()) << name;
+    const VectorX<double> least = s.structured.minimum_norm_lambda(), printed = s.by_print.lambda;
+    EXPECT_LE((least - printed).norm(), 1e-10 * (1e-6 + printed.norm())) << name;
+  }
+}
+
+TEST(StructuredSolver, AgreesWhereManyClosingsMeet) {
+  for (std::uint64_t seed = 2900; seed < 3000; ++seed) {
+    test::MechanismOptions o;
+    o.bodies = 1 + static_cast<int>(seed % 12);
+    o.closings = static_cast<int>(seed / 3 % 5);
+    o.doubled = static_cast<int>(seed / 7 % 3);
+    // 2953: rows of the tree that see absolute motion, in a loop that else sees none
+    test::expect_agreement<ROmega<double>>(test::random_scene(seed, o), "seed " + std::to_string(seed));
+  }
+}
+
 TEST(StructuredSolver, NamesTheBodyWhoseMotionHasNoInertia) {
   scenes::Scene scene;
   scene.bodies = {test::body("rod", 1, {0, 1, 1})};

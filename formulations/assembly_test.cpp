@@ -234,7 +234,7 @@ TEST_P(Generated, IsConsistentAndHasOneLambda) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Generated,
                          testing::Values(scenes::chain(1), scenes::chain(20), scenes::ladder(3),
-                                         scenes::tree(20)),
+                                         scenes::tree(20), scenes::ring(3), scenes::ring(12), scenes::hub(9)),
                          [](const auto& test) { return test.param.name; });
 
 TEST(GeneratedLadder, IsTheCataloguesNFourBar) {

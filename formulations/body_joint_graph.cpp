@@ -24,20 +24,19 @@ std::pair<int, int> unordered(const BodyPair& pair) { return std::minmax(pair.i,
 
 }  // namespace
 
-template <class Scalar>
-BodyJointGraph body_joint_graph(const Mechanism<Scalar>& mechanism) {
+BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joints) {
   BodyJointGraph graph;
-  graph.bodies = mechanism.nb();
+  graph.bodies = bodies;
   std::map<std::pair<int, int>, int> basic_edge, point_edge;
   const auto add_edge = [&](const BodyPair& pair, bool is_point) {
     graph.edges.push_back({pair, {}, is_point, true});
     return static_cast<int>(graph.edges.size()) - 1;
   };
-  const auto take_rows = [&](int edge, const Joint<Scalar>& joint) {
+  const auto take_rows = [&](int edge, const GraphJoint& joint) {
     for (int k = 0; k < joint.rows; ++k) graph.edges[edge].rows.push_back(joint.first_row + k);
   };
-  std::vector<const Joint<Scalar>*> drivers;
-  for (const Joint<Scalar>& joint : mechanism.joints) {
+  std::vector<const GraphJoint*> drivers;
+  for (const GraphJoint& joint : joints) {
     const auto pair = unordered(joint);
     if (joint.type == ConstraintType::rotation_driver) {
       drivers.push_back(&joint);
@@ -56,18 +55,12 @@ BodyJointGraph body_joint_graph(const Mechanism<Scalar>& mechanism) {
     }
   }
   // a driver turns the axis that a revolute leaves free: together they are one block
-  for (const Joint<Scalar>* driver : drivers) {
+  for (const GraphJoint* driver : drivers) {
     const auto found = point_edge.find(unordered(*driver));
     const bool joins = found != point_edge.end() && graph.edges[found->second].size() == 5;
     take_rows(joins ? found->second : add_edge(*driver, false), *driver);
   }
   return graph;
 }
-
-template BodyJointGraph body_joint_graph(const Mechanism<float>&);
-template BodyJointGraph body_joint_graph(const Mechanism<double>&);
-template BodyJointGraph body_joint_graph(const Mechanism<long double>&);
-template BodyJointGraph body_joint_graph(const Mechanism<Quad>&);
-template BodyJointGraph body_joint_graph(const Mechanism<Real50>&);
 
 }  // namespace trivium

@@ -28,9 +28,22 @@ struct BodyJointGraph {
   std::vector<GraphEdge> edges;
 };
 
+/// A joint of any Scalar, as far as the graph sees it.
+struct GraphJoint : BodyPair {
+  scenes::ConstraintType type;
+  int first_row, rows;
+};
+
 /// A joint is an edge; a rotation_driver joins the edge of the point joint that it drives; up to six basic
 /// constraints between the same two bodies are one edge.
+BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joints);
+
 template <class Scalar>
-BodyJointGraph body_joint_graph(const Mechanism<Scalar>& mechanism);
+BodyJointGraph body_joint_graph(const Mechanism<Scalar>& mechanism) {
+  std::vector<GraphJoint> joints;
+  for (const Joint<Scalar>& joint : mechanism.joints)
+    joints.push_back({joint, joint.type, joint.first_row, joint.rows});
+  return body_joint_graph(mechanism.nb(), joints);
+}
 
 }  // namespace trivium

@@ -151,6 +151,8 @@ class Planner {
     order_links();
     find_loops();
     order_closings();
+    list_children();
+    list_rows();
     list_couplings();
     return std::move(plan_);
   }
@@ -171,8 +173,14 @@ class Planner {
     for (auto body = preorder.rbegin(); body != preorder.rend(); ++body) {
       const int edge = forest_.edge[*body];
       link_of_[*body] = static_cast<int>(plan_.links.size());
-      plan_.links.push_back(
-          {*body, forest_.parent[*body], edge, edge >= 0 && plan_.graph.edges[edge].j == *body, {}, {}});
+      plan_.links.push_back({*body,
+                             forest_.parent[*body],
+                             edge,
+                             edge >= 0 && plan_.graph.edges[edge].j == *body,
+                             false,
+                             false,
+                             {},
+                             {}});
     }
   }
 
@@ -189,13 +197,16 @@ class Planner {
       // of two nodes the one that is eliminated earlier moves to its parent
       int a = e.i, b = e.j;
       std::vector<int> path;
+      bool is_relative = e.is_relative;
       while (a != b) {
         int& lower = depth_order(a) < depth_order(b) ? a : b;
         path.push_back(link_of_[lower]);
+        const int joint = plan_.links[link_of_[lower]].edge;
+        is_relative = is_relative && (joint < 0 || plan_.graph.edges[joint].is_relative);
         lower = forest_.parent[lower];
       }
-      // rows that see absolute motion are settled only when no body is left
-      for (; !e.is_relative && a != ground_; a = forest_.parent[a]) path.push_back(link_of_[a]);
+      // where any row of the loop sees absolute motion, what it leaves is settled only when no body is left
+      for (; !is_relative && a != ground_; a = forest_.parent[a]) path.push_back(link_of_[a]);
       std::sort(path.begin(), path.end());
       plan_.closings[c].body = a;
       for (int link : path) slot_[{c, plan_.links[link].body}] = plan_.column_slots++;
@@ -252,6 +263,23 @@ class Planner {
     for (int link = 0; link < static_cast<int>(plan_.links.size()); ++link)
       plan_.steps.push_back({link, eliminate_at(plan_.links[link].body)});
     if (!at[ground_].empty()) plan_.steps.push_back({-1, eliminate_at(ground_)});
+  }
+
+  void list_children() {
+    std::vector<bool> has_children(plan_.graph.bodies + 1, false);
+    for (EliminationPlan::Link& link : plan_.links) {
+      link.has_children = has_children[link.body];
+      link.is_first = !has_children[link.parent];
+      has_children[link.parent] = true;
+    }
+  }
+
+  void list_rows() {
+    plan_.rows_slot.assign(plan_.graph.edges.size(), 0);
+    for (const EliminationPlan::Link& link : plan_.links)
+      if (plan_.is_point_link(link)) plan_.rows_slot[link.edge] = -1;
+    for (int& slot : plan_.rows_slot)
+      if (slot == 0) slot = plan_.rows_slots++;
   }
 
   void list_couplings() {

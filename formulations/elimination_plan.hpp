@@ -30,6 +30,8 @@ struct EliminationPlan {
     int parent;  ///< graph.bodies: the ground
     int edge;    ///< the joint to the parent, -1: none, the body is free
     bool body_is_j;
+    bool has_children = false;  ///< links were eliminated into the body before
+    bool is_first = false;      ///< of the links eliminated into the parent
     std::vector<Column> columns;
     std::vector<Coupling> couplings;
   };
@@ -56,16 +58,15 @@ struct EliminationPlan {
     std::vector<int> closings;  ///< in this order
   };
 
+  bool is_point_link(const Link& link) const { return link.edge >= 0 && graph.edges[link.edge].is_point; }
+
   BodyJointGraph graph;
   std::vector<Link> links;  ///< leaves to root
   std::vector<Closing> closings;
   std::vector<Step> steps;
   std::vector<int> diagonal_slot;  ///< per closing: its block with itself
-  int column_slots = 0, coupling_slots = 0;
-
-  /// Reals that the factors hold, and multiply-adds of one factorisation (counted for the blocks, as if all
-  /// were full).
-  double stored() const;
+  std::vector<int> rows_slot;      ///< per edge: of its rows in the matrix; -1: a point joint in the tree
+  int rows_slots = 0, column_slots = 0, coupling_slots = 0;
 };
 
 /// Chooses the spanning tree so that loops stay short, and orders what closes them by least fill.

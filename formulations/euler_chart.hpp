@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "bodies/error.hpp"
+#include "bodies/lanes.hpp"
 #include "formulations/formulation.hpp"
 
 namespace trivium {
@@ -27,7 +28,7 @@ inline constexpr double reframing_distance = 0.3;
 template <class S>
 struct EulerChart {
   EulerSequence sequence;
-  int reframing = 0;
+  int reframing = 0;  ///< its place in the list; of a batch, that of one lane
   Matrix3<S> C = Matrix3<S>::Identity();
 
   /// "313" or "313 Rx(90)".
@@ -64,19 +65,29 @@ S distance_from_singularity(const EulerSequence& s, const Matrix3<S>& A) {
 template <class S>
 EulerChart<S> choose_euler_chart(const ChartOptions& options, const Vector4<S>& p) {
   const Matrix3<S> A = rotation_matrix(p);
-  const int last = options.reframe ? static_cast<int>(reframings.size()) : 1;
-  for (int index = 0; index < last; ++index) {
-    const Matrix3<S> C = reframing_rotation<S>(index);
-    const S distance = distance_from_singularity<S>(options.sequence, A * C.transpose());
-    if (options.reframe && distance < S(reframing_distance)) continue;
-    if (distance <= 16 * unit_roundoff<S>())
+  EulerChart<S> chart{options.sequence};
+  if (!options.reframe) {
+    const S distance = distance_from_singularity<S>(options.sequence, A);
+    if (any(distance <= 16 * unit_roundoff<S>()))
       throw ModelError(fmt::format(
           "the {} chart is singular here ({} = {:.1e}); leave re-framing on or choose another sequence",
           options.sequence.name(), options.sequence.is_symmetric() ? "|sin theta|" : "|cos theta|",
           static_cast<double>(distance)));
-    return {options.sequence, index, C};
+    return chart;
   }
-  throw ModelError("no chart found: the orientation is not a rotation");
+  // the first of the list that is far enough
+  S farthest(0);
+  for (int index = static_cast<int>(reframings.size()) - 1; index >= 0; --index) {
+    const Matrix3<S> C = reframing_rotation<S>(index);
+    const S distance = distance_from_singularity<S>(options.sequence, A * C.transpose());
+    const auto is_far = distance >= S(reframing_distance);
+    if (any(is_far)) chart.reframing = index;
+    for (int k = 0; k < 9; ++k) chart.C(k) = select(is_far, C(k), chart.C(k));
+    farthest = select(distance > farthest, distance, farthest);
+  }
+  if (!all(farthest >= S(reframing_distance)))
+    throw ModelError("no chart found: the orientation is not a rotation");
+  return chart;
 }
 
 }  // namespace trivium

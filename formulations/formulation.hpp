@@ -17,6 +17,7 @@
 #include <string_view>
 
 #include "constraints/feature.hpp"
+#include "formulations/turning.hpp"
 
 namespace trivium {
 
@@ -41,7 +42,7 @@ concept Formulation = BodyKinematics<typename F::Kinematics> &&
     requires(const typename F::Scalar& s, const typename F::Chart& chart, const ChartOptions& options,
              const Vector4<typename F::Scalar>& p, const Vector3<typename F::Scalar>& v,
              const Matrix3<typename F::Scalar>& J_bar, const typename F::Coordinates& q,
-             const typename F::Kinematics& body,
+             const typename F::Kinematics& body, const typename F::Reduced& reduced,
              const Vector<typename F::Scalar, F::rotational_unknowns>& x) {
   // constants
   { F::name } -> std::convertible_to<std::string_view>;
@@ -64,6 +65,7 @@ concept Formulation = BodyKinematics<typename F::Kinematics> &&
   // internal row eliminated in closed form: three rotational unknowns x, q'' = from_reduced(x), and with them
   //   reduced_mass_block x + Phi_x^T lambda = reduced_force(n_bar)
   requires BodyKinematics<typename F::Reduced>;
+  { F::turning(reduced) } -> std::same_as<Turning<typename F::Scalar>>;
   requires F::Reduced::rotational_unknowns == 3;
   { F::reduced_mass_block(body, J_bar) } -> std::convertible_to<Matrix3<typename F::Scalar>>;
   { F::reduced_force(body, J_bar, v) } -> std::convertible_to<Vector3<typename F::Scalar>>;

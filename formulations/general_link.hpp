@@ -19,7 +19,10 @@ class GeneralLink {
   Elimination factor(const BodyBlock<S>& block, const LinkRows<S>& link, BodyBlock<S>* parent,
                      std::array<bool, 6>& dropped) {
     Matrix6<S> M;
-    M << block.rr, block.rx, block.rx.transpose(), block.xx;
+    M.template topLeftCorner<3, 3>() = block.rr.template topRows<3>();
+    M.template topRightCorner<3, 3>() = block.rx.template topRows<3>();
+    M.template bottomLeftCorner<3, 3>() = block.rx.template topRows<3>().transpose();
+    M.template bottomRightCorner<3, 3>() = block.xx.template topRows<3>();
     if (!solve_rows(M, link, dropped)) return Elimination::binds_the_parent;
     const Vector6<S> size = M.diagonal();
     // what is rounding beside the other moments has no size
@@ -31,46 +34,57 @@ class GeneralLink {
     rest_ = M - U_ * D_inverse_ * U_.transpose();
     if (parent == nullptr) return Elimination::done;
     const Matrix6<S> left = V_.transpose() * rest_ * V_;
-    parent->rr += left.template topLeftCorner<3, 3>();
-    parent->rx += left.template topRightCorner<3, 3>();
-    parent->xx += left.template bottomRightCorner<3, 3>();
+    parent->rr.template topRows<3>() += left.template topLeftCorner<3, 3>();
+    parent->rx.template topRows<3>() += left.template topRightCorner<3, 3>();
+    parent->xx.template topRows<3>() += left.template bottomRightCorner<3, 3>();
     return Elimination::done;
   }
 
-  void factor(const Matrix6<S>& C, int n, const LinkRows<S>&, LinkColumn<S>& out, Matrix6<S>* parent) const {
+  void factor(const BodyColumns<S>& columns, int n, const LinkRows<S>&, LinkColumn<S>& out, Vector6<S>& size,
+              BodyColumns<S>* parent) const {
+    const Matrix6<S> C = columns.six();
     for (int k = 0; k < n; ++k) {
+      size[k] += C.col(k).cwiseAbs2().dot(inverse_size_);
       const Free g = H_.transpose() * C.col(k);
       out.g.col(k).setZero();
       out.g.col(k).head(g.size()) = g;
-      out.rest.col(k) = C.col(k) - U_ * (D_inverse_ * g);
-      if (parent != nullptr) parent->col(k) += V_.transpose() * out.rest.col(k);
+      const Vector6<S> left = C.col(k) - U_ * (D_inverse_ * g);
+      const BodyPart<S> rest = BodyPart<S>::of(left);
+      out.rest_r.col(k) = rest.r;
+      out.rest_x.col(k) = rest.x;
+      if (parent == nullptr) continue;
+      const BodyPart<S> passed = BodyPart<S>::of(V_.transpose() * left);
+      parent->r.col(k) += passed.r;
+      parent->x.col(k) += passed.x;
     }
   }
-  S product(const LinkColumn<S>& a, int k, const LinkColumn<S>& b, int n) const {
-    return a.g.col(k).head(free()).dot(D_inverse_ * b.g.col(n).head(free()));
-  }
-  S bound(const Matrix6<S>& C, int k, const LinkRows<S>&) const {
-    return C.col(k).cwiseAbs2().dot(inverse_size_);
+  void couple(const LinkColumn<S>& a, int rows_a, const LinkColumn<S>& b, int rows_b, Matrix6<S>& sum) const {
+    for (int n = 0; n < rows_b; ++n) {
+      const Free q = D_inverse_ * b.g.col(n).head(free());
+      for (int k = 0; k < rows_a; ++k) sum(k, n) += a.g.col(k).head(free()).dot(q);
+    }
   }
 
-  void forward(const Vector6<S>& force, const Vector6<S>& gamma, const LinkRows<S>&, Vector6<S>* parent) {
-    q_ = D_inverse_ * (H_.transpose() * force);
-    f_ = force - U_ * q_;
+  void forward(const BodyPart<S>& force, const Vector6<S>& gamma, const LinkRows<S>&, BodyPart<S>* parent) {
+    const Vector6<S> applied = force.six();
+    q_ = D_inverse_ * (H_.transpose() * applied);
+    f_ = applied - U_ * q_;
     a_ = Y_ * gamma;
-    if (parent != nullptr) *parent += V_.transpose() * (f_ - rest_ * a_);
+    if (parent != nullptr) *parent += BodyPart<S>::of(V_.transpose() * (f_ - rest_ * a_));
   }
   S closing_rate(const LinkColumn<S>& c, int k) const {
-    return c.rest.col(k).dot(a_) + c.g.col(k).head(free()).dot(q_);
+    return rest_of(c, k).dot(a_) + c.g.col(k).head(free()).dot(q_);
   }
   void add_multiplier(const LinkColumn<S>& c, int k, const S& lambda) {
     q_ -= lambda * (D_inverse_ * c.g.col(k).head(free()));
-    f_ -= lambda * c.rest.col(k);
+    f_ -= lambda * rest_of(c, k);
   }
-  void backward(const Vector6<S>* parent, const LinkRows<S>&, Vector6<S>& a, Vector6<S>& lambda) const {
-    a = a_;
-    if (parent != nullptr) a += V_ * *parent;
+  void backward(const BodyPart<S>* parent, const LinkRows<S>&, BodyPart<S>& out, Vector6<S>& lambda) const {
+    Vector6<S> a = a_;
+    if (parent != nullptr) a += V_ * parent->six();
     lambda = Y_.transpose() * (f_ - rest_ * a);
     a += H_ * (q_ - D_inverse_ * (U_.transpose() * a));
+    out = BodyPart<S>::of(a);
   }
 
  private:
@@ -79,14 +93,20 @@ class GeneralLink {
   using Block = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
   int free() const { return static_cast<int>(H_.cols()); }
+  static Vector6<S> rest_of(const LinkColumn<S>& c, int k) {
+    return BodyPart<S>{c.rest_r.col(k), c.rest_x.col(k)}.six();
+  }
 
   /// Gauss-Jordan on [Phi | P | I] with the largest pivot, columns weighed by the body's own inertia: a
   /// motion without inertia is solved for first.
   bool solve_rows(const Matrix6<S>& M, const LinkRows<S>& link, std::array<bool, 6>& dropped) {
     using std::abs, std::sqrt;
     const int rows = link.count;
+    const Matrix6<S> C = link.C.six(), C_parent = link.C_parent.six();
     Matrix<S, 6, 18> G;
-    G << link.C.transpose(), link.C_parent.transpose(), Matrix6<S>::Identity();
+    G.template leftCols<6>() = C.transpose();
+    G.template middleCols<6>(6) = C_parent.transpose();
+    G.template rightCols<6>().setIdentity();
     const S largest_mass = M.diagonal().maxCoeff();
     Vector6<S> weight;
     for (int k = 0; k < 6; ++k) {
@@ -94,8 +114,8 @@ class GeneralLink {
       weight[k] = 1 / S(sqrt(select(M(k, k) > least, M(k, k), least)));
     }
     // rows are judged against what they are made of
-    Matrix6<S> made_of = link.C.transpose().cwiseAbs();
-    Vector6<S> parent_size = link.C_parent.cwiseAbs().colwise().maxCoeff().transpose();
+    Matrix6<S> made_of = C.transpose().cwiseAbs();
+    Vector6<S> parent_size = C_parent.cwiseAbs().colwise().maxCoeff().transpose();
     std::array<int, 6> pivot_of_row;
     std::array<bool, 6> is_basic{};
     const S tolerance = select(S(100 * unit_roundoff<S>()) > S(1e-8), S(100 * unit_roundoff<S>()), S(1e-8));

@@ -42,8 +42,7 @@ class GraphSolver {
     int columns = 0;
     std::array<int, 5> count{};
     for (const EliminationPlan::Link& link : plan_.links) {
-      const bool is_point = link.edge >= 0 && plan_.graph.edges[link.edge].is_point;
-      const int kind = is_point ? plan_.graph.edges[link.edge].size() - 3 : general;
+      const int kind = plan_.is_point_link(link) ? plan_.graph.edges[link.edge].size() - 3 : general;
       place_.push_back(
           {kind, count[kind]++, columns, link.edge >= 0 ? plan_.graph.edges[link.edge].size() : 0});
       columns += static_cast<int>(link.columns.size());
@@ -58,32 +57,40 @@ class GraphSolver {
 
   const EliminationPlan& plan() const { return plan_; }
 
+  int steps() const { return static_cast<int>(plan_.steps.size()); }
+
   /// Throws SingularLink.
   void factor(const GraphMatrix<S>& matrix) {
-    matrix_ = &matrix;
-    block_ = matrix.H;
-    start_closings();
-    for (const EliminationPlan::Step& step : plan_.steps) {
-      for (int c : step.closings) factor_closing(c);
-      if (step.link >= 0) factor_link(step.link);
-    }
+    start_factors(matrix);
+    for (const EliminationPlan::Step& step : plan_.steps) factor_step(step);
   }
 
   /// The solution for a right side. Rows that depend on others have multiplier 0; what their right sides say
   /// is not asked.
   void solve(const GraphVector<S>& right_side, GraphVector<S>& solution) {
-    carried_ = right_side.body;
-    for (std::size_t c = 0; c < closing_.size(); ++c)
-      closing_[c].gamma = right_side.edge[plan_.closings[c].edge];
-    for (const EliminationPlan::Step& step : plan_.steps) {
-      for (int c : step.closings) forward_closing(c);
-      if (step.link >= 0) forward_link(step.link, right_side);
-    }
+    start_solution(right_side);
+    for (const EliminationPlan::Step& step : plan_.steps) forward_step(step, right_side);
+    substitute(solution);
+  }
+
+  // factor and solve at once: start, every step in turn, substitute. Before its step, a link's own rows may
+  // still be changed: work on them then hides behind the chain of results from link to link, which is what
+  // bounds both
+  void start(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side) {
+    start_factors(matrix);
+    start_solution(right_side);
+  }
+  /// Throws SingularLink.
+  void eliminate(int step, const GraphVector<S>& right_side) {
+    factor_step(plan_.steps[step]);
+    forward_step(plan_.steps[step], right_side);
+  }
+  void substitute(GraphVector<S>& solution) {
     for (auto step = plan_.steps.rbegin(); step != plan_.steps.rend(); ++step) {
       if (step->link >= 0) backward_link(step->link, solution);
       for (auto c = step->closings.rbegin(); c != step->closings.rend(); ++c) backward_closing(*c, solution);
     }
-    solution.body.back().setZero();
+    solution.body.back() = {};
   }
 
   /// Whether row k of an edge was left out because it depends on others.
@@ -94,11 +101,11 @@ class GraphSolver {
                 const GraphVector<S>& solution, GraphVector<S>& defect) const {
     const int ground = plan_.graph.bodies;
     for (int b = 0; b < ground; ++b) {
-      const auto r = solution.body[b].template head<3>(), x = solution.body[b].template tail<3>();
+      const BodyPart<S>& a = solution.body[b];
       const BodyBlock<S>& H = matrix.H[b];
-      defect.body[b].template head<3>() = right_side.body[b].template head<3>() - H.rr * r - H.rx * x;
-      defect.body[b].template tail<3>() =
-          right_side.body[b].template tail<3>() - H.rx.transpose() * r - H.xx * x;
+      defect.body[b].r = right_side.body[b].r - times<S, 3>(H.rr, a.r) - times<S, 3>(H.rx, a.x);
+      defect.body[b].x =
+          right_side.body[b].x - padded<S>(transpose_times<S, 3>(H.rx, a.r)) - times<S, 3>(H.xx, a.x);
     }
     for (std::size_t n = 0; n < plan_.links.size(); ++n) {
       const EliminationPlan::Link& link = plan_.links[n];
@@ -109,29 +116,28 @@ class GraphSolver {
       const PointRows<S>& rows = matrix.point[n];
       const int m = place_[n].kind;
       const Vector6<S>& lambda = solution.edge[link.edge];
-      const Vector3<S> f = rows.sign * lambda.template head<3>(), w = lambda.template tail<3>();
-      const Vector3<S> x = solution.body[link.body].template tail<3>();
-      Vector3<S> u = solution.body[link.body].template head<3>() + rows.K_child * x;
-      Vector3<S> t = rows.K_child.transpose() * f, z = Vector3<S>::Zero();
-      for (int k = 0; k < m; ++k) {
-        t += w[k] * rows.W_child.col(k);
-        z[k] = rows.W_child.col(k).dot(x);
-      }
-      defect.body[link.body].template head<3>() -= f;
-      defect.body[link.body].template tail<3>() -= t;
-      if (link.parent != ground) {
-        const Vector3<S> x_p = solution.body[link.parent].template tail<3>();
-        u -= solution.body[link.parent].template head<3>() + rows.K_parent * x_p;
-        t = -(rows.K_parent.transpose() * f);
+      const Padded<S> f = rows.sign * padded<S>(lambda.template head<3>());
+      Vector3<S> z = Vector3<S>::Zero();
+      const auto turn = [&](int body, const PaddedColumns<S, 3>& W) {
         for (int k = 0; k < m; ++k) {
-          t += w[k] * rows.W_parent.col(k);
-          z[k] += rows.W_parent.col(k).dot(x_p);
+          defect.body[body].x -= lambda[3 + k] * W.col(k);
+          z[k] += W.col(k).dot(solution.body[body].x);
         }
-        defect.body[link.parent].template head<3>() += f;
-        defect.body[link.parent].template tail<3>() -= t;
+      };
+      const BodyPart<S>& child = solution.body[link.body];
+      Padded<S> u = child.r + padded<S>(transpose_times<S, 3>(rows.L_child, child.x));
+      defect.body[link.body].r -= f;
+      defect.body[link.body].x -= times<S, 3>(rows.L_child, f);
+      turn(link.body, rows.W_child);
+      if (link.parent != ground) {
+        const BodyPart<S>& parent = solution.body[link.parent];
+        u -= parent.r + padded<S>(transpose_times<S, 3>(rows.L_parent, parent.x));
+        defect.body[link.parent].r += f;
+        defect.body[link.parent].x += times<S, 3>(rows.L_parent, f);
+        turn(link.parent, rows.W_parent);
       }
       defect.edge[link.edge] = right_side.edge[link.edge];
-      defect.edge[link.edge].template head<3>() -= rows.sign * u;
+      defect.edge[link.edge].template head<3>() -= rows.sign * unpadded<S>(u);
       for (int k = 0; k < m; ++k) defect.edge[link.edge][3 + k] -= z[k];
     }
     for (const EliminationPlan::Closing& closing : plan_.closings)
@@ -144,13 +150,14 @@ class GraphSolver {
   void edge_residual(const GraphMatrix<S>& matrix, int e, const GraphVector<S>& right_side,
                      const GraphVector<S>& solution, GraphVector<S>& defect) const {
     const GraphEdge& edge = plan_.graph.edges[e];
-    const EdgeRows<S>& rows = matrix.rows[e];
+    const EdgeRows<S>& rows = matrix.rows[plan_.rows_slot[e]];
     defect.edge[e] = right_side.edge[e];
-    const auto one = [&](int body, const Matrix6<S>& C) {
+    const auto one = [&](int body, const BodyColumns<S>& C) {
       if (body == plan_.graph.bodies) return;
       for (int k = 0; k < edge.size(); ++k) {
-        defect.body[body] -= solution.edge[e][k] * C.col(k);
-        defect.edge[e][k] -= C.col(k).dot(solution.body[body]);
+        defect.body[body].r -= solution.edge[e][k] * C.r.col(k);
+        defect.body[body].x -= solution.edge[e][k] * C.x.col(k);
+        defect.edge[e][k] -= C.r.col(k).dot(solution.body[body].r) + C.x.col(k).dot(solution.body[body].x);
       }
     };
     one(edge.i, rows.C_i);
@@ -166,7 +173,7 @@ class GraphSolver {
   struct ClosingFactor {
     Matrix6<S> L;           ///< unit lower triangle of its pivoted block; columns of dropped rows are zero
     Vector6<S> inverse;     ///< of the pivots; 0 for dropped rows
-    Matrix6<S> C;           ///< L^-1 C^T transposed: 6 x rows, on the body where it is eliminated
+    BodyColumns<S> C;       ///< of L^-1 C^T, on the body where it is eliminated
     Vector6<S> own, bound;  ///< the diagonal before other closings go, and its magnitude
     Vector6<S> gamma;       ///< the right side at hand
     Vector6<S> lambda;
@@ -188,26 +195,43 @@ class GraphSolver {
     }
   }
 
-  LinkRows<S> rows_of(int index) const {
-    static const Matrix6<S> none = Matrix6<S>::Zero();
+  [[gnu::always_inline]] LinkRows<S> rows_of(int index) const {
     const EliminationPlan::Link& link = plan_.links[index];
-    if (link.edge < 0) return {matrix_->point[index], none, none, 0};
-    const EdgeRows<S>& edge = matrix_->rows[link.edge];
+    if (place_[index].kind != general || link.edge < 0)
+      return {matrix_->point[index], no_columns_, no_columns_, 0};
+    const EdgeRows<S>& edge = matrix_->rows[plan_.rows_slot[link.edge]];
     return {matrix_->point[index], link.body_is_j ? edge.C_j : edge.C_i, link.body_is_j ? edge.C_i : edge.C_j,
             place_[index].rows};
   }
   int rows_of_closing(int c) const { return plan_.graph.edges[plan_.closings[c].edge].size(); }
   bool has_parent(const EliminationPlan::Link& link) const { return link.parent != plan_.graph.bodies; }
 
+  void start_factors(const GraphMatrix<S>& matrix) {
+    matrix_ = &matrix;
+    start_closings();
+  }
+  void start_solution(const GraphVector<S>& right_side) {
+    for (std::size_t c = 0; c < closing_.size(); ++c)
+      closing_[c].gamma = right_side.edge[plan_.closings[c].edge];
+  }
+  void factor_step(const EliminationPlan::Step& step) {
+    for (int c : step.closings) factor_closing(c);
+    if (step.link >= 0) factor_link(step.link);
+  }
+  void forward_step(const EliminationPlan::Step& step, const GraphVector<S>& right_side) {
+    for (int c : step.closings) forward_closing(c);
+    if (step.link >= 0) forward_link(step.link, right_side);
+  }
+
   void start_closings() {
     for (const EliminationPlan::Link& link : plan_.links)
-      for (const EliminationPlan::Column& column : link.columns) column_[column.slot].setZero();
+      for (const EliminationPlan::Column& column : link.columns) column_[column.slot] = {};
     for (Matrix6<S>& block : coupling_) block.setZero();
     for (std::size_t c = 0; c < closing_.size(); ++c) {
       const EliminationPlan::Closing& closing = plan_.closings[c];
-      if (closing.column_slot >= 0) column_[closing.column_slot].setZero();
-      if (closing.slot_i >= 0) column_[closing.slot_i] = matrix_->rows[closing.edge].C_i;
-      if (closing.slot_j >= 0) column_[closing.slot_j] = matrix_->rows[closing.edge].C_j;
+      if (closing.column_slot >= 0) column_[closing.column_slot] = {};
+      if (closing.slot_i >= 0) column_[closing.slot_i] = matrix_->rows[plan_.rows_slot[closing.edge]].C_i;
+      if (closing.slot_j >= 0) column_[closing.slot_j] = matrix_->rows[plan_.rows_slot[closing.edge]].C_j;
       closing_[c].bound.setZero();
       closing_[c].own.setZero();
     }
@@ -218,28 +242,26 @@ class GraphSolver {
     const LinkRows<S> rows = rows_of(index);
     with_link(place_[index], [&](auto& factors) {
       std::array<bool, 6> dropped{};
+      if (has_parent(link) && link.is_first) block_[link.parent] = matrix_->H[link.parent];
       const Elimination result =
-          factors.factor(block_[link.body], rows, has_parent(link) ? &block_[link.parent] : nullptr, dropped);
+          factors.factor(link.has_children ? block_[link.body] : matrix_->H[link.body], rows,
+                         has_parent(link) ? &block_[link.parent] : nullptr, dropped);
       if (result != Elimination::done) throw_singular(link, result);
       if (link.edge >= 0) dropped_[link.edge] = dropped;
       LinkColumn<S>* const columns = link_column_.data() + place_[index].first_column;
       for (std::size_t n = 0; n < link.columns.size(); ++n) {
         const EliminationPlan::Column& column = link.columns[n];
-        const int size = rows_of_closing(column.closing);
-        const Matrix6<S>& C = column_[column.slot];
-        factors.factor(C, size, rows, columns[n],
+        factors.factor(column_[column.slot], rows_of_closing(column.closing), rows, columns[n],
+                       closing_[column.closing].bound,
                        column.parent_slot >= 0 ? &column_[column.parent_slot] : nullptr);
-        for (int k = 0; k < size; ++k) closing_[column.closing].bound[k] += factors.bound(C, k, rows);
       }
       for (const EliminationPlan::Coupling& pair : link.couplings) {
-        const LinkColumn<S>&a = columns[pair.first], &b = columns[pair.second];
-        const int rows_a = rows_of_closing(link.columns[pair.first].closing);
-        const int rows_b = rows_of_closing(link.columns[pair.second].closing);
-        for (int n = 0; n < rows_b; ++n)
-          for (int k = 0; k < rows_a; ++k) coupling_[pair.slot](k, n) += factors.product(a, k, b, n);
-        if (pair.first == pair.second)
-          for (int k = 0; k < rows_a; ++k)
-            closing_[link.columns[pair.first].closing].own[k] += factors.product(a, k, a, k);
+        const int a = link.columns[pair.first].closing, b = link.columns[pair.second].closing;
+        Matrix6<S>& sum = coupling_[pair.slot];
+        if (a == b) closing_[a].own -= sum.diagonal();
+        factors.couple(columns[pair.first], rows_of_closing(a), columns[pair.second], rows_of_closing(b),
+                       sum);
+        if (a == b) closing_[a].own += sum.diagonal();
       }
     });
   }
@@ -267,7 +289,10 @@ class GraphSolver {
         f.L(r, k) = l;
         if (dropped[k]) continue;
         for (int s = r; s < n; ++s) block(r, s) -= l * block(k, s);
-        if (on_body) f.C.col(r) -= l * f.C.col(k);
+        if (on_body) {
+          f.C.r.col(r) -= l * f.C.r.col(k);
+          f.C.x.col(r) -= l * f.C.x.col(k);
+        }
         for (const EliminationPlan::Neighbour& next : closing.later)
           coupling_[next.slot].row(r) -= l * coupling_[next.slot].row(k);
       }
@@ -275,15 +300,20 @@ class GraphSolver {
     for (int k = 0; k < n; ++k) {
       if (dropped[k]) continue;
       if (on_body) {
-        const Vector6<S> column = f.C.col(k), scaled = f.inverse[k] * column;
+        const Padded<S> r = f.C.r.col(k), x = f.C.x.col(k);
+        const Padded<S> scaled_r = f.inverse[k] * r, scaled_x = f.inverse[k] * x;
         BodyBlock<S>& H = block_[closing.body];
-        H.rr += column.template head<3>() * scaled.template head<3>().transpose();
-        H.rx += column.template head<3>() * scaled.template tail<3>().transpose();
-        H.xx += column.template tail<3>() * scaled.template tail<3>().transpose();
+        for (int m = 0; m < 3; ++m) {
+          H.rr.col(m) += r * scaled_r[m];
+          H.rx.col(m) += r * scaled_x[m];
+          H.xx.col(m) += x * scaled_x[m];
+        }
         for (const EliminationPlan::Neighbour& next : closing.later)
           if (next.column_slot >= 0)
-            for (int m = 0; m < rows_of_closing(next.closing); ++m)
-              column_[next.column_slot].col(m) -= coupling_[next.slot](k, m) * scaled;
+            for (int m = 0; m < rows_of_closing(next.closing); ++m) {
+              column_[next.column_slot].r.col(m) -= coupling_[next.slot](k, m) * scaled_r;
+              column_[next.column_slot].x.col(m) -= coupling_[next.slot](k, m) * scaled_x;
+            }
       }
       for (const EliminationPlan::Fill& fill : closing.fill) {
         const EliminationPlan::Neighbour &a = closing.later[fill.first], &b = closing.later[fill.second];
@@ -299,8 +329,10 @@ class GraphSolver {
   void forward_link(int index, const GraphVector<S>& right_side) {
     const EliminationPlan::Link& link = plan_.links[index];
     with_link(place_[index], [&](auto& factors) {
-      factors.forward(carried_[link.body], link.edge >= 0 ? right_side.edge[link.edge] : none_,
-                      rows_of(index), has_parent(link) ? &carried_[link.parent] : nullptr);
+      if (has_parent(link) && link.is_first) carried_[link.parent] = right_side.body[link.parent];
+      factors.forward(link.has_children ? carried_[link.body] : right_side.body[link.body],
+                      link.edge >= 0 ? right_side.edge[link.edge] : none_, rows_of(index),
+                      has_parent(link) ? &carried_[link.parent] : nullptr);
       const LinkColumn<S>* column = link_column_.data() + place_[index].first_column;
       for (const EliminationPlan::Column& c : link.columns) {
         for (int k = 0; k < rows_of_closing(c.closing); ++k)
@@ -317,7 +349,10 @@ class GraphSolver {
       for (int r = k + 1; r < n; ++r) f.gamma[r] -= f.L(r, k) * f.gamma[k];
     for (int k = 0; k < n; ++k) {
       const S scaled = f.inverse[k] * f.gamma[k];
-      if (closing.column_slot >= 0) carried_[closing.body] += scaled * f.C.col(k);
+      if (closing.column_slot >= 0) {
+        carried_[closing.body].r += scaled * f.C.r.col(k);
+        carried_[closing.body].x += scaled * f.C.x.col(k);
+      }
       for (const EliminationPlan::Neighbour& next : closing.later)
         for (int m = 0; m < rows_of_closing(next.closing); ++m)
           closing_[next.closing].gamma[m] -= scaled * coupling_[next.slot](k, m);
@@ -330,7 +365,9 @@ class GraphSolver {
     Vector6<S>& lambda = solution.edge[closing.edge];
     for (int k = 0; k < n; ++k) {
       S sum = -f.gamma[k];
-      if (closing.column_slot >= 0) sum += f.C.col(k).dot(solution.body[closing.body]);
+      if (closing.column_slot >= 0)
+        sum +=
+            f.C.r.col(k).dot(solution.body[closing.body].r) + f.C.x.col(k).dot(solution.body[closing.body].x);
       for (const EliminationPlan::Neighbour& next : closing.later) {
         const Vector6<S>& theirs = solution.edge[plan_.closings[next.closing].edge];
         for (int m = 0; m < rows_of_closing(next.closing); ++m) sum -= coupling_[next.slot](k, m) * theirs[m];
@@ -367,11 +404,13 @@ class GraphSolver {
              std::vector<PointLink<S, 3>>, std::vector<GeneralLink<S>>>
       links_;
   std::vector<BodyBlock<S>> block_;
-  std::vector<Matrix6<S>> column_, coupling_;
+  std::vector<BodyColumns<S>> column_;
+  std::vector<Matrix6<S>> coupling_;
   std::vector<LinkColumn<S>> link_column_;
   std::vector<ClosingFactor> closing_;
-  std::vector<Vector6<S>> carried_;
+  std::vector<BodyPart<S>> carried_;
   std::vector<std::array<bool, 6>> dropped_;
+  BodyColumns<S> no_columns_;
   Vector6<S> none_ = Vector6<S>::Zero();  ///< the rows of a body that hangs on nothing
   const GraphMatrix<S>* matrix_ = nullptr;
 };

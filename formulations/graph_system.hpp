@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-#include "bodies/so3.hpp"
+#include "bodies/padded.hpp"
 #include "formulations/elimination_plan.hpp"
 
 namespace trivium {
@@ -20,25 +20,60 @@ using Vector6 = Vector<S, 6>;
 template <class S>
 using Matrix6 = Matrix<S, 6, 6>;
 
+/// Six numbers of a body by their parts: translation, rotation.
+template <class S>
+struct BodyPart {
+  Padded<S> r = Padded<S>::Zero(), x = Padded<S>::Zero();
+
+  BodyPart& operator+=(const BodyPart& other) {
+    r += other.r;
+    x += other.x;
+    return *this;
+  }
+  Vector6<S> six() const {
+    Vector6<S> v;
+    v.template head<3>() = r.template head<3>();
+    v.template tail<3>() = x.template head<3>();
+    return v;
+  }
+  static BodyPart of(const Vector6<S>& v) {
+    return {padded<S>(v.template head<3>()), padded<S>(v.template tail<3>())};
+  }
+};
+
 /// A symmetric 6x6 block by its parts: translation, coupling, rotation.
 template <class S>
 struct BodyBlock {
-  Matrix3<S> rr, rx, xx;
+  PaddedColumns<S, 3> rr = PaddedColumns<S, 3>::Zero(), rx = rr, xx = rr;
 };
 
-/// The rows of a point joint, seen from the child: sign (r_c'' + K_c x_c - r_p'' - K_p x_p) = gamma for the
-/// point and W_c^T x_c + W_p^T x_p = gamma_w for the orientation, a column of W per row.
+/// The rows of a point joint, seen from the child: sign (r_c'' + L_c^T x_c - r_p'' - L_p^T x_p) = gamma for
+/// the point and W_c^T x_c + W_p^T x_p = gamma_w for the orientation, a column of W per row. L is the lever:
+/// L f is what a force at the point does to a body's rotation.
 template <class S>
 struct PointRows {
-  Matrix3<S> K_child, K_parent;
-  Matrix3<S> W_child, W_parent;
+  PaddedColumns<S, 3> L_child = PaddedColumns<S, 3>::Zero(), L_parent = L_child;
+  PaddedColumns<S, 3> W_child = L_child, W_parent = L_child;
   S sign{1};  ///< 1 where the child is body j
 };
 
-/// The rows of any other edge: a column of C per row and body.
+/// Up to six rows on one body: what each multiplier does to it, a column per row.
+template <class S>
+struct BodyColumns {
+  PaddedColumns<S, 6> r = PaddedColumns<S, 6>::Zero(), x = r;
+
+  Matrix6<S> six() const {
+    Matrix6<S> C;
+    C.template topRows<3>() = r.template topRows<3>();
+    C.template bottomRows<3>() = x.template topRows<3>();
+    return C;
+  }
+};
+
+/// The rows of any other edge.
 template <class S>
 struct EdgeRows {
-  Matrix6<S> C_i, C_j;
+  BodyColumns<S> C_i, C_j;
 };
 
 /// The matrix. The rows of a point joint in the tree stand in `point`, those of every other edge in `rows`.
@@ -46,44 +81,42 @@ template <class S>
 struct GraphMatrix {
   std::vector<BodyBlock<S>> H;
   std::vector<PointRows<S>> point;  ///< by link
-  std::vector<EdgeRows<S>> rows;    ///< by edge
+  std::vector<EdgeRows<S>> rows;    ///< by the plan's rows_slot
 
   explicit GraphMatrix(const EliminationPlan& plan)
-      : H(plan.graph.bodies), point(plan.links.size()), rows(plan.graph.edges.size()) {
-    for (EdgeRows<S>& edge : rows) edge = {Matrix6<S>::Zero(), Matrix6<S>::Zero()};
-    for (std::size_t link = 0; link < point.size(); ++link) {
-      PointRows<S>& p = point[link];
-      p.K_child = p.K_parent = p.W_child = p.W_parent = Matrix3<S>::Zero();
-      p.sign = S(plan.links[link].body_is_j ? 1 : -1);
-    }
+      : H(plan.graph.bodies), point(plan.links.size()), rows(plan.rows_slots) {
+    for (std::size_t link = 0; link < point.size(); ++link)
+      point[link].sign = S(plan.links[link].body_is_j ? 1 : -1);
   }
 };
 
 /// Six numbers per body (and the ground, last) and up to six per edge: a right side, or a solution.
 template <class S>
 struct GraphVector {
-  std::vector<Vector6<S>> body, edge;
+  std::vector<BodyPart<S>> body;
+  std::vector<Vector6<S>> edge;
 
   explicit GraphVector(const BodyJointGraph& graph)
-      : body(graph.bodies + 1, Vector6<S>::Zero()), edge(graph.edges.size(), Vector6<S>::Zero()) {}
+      : body(graph.bodies + 1), edge(graph.edges.size(), Vector6<S>::Zero()) {}
 };
 
 /// The rows of a link as its elimination sees them: those of the one kind or of the other.
 template <class S>
 struct LinkRows {
   const PointRows<S>& point;
-  const Matrix6<S>& C;  ///< of the body, a column per row
-  const Matrix6<S>& C_parent;
+  const BodyColumns<S>& C;  ///< of the body
+  const BodyColumns<S>& C_parent;
   int count;
 };
 
 enum class Elimination { done, no_inertia, binds_the_parent };
 
-/// What the multipliers of a closing do at a link, a column per row: along the free motion, and as a force
-/// that is left for the joint.
+/// What the multipliers of a closing do at a link, a column per row: along the free motion, and what is left
+/// for the joint to carry (its force, and its moment as far as a moment is carried).
 template <class S>
 struct LinkColumn {
-  Matrix6<S> g, rest;
+  Matrix6<S> g;
+  PaddedColumns<S, 6> rest_r, rest_x;
 };
 
 }  // namespace trivium

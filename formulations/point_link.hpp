@@ -4,10 +4,15 @@
 /// leaves free, which is the articulated-body recursion (Featherstone 2008, section 7.3) in absolute
 /// coordinates, with every multiplier. The body's block may be singular wherever the joint holds it.
 ///
-/// With u the acceleration of the common point, u = r_c'' + K_c x_c = r_p'' + K_p x_p + sign gamma:
+/// About the joint's point, with its acceleration u and the orientation rows' remainder w,
 ///
-///   H_rr u + H_rx x_c + f = F        H_rx^T u + H_xx x_c + t = tau      (blocks moved to the point)
-///   x_c = Y (gamma_w - W_p^T x_p) + N q,   N^T t = 0,   f = sign lambda_point,   t = W_c lambda_w
+///   u = r_c'' + L_c^T x_c = r_p'' + L_p^T x_p + sign gamma      W_c^T x_c = w = gamma_w - W_p^T x_p
+///   H_rr u + H_rx x_c + f = F      H_rx^T u + H_xx x_c + W_c lambda_w = tau      f = sign lambda_point
+///
+/// x_c = N q + Y w, where N^T W_c = 0 and Y^T W_c = I: N^T takes lambda_w out of the moments and gives q;
+/// Y^T gives lambda_w. What is left, in u and w alone, is the parent's:
+///
+///   f = f_0 - rr u - Z w           lambda_w = s_0 - Z^T u - T w
 
 #include <array>
 
@@ -21,11 +26,11 @@ namespace trivium {
 template <class S, int m>
 struct OrientationRows {
   static constexpr int free = 3 - m;
-  Matrix<S, 3, free> N;
-  Matrix<S, 3, m> Y;
+  PaddedColumns<S, free> N;
+  PaddedColumns<S, m> Y;
 
-  explicit OrientationRows(const Matrix3<S>& W) {
-    const Vector3<S> a = W.col(0), b = W.col(1), c = W.col(2);
+  explicit OrientationRows(const PaddedColumns<S, 3>& W) {
+    const Vector3<S> a = unpadded<S>(W.col(0)), b = unpadded<S>(W.col(1)), c = unpadded<S>(W.col(2));
     if constexpr (m == 0) {
       N.setIdentity();
     } else if constexpr (m == 1) {
@@ -34,20 +39,21 @@ struct OrientationRows {
       const auto is_flat = a.x() * a.x() + a.y() * a.y() < a.z() * a.z();
       const Vector3<S> n(select(is_flat, a.z(), -a.y()), select(is_flat, zero, a.x()),
                          select(is_flat, -a.x(), zero));
-      N.col(0) = n;
-      N.col(1) = a.cross(n) / sqrt_of(aa);
-      Y = a / aa;
+      N.col(0) = padded<S>(n);
+      N.col(1) = padded<S>(a.cross(n) / sqrt_of(aa));
+      Y = W.col(0) / aa;
     } else if constexpr (m == 2) {
-      N = a.cross(b);
-      const S inverse = 1 / N.squaredNorm();
-      Y.col(0) = b.cross(Vector3<S>(N)) * inverse;
-      Y.col(1) = Vector3<S>(N).cross(a) * inverse;
+      const Vector3<S> n = a.cross(b);
+      const S inverse = 1 / n.squaredNorm();
+      N = padded<S>(n);
+      Y.col(0) = padded<S>(b.cross(n) * inverse);
+      Y.col(1) = padded<S>(n.cross(a) * inverse);
     } else {
       const Vector3<S> bc = b.cross(c);
       const S inverse = 1 / a.dot(bc);
-      Y.col(0) = bc * inverse;
-      Y.col(1) = c.cross(a) * inverse;
-      Y.col(2) = a.cross(b) * inverse;
+      Y.col(0) = padded<S>(bc * inverse);
+      Y.col(1) = padded<S>(c.cross(a) * inverse);
+      Y.col(2) = padded<S>(a.cross(b) * inverse);
     }
   }
 
@@ -92,6 +98,7 @@ bool invert_positive(const Matrix<S, n, n>& D, const S& least, Matrix<S, n, n>& 
   }
 }
 
+/// Flattened, since calls of the small block operations would pass their blocks through memory.
 template <class S, int m>
 class PointLink {
  public:
@@ -99,119 +106,141 @@ class PointLink {
   using Free = Vector<S, free>;
 
   /// Eliminates the body's block H; adds what is left of it to the parent's, if there is one.
-  Elimination factor(const BodyBlock<S>& H, const LinkRows<S>& link, BodyBlock<S>* parent,
-                     std::array<bool, 6>&) {
+  [[gnu::flatten]] Elimination factor(const BodyBlock<S>& H, const LinkRows<S>& link, BodyBlock<S>* parent,
+                                      std::array<bool, 6>&) {
     const PointRows<S>& rows = link.point;
     const OrientationRows<S, m> orientation(rows.W_child);
     N_ = orientation.N;
     Y_ = orientation.Y;
-    const Matrix3<S>& K = rows.K_child;
-    const Matrix3<S> HK = H.rr * K, KH = K.transpose() * H.rx;
-    const Matrix3<S> rx = H.rx - HK;  // about the point
-    const Matrix3<S> xx = H.xx - KH - KH.transpose() + K.transpose() * HK;
-    U_r_.noalias() = rx * N_;
-    U_x_.noalias() = xx * N_;
-    const Matrix<S, free, free> D = N_.transpose() * U_x_;
-    const S rounding = 8 * unit_roundoff<S>() * xx.diagonal().cwiseAbs().sum() * N_.squaredNorm();
-    if (!invert_positive<S, free>(D, rounding, D_inverse_)) return Elimination::no_inertia;
-    const Matrix<S, 3, free> E_r = U_r_ * D_inverse_, E_x = U_x_ * D_inverse_;
-    rr_ = H.rr - E_r * U_r_.transpose();
-    rx_ = rx - E_r * U_x_.transpose();
-    xx_ = xx - E_x * U_x_.transpose();
+    // about the point: H_rx - H_rr L^T, and H_xx - L X - (L X)^T with X half of the way there
+    const PaddedColumns<S, 3> way = times_transpose<S, 3>(H.rr, rows.L_child);
+    const PaddedColumns<S, 3> rx = H.rx - way, X = H.rx - way / 2;
+    PaddedColumns<S, 3> xx = H.xx;
+    add_with_transpose<S>(-times<S, 3>(rows.L_child, X), xx);
+    U_r_ = times<S, 3>(rx, N_);
+    const PaddedColumns<S, free> U_x = times<S, 3>(xx, N_);
+    const Matrix<S, free, free> D = N_.transpose() * U_x;
+    const S moments = abs_sum(xx(0, 0), xx(1, 1), xx(2, 2));
+    if (!invert_positive<S, free>(D, 8 * unit_roundoff<S>() * moments * N_.squaredNorm(), D_inverse_))
+      return Elimination::no_inertia;
+    const Matrix<S, free, m> carried = U_x.transpose() * Y_;
+    P_ = D_inverse_ * carried;
+    const PaddedColumns<S, free> E = times<S, free>(U_r_, D_inverse_);
+    rr_ = H.rr - times_transpose<S, free>(E, U_r_);
+    Z_ = times<S, 3>(rx, Y_) - times<S, free>(U_r_, P_);
+    T_ = Y_.transpose() * times<S, 3>(xx, Y_) - carried.transpose() * P_;
     if (parent == nullptr) return Elimination::done;
-    V_.noalias() = -Y_ * rows.W_parent.template leftCols<m>().transpose();
-    const Matrix3<S>& Kp = rows.K_parent;
-    const Matrix3<S> r = rr_ * Kp + rx_ * V_, x = rx_.transpose() * Kp + xx_ * V_;
+    // u and w by the parent's r'' and x
+    const PaddedColumns<S, m> W = rows.W_parent.template leftCols<m>();
+    const PaddedColumns<S, 3> arm = times_transpose<S, 3>(rr_, rows.L_parent);
+    const PaddedColumns<S, 3> ZW = times_transpose<S, m>(Z_, W);
     parent->rr += rr_;
-    parent->rx += r;
-    parent->xx += Kp.transpose() * r + V_.transpose() * x;
+    parent->rx += arm - ZW;
+    parent->xx += times_transpose<S, m>(times<S, m>(W, T_), W);
+    add_with_transpose<S>(times<S, 3>(rows.L_parent, PaddedColumns<S, 3>(arm / 2 - ZW)), parent->xx);
     return Elimination::done;
   }
 
-  /// The same for the columns C of a closing on the body.
-  void factor(const Matrix6<S>& C, int n, const LinkRows<S>& link, LinkColumn<S>& out,
-              Matrix6<S>* parent) const {
+  /// The same for the columns C of a closing on the body. `size` receives what a column's product with itself
+  /// (see `couple`) would be if nothing cancelled.
+  [[gnu::flatten]] void factor(const BodyColumns<S>& C, int n, const LinkRows<S>& link, LinkColumn<S>& out,
+                               Vector6<S>& size, BodyColumns<S>* parent) const {
     const PointRows<S>& rows = link.point;
+    const S yield = times<S, free>(N_, D_inverse_).cwiseProduct(N_).sum();
     for (int k = 0; k < n; ++k) {
-      const Vector3<S> r = C.col(k).template head<3>();
-      const Vector3<S> x = C.col(k).template tail<3>() - rows.K_child.transpose() * r;
-      const Free g = N_.transpose() * x, q = D_inverse_ * g;
+      const Padded<S> lever = times<S, 3>(rows.L_child, C.r.col(k)), x = C.x.col(k) - lever;
+      size[k] += (C.x.col(k).squaredNorm() + lever.squaredNorm()) * yield;
+      const Free g = transpose_times<S, free>(N_, x);
       out.g.col(k).template head<free>() = g;
-      const Vector3<S> rest_r = r - U_r_ * q, rest_x = x - U_x_ * q;
-      out.rest.col(k).template head<3>() = rest_r;
-      out.rest.col(k).template tail<3>() = rest_x;
+      const Padded<S> rest_r = C.r.col(k) - times<S, free>(U_r_, Free(D_inverse_ * g));
+      const Carried rest_w = transpose_times<S, m>(Y_, x) - P_.transpose() * g;
+      out.rest_r.col(k) = rest_r;
+      out.rest_x.col(k).template head<m>() = rest_w;
       if (parent == nullptr) continue;
-      parent->col(k).template head<3>() += rest_r;
-      parent->col(k).template tail<3>() += rows.K_parent.transpose() * rest_r + V_.transpose() * rest_x;
+      parent->r.col(k) += rest_r;
+      parent->x.col(k) += times<S, 3>(rows.L_parent, rest_r) - times<S, m>(parent_rows(rows), rest_w);
     }
   }
-  /// a^T D^-1 b of two closings' free parts.
-  S product(const LinkColumn<S>& a, int k, const LinkColumn<S>& b, int n) const {
-    return a.g.col(k).template head<free>().dot(D_inverse_ * b.g.col(n).template head<free>());
-  }
-  /// The size that this product of column k with itself would have if nothing cancelled.
-  S bound(const Matrix6<S>& C, int k, const LinkRows<S>& link) const {
-    const Vector3<S> lever = link.point.K_child.transpose() * C.col(k).template head<3>();
-    return (C.col(k).template tail<3>().squaredNorm() + lever.squaredNorm()) *
-           (N_ * D_inverse_).cwiseProduct(N_).sum();
+  /// Adds a^T D^-1 b of two closings' free parts.
+  void couple(const LinkColumn<S>& a, int rows_a, const LinkColumn<S>& b, int rows_b, Matrix6<S>& sum) const {
+    for (int n = 0; n < rows_b; ++n) {
+      const Free q = D_inverse_ * b.g.col(n).template head<free>();
+      for (int k = 0; k < rows_a; ++k) sum(k, n) += a.g.col(k).template head<free>().dot(q);
+    }
   }
 
   /// Passes the right side up: what the parent's equations receive.
-  void forward(const Vector6<S>& force, const Vector6<S>& gamma, const LinkRows<S>& link,
-               Vector6<S>* parent) {
+  [[gnu::flatten]] void forward(const BodyPart<S>& force, const Vector6<S>& gamma, const LinkRows<S>& link,
+                                BodyPart<S>* parent) {
     const PointRows<S>& rows = link.point;
-    const Vector3<S> F = force.template head<3>();
-    const Vector3<S> tau = force.template tail<3>() - rows.K_child.transpose() * F;
-    q_.noalias() = D_inverse_ * (N_.transpose() * tau);
-    f_ = F - U_r_ * q_;
-    t_ = tau - U_x_ * q_;
-    u_ = rows.sign * gamma.template head<3>();
-    x_.noalias() = Y_ * gamma.template segment<m>(3);
+    const Padded<S> tau = force.x - times<S, 3>(rows.L_child, force.r);
+    const Free push = transpose_times<S, free>(N_, tau);
+    q_ = D_inverse_ * push;
+    f_ = force.r - times<S, free>(U_r_, q_);
+    s_ = transpose_times<S, m>(Y_, tau) - P_.transpose() * push;
+    u_ = rows.sign * padded<S>(gamma.template head<3>());
+    w_ = gamma.template segment<m>(3);
     if (parent == nullptr) return;
-    const Vector3<S> f = f_ - rr_ * u_ - rx_ * x_, t = t_ - rx_.transpose() * u_ - xx_ * x_;
-    parent->template head<3>() += f;
-    parent->template tail<3>() += rows.K_parent.transpose() * f + V_.transpose() * t;
+    const Padded<S> f = f_ - times<S, 3>(rr_, u_) - times<S, m>(Z_, w_);
+    const Carried s = s_ - transpose_times<S, m>(Z_, u_) - T_ * w_;
+    parent->r += f;
+    parent->x += times<S, 3>(rows.L_parent, f) - times<S, m>(parent_rows(rows), s);
   }
   /// What the link's own gamma and force do to a closing's right side.
   S closing_rate(const LinkColumn<S>& c, int k) const {
-    return c.rest.col(k).template head<3>().dot(u_) + c.rest.col(k).template tail<3>().dot(x_) +
+    return c.rest_r.col(k).dot(u_) + c.rest_x.col(k).template head<m>().dot(w_) +
            c.g.col(k).template head<free>().dot(q_);
   }
   /// Takes the closing's multiplier into the right side.
   void add_multiplier(const LinkColumn<S>& c, int k, const S& lambda) {
     const Free q = D_inverse_ * c.g.col(k).template head<free>();
     q_ -= q * lambda;
-    f_ -= lambda * c.rest.col(k).template head<3>();
-    t_ -= lambda * c.rest.col(k).template tail<3>();
+    f_ -= lambda * c.rest_r.col(k);
+    s_ -= lambda * c.rest_x.col(k).template head<m>();
   }
 
   /// The body's accelerations and the joint's multipliers from the parent's accelerations.
-  void backward(const Vector6<S>* parent, const LinkRows<S>& link, Vector6<S>& a, Vector6<S>& lambda) const {
+  [[gnu::flatten]] void backward(const BodyPart<S>* parent, const LinkRows<S>& link, BodyPart<S>& a,
+                                 Vector6<S>& lambda) const {
     const PointRows<S>& rows = link.point;
-    Vector3<S> u = u_, x = x_;
+    Padded<S> u = u_;
+    Carried w = w_;
     if (parent != nullptr) {
-      u += parent->template head<3>() + rows.K_parent * parent->template tail<3>();
-      x += V_ * parent->template tail<3>();
+      u += parent->r + padded<S>(transpose_times<S, 3>(rows.L_parent, parent->x));
+      w -= transpose_times<S, m>(parent_rows(rows), parent->x);
     }
-    lambda.template head<3>() = rows.sign * (f_ - rr_ * u - rx_ * x);
-    lambda.template segment<m>(3).noalias() = Y_.transpose() * (t_ - rx_.transpose() * u - xx_ * x);
-    x += N_ * (q_ - D_inverse_ * (U_r_.transpose() * u + U_x_.transpose() * x));
-    a.template head<3>() = u - rows.K_child * x;
-    a.template tail<3>() = x;
+    lambda.template head<3>() = rows.sign * unpadded<S>(f_ - times<S, 3>(rr_, u) - times<S, m>(Z_, w));
+    lambda.template segment<m>(3) = s_ - transpose_times<S, m>(Z_, u) - T_ * w;
+    const Free q = q_ - D_inverse_ * transpose_times<S, free>(U_r_, u) - P_ * w;
+    a.x = times<S, free>(N_, q) + times<S, m>(Y_, w);
+    a.r = u - padded<S>(transpose_times<S, 3>(rows.L_child, a.x));
   }
 
  private:
-  // the joint: W^T N = 0, W^T Y = I, V = -Y W_p^T
-  Matrix<S, 3, free> N_;
-  Matrix<S, 3, m> Y_;
-  Matrix3<S> V_;
-  // the block about the point: along the free motion, and what is left of it
-  Matrix<S, 3, free> U_r_, U_x_;
+  using Carried = Vector<S, m>;
+
+  static PaddedColumns<S, m> parent_rows(const PointRows<S>& rows) {
+    return rows.W_parent.template leftCols<m>();
+  }
+  static S abs_sum(const S& a, const S& b, const S& c) {
+    using std::abs;
+    return abs(a) + abs(b) + abs(c);
+  }
+
+  PaddedColumns<S, free> N_;
+  PaddedColumns<S, m> Y_;
+  // along the free motion: H_rx N, (N^T H_xx N)^-1, and that times N^T H_xx Y
+  PaddedColumns<S, free> U_r_;
   Matrix<S, free, free> D_inverse_;
-  Matrix3<S> rr_, rx_, xx_;
+  Matrix<S, free, m> P_;
+  // what the joint carries
+  PaddedColumns<S, 3> rr_;
+  PaddedColumns<S, m> Z_;
+  Matrix<S, m, m> T_;
   // the right side at hand
   Free q_;
-  Vector3<S> f_, t_, u_, x_;
+  Padded<S> f_, u_;
+  Carried s_, w_;
 };
 
 }  // namespace trivium

@@ -42,7 +42,7 @@ struct REpsilon {
     /// B = [A_phi abar, A_theta abar, A_psi abar] = [g_1 x a, g_2 x a, g_3 x a].
     Matrix3<S> jacobian(const BodyVector<S>& v) const {
       Matrix3<S> B;
-      B << g.col(0).cross(v.a), g.col(1).cross(v.a), g.col(2).cross(v.a);
+      for (int k = 0; k < 3; ++k) B.col(k) = g.col(k).cross(v.a);
       return B;
     }
     /// w^T B.
@@ -54,13 +54,15 @@ struct REpsilon {
                                const Coordinates& q) {
     const auto& axis = chart.sequence.axis;
     const Vector3<S>& rate = q.epsilon_dot;
-    const Matrix3<S> R_1 = axis_rotation(axis[0], q.epsilon[0]);
-    const Matrix3<S> R_12 = times_axis_rotation(R_1, axis[1], q.epsilon[1]);
     Kinematics k;
     k.r = r;
     k.r_dot = r_dot;
-    k.A = times_axis_rotation(R_12, axis[2], q.epsilon[2]) * chart.C;
-    k.g << unit_axis<S>(axis[0]), R_1.col(axis[1]), R_12.col(axis[2]);
+    PaddedColumns<S, 3> R = PaddedColumns<S, 3>::Identity();
+    for (int n = 0; n < 3; ++n) {
+      k.g.col(n) = unpadded<S>(R.col(axis[n]));
+      turn<S>(R, axis[n], q.epsilon[n]);
+    }
+    k.A = times<S, 3>(R, chart.C).template topRows<3>();
     // each axis is carried by the turns before it
     const Vector3<S> first = rate[0] * k.g.col(0), second = first + rate[1] * k.g.col(1);
     k.omega = second + rate[2] * k.g.col(2);
@@ -90,6 +92,7 @@ struct REpsilon {
 
   // internal row eliminated: there is none
   using Reduced = Kinematics;
+  static Turning<S> turning(const Reduced& k) { return {k.A, k.g, k.omega, k.g_dot_rates}; }
   static Matrix3<S> reduced_mass_block(const Kinematics& k, const Matrix3<S>& J_bar) {
     return mass_block(k, J_bar);
   }

@@ -32,7 +32,8 @@ struct RP {
   static Matrix<S, 3, 4> B(const Vector4<S>& p, const Vector3<S>& a_bar) {
     const Matrix3<S> block = euler_parameter_block(p);
     Matrix<S, 3, 4> b;
-    b << block * a_bar, p.template tail<3>() * a_bar.transpose() - times_tilde<S>(block, a_bar);
+    b.col(0) = block * a_bar;
+    b.template rightCols<3>() = p.template tail<3>() * a_bar.transpose() - times_tilde<S>(block, a_bar);
     return 2 * b;
   }
 
@@ -42,30 +43,26 @@ struct RP {
     static constexpr int rotational_unknowns = 4;
     Vector4<S> p, p_dot;
     Matrix<S, 3, 4> G;
-    Matrix3<S> A_dot, A_bias;  ///< B(p, abar) p' = A_dot abar and B(p', abar) p' = A_bias abar
 
-    /// Rate B(p, abar) p', bias B(p', abar) p'.
+    /// Rate B(p, abar) p' = 2 E G'^T abar, bias B(p', abar) p' = 2 E' G'^T abar.
     BodyVector<S> vector(const Vector3<S>& a_bar) const {
-      return {a_bar, this->A * a_bar, A_dot * a_bar, A_bias * a_bar};
+      const Vector4<S> g = 2 * (G_matrix(p_dot).transpose() * a_bar);
+      return {a_bar, this->A * a_bar, E_matrix(p) * g, E_matrix(p_dot) * g};
     }
     Matrix<S, 3, 4> jacobian(const BodyVector<S>& v) const { return B(p, v.a_bar); }
     /// w^T B.
     Matrix<S, 1, 4> jacobian_along(const BodyVector<S>& v, const Vector3<S>& w) const {
       const Vector3<S> e = p.template tail<3>(), y = p[0] * w - e.cross(w);
       Matrix<S, 1, 4> row;
-      row << y.dot(v.a_bar), (w.dot(e) * v.a_bar + v.a_bar.cross(y)).transpose();
+      row[0] = y.dot(v.a_bar);
+      row.template tail<3>() = (w.dot(e) * v.a_bar + v.a_bar.cross(y)).transpose();
       return 2 * row;
     }
   };
   static Kinematics kinematics(const Chart&, const Vector3<S>& r, const Vector3<S>& r_dot,
                                const Coordinates& q) {
-    const Matrix<S, 3, 4> G = G_matrix(q.p), E = E_matrix(q.p), G_dot = G_matrix(q.p_dot);
-    return {BodyMotion<S>{r, r_dot, E * G.transpose(), 2 * G * q.p_dot},
-            q.p,
-            q.p_dot,
-            G,
-            2 * E * G_dot.transpose(),
-            2 * E_matrix(q.p_dot) * G_dot.transpose()};
+    const Matrix<S, 3, 4> G = G_matrix(q.p);
+    return {BodyMotion<S>{r, r_dot, E_matrix(q.p) * G.transpose(), 2 * G * q.p_dot}, q.p, q.p_dot, G};
   }
 
   // mass block: J^p = 4 G^T Jbar G, of rank 3
@@ -86,7 +83,8 @@ struct RP {
   static Matrix<S, 1, 4> internal_jacobian(const Kinematics& k) { return k.p.transpose(); }
   static Vector<S, 1> internal_gamma(const Kinematics& k) { return Vector<S, 1>(-k.p_dot.squaredNorm()); }
 
-  // internal row eliminated: p'' = 1/2 G^T x - |p'|^2 p meets it for every x, and 1/2 G J^p 1/2 G^T = Jbar
+  // internal row eliminated: p'' = 1/2 G^T x - |p'|^2 p meets it for every x, and 1/2 G J^p 1/2 G^T = Jbar: x
+  // is omega_bar'
   struct Reduced : Kinematics {
     static constexpr int rotational_unknowns = 3;
 
@@ -96,16 +94,17 @@ struct RP {
       v.bias -= 2 * this->p_dot.squaredNorm() * v.a;
       return v;
     }
-    Matrix3<S> jacobian(const BodyVector<S>& v) const {
-      return Kinematics::jacobian(v) * (this->G.transpose() / 2);
-    }
+    /// B(p, abar) 1/2 G^T = -A tilde(abar) for unit p.
+    Matrix3<S> jacobian(const BodyVector<S>& v) const { return -times_tilde<S>(this->A, v.a_bar); }
     Matrix<S, 1, 3> jacobian_along(const BodyVector<S>& v, const Vector3<S>& w) const {
-      return Kinematics::jacobian_along(v, w) * (this->G.transpose() / 2);
+      return v.a_bar.cross(Vector3<S>(this->A.transpose() * w)).transpose();
     }
   };
+  static Turning<S> turning(const Reduced& k) { return {k.A, k.A, k.A * k.omega_bar, Vector3<S>::Zero()}; }
   static Matrix3<S> reduced_mass_block(const Kinematics&, const Matrix3<S>& J_bar) { return J_bar; }
+  /// 1/2 G tau_hat = n_bar - tilde(omega_bar) Jbar omega_bar.
   static Vector3<S> reduced_force(const Kinematics& k, const Matrix3<S>& J_bar, const Vector3<S>& n_bar) {
-    return n_bar + k.G * velocity_force(k, J_bar) / 2;
+    return n_bar - k.omega_bar.cross(J_bar * k.omega_bar);
   }
   static Unknown from_reduced(const Kinematics& k, const Vector3<S>& x) {
     return k.G.transpose() * x / 2 - k.p_dot.squaredNorm() * k.p;

@@ -32,15 +32,18 @@ class Results {
 /// Returns the table's LaTeX and defines the numbers that the text around it quotes.
 using MakeTable = std::string(Results&, Numbers&);
 
-MakeTable lambda_invariance_table, precision_ladder_table, simbody_reference_table;
+MakeTable lambda_invariance_table, precision_ladder_table, simbody_reference_table, instruction_counts_table,
+    acceleration_cost_table, cost_of_chains_figure, cost_of_ladders_figure;
 
 struct PaperTable {
   const char* name;
   MakeTable* make;
 };
-inline constexpr PaperTable paper_tables[] = {{"lambda_invariance", lambda_invariance_table},
-                                              {"precision_ladder", precision_ladder_table},
-                                              {"simbody_reference", simbody_reference_table}};
+inline constexpr PaperTable paper_tables[] = {
+    {"lambda_invariance", lambda_invariance_table}, {"precision_ladder", precision_ladder_table},
+    {"simbody_reference", simbody_reference_table}, {"instruction_counts", instruction_counts_table},
+    {"acceleration_cost", acceleration_cost_table}, {"cost_of_chains", cost_of_chains_figure},
+    {"cost_of_ladders", cost_of_ladders_figure}};
 
 /// What paper/tables holds: file names and contents.
 std::map<std::string, std::string> render(const std::filesystem::path& results);

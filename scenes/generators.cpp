@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <stdexcept>
 #include <vector>
@@ -18,8 +19,8 @@ using P = trivium::Vector4<double>;
 
 Vector3 plain(const V& v) { return {v[0], v[1], v[2]}; }
 
-void require_positive(int n) {
-  if (n < 1) throw std::invalid_argument(fmt::format("a scene needs n >= 1, not {}", n));
+void require_at_least(int least, int n) {
+  if (n < least) throw std::invalid_argument(fmt::format("a scene needs n >= {}, not {}", least, n));
 }
 
 /// A bar along its x axis, joints at both ends, and how it moves.
@@ -74,14 +75,19 @@ Constraint hinge(const std::string& name, int i, int j, const V& axis) {
   return c;
 }
 
+Constraint joint_of(ConstraintType type, const std::string& name, const Side& i, const Side& j) {
+  Constraint c;
+  c.type = type;
+  c.name = name;
+  c.i = i;
+  c.j = j;
+  return c;
+}
+
 Constraint revolute_about_z(const std::string& name, int i, const Vector3& point_i, int j,
                             const Vector3& point_j) {
-  Constraint c;
-  c.type = ConstraintType::revolute;
-  c.name = name;
-  c.i = {i, point_i, {}, Vector3{0, 0, 1}, {}};
-  c.j = {j, point_j, {}, Vector3{0, 0, 1}, {}};
-  return c;
+  return joint_of(ConstraintType::revolute, name, {i, point_i, {}, Vector3{0, 0, 1}, {}},
+                  {j, point_j, {}, Vector3{0, 0, 1}, {}});
 }
 
 Body rod(const std::string& name, const Vector3& inertia, const Vector3& position, const Vector3& velocity,
@@ -99,7 +105,7 @@ Body rod(const std::string& name, const Vector3& inertia, const Vector3& positio
 }  // namespace
 
 Scene chain(int n) {
-  require_positive(n);
+  require_at_least(1, n);
   Scene scene;
   scene.name = fmt::format("chain_{}", n);
   scene.description = fmt::format("{} bars in series on revolutes with alternating axes", n);
@@ -115,7 +121,7 @@ Scene chain(int n) {
 }
 
 Scene ladder(int n) {
-  require_positive(n);
+  require_at_least(1, n);
   Scene scene;
   scene.name = fmt::format("ladder_{}", n);
   scene.description = fmt::format("IFToMM A02 with {} loops", n);
@@ -142,7 +148,7 @@ Scene ladder(int n) {
 }
 
 Scene tree(int n, std::uint64_t seed) {
-  require_positive(n);
+  require_at_least(1, n);
   Scene scene;
   scene.name = fmt::format("tree_{}", n);
   scene.description = fmt::format("{} bars, each hung on one drawn among those before it, seed {}", n, seed);
@@ -159,6 +165,65 @@ Scene tree(int n, std::uint64_t seed) {
         hang(inboard == ground ? nullptr : &bars[inboard], axis, uniform(-1.5, 1.5), uniform(-1, 1)));
     scene.bodies.push_back(body_of(fmt::format("bar_{}", k + 1), bars.back()));
     scene.constraints.push_back(hinge(fmt::format("J{}", k + 1), inboard, k, axis));
+  }
+  scene.effects.push_back(Gravity{"", {0, 0, -9.81}});
+  return scene;
+}
+
+Scene ring(int n) {
+  require_at_least(3, n);
+  Scene scene;
+  scene.name = fmt::format("ring_{}", n);
+  scene.description = fmt::format("a regular polygon of {} bars on spherical joints, one of them held", n);
+  const double corner = 2 * std::numbers::pi / n, apothem = 0.5 / std::tan(corner / 2), turn = 0.8;
+  // across the plane, bars of a plane polygon may move their ends as they like
+  const auto lift = [n](int k) { return k % n < 2 ? 0.0 : 0.5 * std::sin(1.7 * (k % n)); };
+  for (int k = 0; k < n; ++k) {
+    Bar bar;
+    bar.p = exponential_parameters<double>(V(0, corner * k, 0));
+    const auto A = rotation_matrix(bar.p);
+    bar.r = A * V(0, 0, apothem) - V(0, 0, apothem);
+    const double spin = k == 0 ? 0.0 : std::cos(0.9 * k);
+    bar.omega = A * V(spin, turn, lift(k + 1) - lift(k));
+    bar.r_dot = V(0, turn, 0).cross(bar.r) + V(0, (lift(k) + lift(k + 1)) / 2, 0);
+    scene.bodies.push_back(body_of(fmt::format("bar_{}", k + 1), bar));
+  }
+  scene.constraints.push_back(joint_of(ConstraintType::revolute, "hold",
+                                       {ground, Vector3{0, 0, 0}, {}, Vector3{0, 1, 0}, {}},
+                                       {0, Vector3{0, 0, 0}, {}, Vector3{0, 1, 0}, {}}));
+  for (int k = 0; k < n; ++k)
+    scene.constraints.push_back(joint_of(ConstraintType::spherical, fmt::format("J{}", k + 1),
+                                         {k, Vector3{0.5, 0, 0}, {}, {}, {}},
+                                         {(k + 1) % n, Vector3{-0.5, 0, 0}, {}, {}, {}}));
+  scene.effects.push_back(Gravity{"", {0, 0, -9.81}});
+  return scene;
+}
+
+Scene hub(int n) {
+  require_at_least(1, n);
+  Scene scene;
+  scene.name = fmt::format("hub_{}", n);
+  scene.description = fmt::format("a wheel on an upright axle, {} bars hung on its rim", n);
+  const double radius = 1, turn = 0.7;
+  Body wheel = rod("wheel", {2.5, 2.5, 5}, {0, 0, 0}, {0, 0, 0}, turn);
+  wheel.mass = 10;
+  scene.bodies.push_back(wheel);
+  scene.constraints.push_back(revolute_about_z("axle", ground, {0, 0, 0}, 0, {0, 0, 0}));
+  for (int k = 1; k <= n; ++k) {
+    const P place = exponential_parameters<double>(V(0, 0, 2 * std::numbers::pi * k / n));
+    const P tilt = exponential_parameters<double>(V(0, 0.4 + 0.3 * std::sin(1.3 * k), 0));
+    const V rim = rotation_matrix(place) * V(radius, 0, 0), axis = rotation_matrix(place) * V(0, 1, 0);
+    Bar bar;
+    bar.p = multiply_parameters<double>(place, tilt);
+    bar.p /= bar.p.norm();
+    bar.omega = V(0, 0, turn) + std::cos(0.9 * k) * axis;
+    const V arm = rotation_matrix(bar.p) * V(0.5, 0, 0);
+    bar.r = rim + arm;
+    bar.r_dot = V(0, 0, turn).cross(rim) + bar.omega.cross(arm);
+    scene.bodies.push_back(body_of(fmt::format("bar_{}", k), bar));
+    scene.constraints.push_back(joint_of(ConstraintType::revolute, fmt::format("J{}", k),
+                                         {0, plain(rim), {}, plain(axis), {}},
+                                         {k, Vector3{-0.5, 0, 0}, {}, Vector3{0, 1, 0}, {}}));
   }
   scene.effects.push_back(Gravity{"", {0, 0, -9.81}});
   return scene;

@@ -19,4 +19,13 @@ Scene ladder(int n);
 /// same tree for the same seed.
 Scene tree(int n, std::uint64_t seed = 1);
 
+/// A closed ring: a regular polygon of n >= 3 bars, upright in the x-z plane, on spherical joints; the first
+/// bar turns about its centre on a revolute along y and all others spin and leave the plane. 3 n + 5 rows,
+/// none redundant.
+Scene ring(int n);
+
+/// A wheel (10 kg, 1 m, upright axle) and n bars on revolutes around its rim, all turning: one body with
+/// n + 1 joints.
+Scene hub(int n);
+
 }  // namespace trivium::scenes

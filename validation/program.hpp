@@ -47,6 +47,7 @@ class Program {
   int run(int argc, char** argv, const std::function<int()>& answer);
 
   bool names_scenes() const { return !names_.empty(); }
+  const std::vector<std::string>& names() const { return names_; }
   bool json() const { return json_; }
 
   /// The scenes named, else the catalogue's, as load_consistent_scenes gives them.

@@ -4,12 +4,18 @@ cmake_minimum_required(VERSION 3.25)
 #   COMPARE, TABLES   the executables          RESULTS, PAPER_TABLES   accepted results, committed tables
 #   REGENERATED       results made again       WORK                    a folder to write in
 
-# Writes FILE to COPY with the first match of PATTERN replaced.
-function(tamper file copy pattern replacement)
+# Writes FILE to COPY with the first match of a pattern replaced, of the first of the (pattern replacement ...) that has
+# one.
+function(tamper file copy)
   file(READ ${file} text)
-  string(REGEX MATCH "${pattern}" found "${text}")
+  set(changes ${ARGN})
+  set(found "")
+  while(found STREQUAL "" AND changes)
+    list(POP_FRONT changes pattern replacement)
+    string(REGEX MATCH "${pattern}" found "${text}")
+  endwhile()
   if(found STREQUAL "")
-    message(FATAL_ERROR "${file} has nothing like ${pattern}")
+    message(FATAL_ERROR "${file} has no number to change")
   endif()
   string(REGEX REPLACE "${pattern}" "${replacement}" changed "${found}")
   string(FIND "${text}" "${found}" at)
@@ -28,10 +34,11 @@ function(expect exit_code what)
   message(STATUS "${what}: ${exit_code}, as it should be")
 endfunction()
 
-# Two ways to change a number: by a factor of 10^4, which its rule must see, and in its last digit, which only the
-# checksum can.
-set(exponent "([0-9]\\.[0-9]+e-)1([4-9])" "\\10\\2")
-set(digit "([0-9]\\.[0-9]+)[0-8](e-[0-9]+)" "\\19\\2")
+# Two ways to change a number: by a factor that its rule must see (10^4 of what is rounding, the leading digit of a
+# count), and in its last digit, which only the checksum can. Files of timings are not made again: for them the checksum
+# alone stands.
+set(exponent "([0-9]\\.[0-9]+e-)1([4-9])" "\\10\\2" ",[1-4]([0-9][0-9]+)(,|\n)" ",9\\1\\2")
+set(digit "([0-9]\\.[0-9]+)[0-8](e-[0-9]+)" "\\19\\2" ",([0-9]+)[0-8](,|\n)" ",\\19\\2")
 
 file(REMOVE_RECURSE ${WORK})
 file(GLOB files ${RESULTS}/*.csv)
@@ -40,9 +47,13 @@ foreach(file IN LISTS files)
   set(compare ${COMPARE} ${WORK}/results/${name}.csv ${REGENERATED}/${name}.csv --schema ${RESULTS}/schema.json)
   foreach(change IN ITEMS exponent digit)
     file(COPY ${RESULTS}/ DESTINATION ${WORK}/results)
-    expect(0 "${name}, as accepted" ${compare})
+    if(EXISTS ${REGENERATED}/${name}.csv)
+      expect(0 "${name}, as accepted" ${compare})
+    endif()
     tamper(${file} ${WORK}/results/${name}.csv ${${change}})
-    expect(1 "${name}, one ${change} changed" ${compare})
+    if(EXISTS ${REGENERATED}/${name}.csv)
+      expect(1 "${name}, one ${change} changed" ${compare})
+    endif()
     expect(2 "tables from ${name}, one ${change} changed" ${TABLES} ${WORK}/results ${PAPER_TABLES} --check)
     file(REMOVE_RECURSE ${WORK}/results)
   endforeach()
@@ -53,7 +64,7 @@ foreach(table IN LISTS tables)
   get_filename_component(name ${table} NAME)
   file(COPY ${PAPER_TABLES}/ DESTINATION ${WORK}/tables)
   expect(0 "tables, as committed" ${TABLES} ${RESULTS} ${WORK}/tables --check)
-  tamper(${table} ${WORK}/tables/${name} "([0-9]\\.)[0-8](e-[0-9]+)" "\\19\\2")
+  tamper(${table} ${WORK}/tables/${name} "([0-9]\\.)[0-8](e-[0-9]+)" "\\19\\2" "([0-9])[0-8]([^0-9.])" "\\19\\2")
   expect(1 "${name}, one digit changed" ${TABLES} ${RESULTS} ${WORK}/tables --check)
   file(REMOVE_RECURSE ${WORK}/tables)
 endforeach()

@@ -1,0 +1,116 @@
+#pragma once
+/// The rows of a point joint evaluated together: what they share, once.
+
+#include <array>
+#include <variant>
+
+#include "bodies/padded.hpp"
+#include "constraints/basic.hpp"
+#include "formulations/body_joint_graph.hpp"
+#include "formulations/turning.hpp"
+#include "scenes/mechanism.hpp"
+
+namespace trivium {
+
+/// Three CD rows along the global axes between a point of i and a point of j, then at most three rows of
+/// orientation, as a rule DP1: a . b = 0 has the moment a x b. With K the Jacobian of a body's point and L =
+/// K^T,
+///
+///   r_j'' + L_j^T x_j - r_i'' - L_i^T x_i = gamma      W_i^T x_i + W_j^T x_j = gamma_w
+template <class S>
+class PointJoint {
+ public:
+  PointJoint(const Mechanism<S>& mechanism, const GraphEdge& edge) : mechanism_(&mechanism), bodies_(edge) {
+    const auto& point = std::get<CD<S>>(mechanism.rows[edge.rows[0]]);
+    on_i_.index_of(point.s_bar_i);
+    on_j_.index_of(point.s_bar_j);
+    for (std::size_t k = 3; k < edge.rows.size(); ++k) {
+      const auto* row = std::get_if<DP1<S>>(&mechanism.rows[edge.rows[k]]);
+      const bool is_plain = row != nullptr && row->i == edge.i && row->f.is_number();
+      has_others_ = has_others_ || !is_plain;
+      rows_[size_++] = {is_plain ? on_i_.index_of(row->a_bar_i) : -1,
+                        is_plain ? on_j_.index_of(row->a_bar_j) : -1, edge.rows[k]};
+    }
+  }
+
+  const BodyPair& bodies() const { return bodies_; }
+  /// Rows of orientation.
+  int size() const { return size_; }
+
+  /// Into blocks with a column per row, and gamma of all rows.
+  template <class Body, class Columns>
+  [[gnu::flatten]] void evaluate(const std::vector<Turning<S>>& turning, const std::vector<Body>& body,
+                                 const S& t, Columns&& L_i, Columns&& L_j, Columns&& W_i, Columns&& W_j,
+                                 Vector<S, 6>& gamma) const {
+    const Turning<S>&i = turning[bodies_.i], &j = turning[bodies_.j];
+    const Moved moved_i(i, on_i_), moved_j(j, on_j_);
+    L_i = times_cross<S>(i.axes_T, moved_i.a[0]);
+    L_j = times_cross<S>(j.axes_T, moved_j.a[0]);
+    gamma.template head<3>() = unpadded<S>(moved_i.bias[0] - moved_j.bias[0]);
+    for (int k = 0; k < size_; ++k) {
+      if (rows_[k].i < 0) continue;
+      const Padded<S>&a = moved_i.a[rows_[k].i], &b = moved_j.a[rows_[k].j];
+      const Padded<S> moment = cross_product<S>(a, b);
+      W_i.col(k) = times<S, 3>(i.axes_T, moment);
+      W_j.col(k) = times<S, 3>(j.axes_T, Padded<S>(-moment));
+      gamma[3 + k] = -(moved_i.bias[rows_[k].i].cwiseProduct(b) + moved_j.bias[rows_[k].j].cwiseProduct(a) +
+                       S(2) * moved_i.rate[rows_[k].i].cwiseProduct(moved_j.rate[rows_[k].j]))
+                          .sum();
+    }
+    if (has_others_) evaluate_others(body, t, W_i, W_j, gamma);
+  }
+
+ private:
+  /// The rows that are not plain DP1: drivers.
+  template <class Body, class Columns>
+  [[gnu::noinline]] void evaluate_others(const std::vector<Body>& body, const S& t, Columns&& W_i,
+                                         Columns&& W_j, Vector<S, 6>& gamma) const {
+    for (int k = 0; k < size_; ++k) {
+      if (rows_[k].i >= 0) continue;
+      const auto& constraint = mechanism_->rows[rows_[k].row];
+      const BodyPair pair = bodies_of(constraint);
+      auto row = evaluate_row(constraint, body[pair.i], body[pair.j], t);
+      if (pair.i != bodies_.i) row.rot_i.swap(row.rot_j);
+      W_i.col(k) = padded<S>(row.rot_i.transpose());
+      W_j.col(k) = padded<S>(row.rot_j.transpose());
+      gamma[3 + k] = row.gamma;
+    }
+  }
+
+  /// The vectors on a body, each once: its point's first, then those of the rows.
+  struct Vectors {
+    std::array<Vector3<S>, 4> a_bar;
+    int size = 0;
+
+    int index_of(const Vector3<S>& vector) {
+      int k = 0;
+      while (k < size && a_bar[k] != vector) ++k;
+      if (k == size) a_bar[size++] = vector;
+      return k;
+    }
+  };
+  struct Moved {
+    std::array<Padded<S>, 4> a, rate, bias;
+
+    Moved(const Turning<S>& body, const Vectors& of) {
+      for (int k = 0; k < of.size; ++k) {
+        a[k] = times<S, 3>(body.A, of.a_bar[k]);
+        rate[k] = cross_product<S>(body.omega, a[k]);
+        bias[k] = cross_product<S>(body.drift, a[k]) + cross_product<S>(body.omega, rate[k]);
+      }
+    }
+  };
+  struct Orientation {
+    int i, j;  ///< of on_i and on_j; -1: a row of another kind
+    int row;
+  };
+
+  const Mechanism<S>* mechanism_;
+  BodyPair bodies_;
+  Vectors on_i_, on_j_;
+  std::array<Orientation, 3> rows_;
+  int size_ = 0;
+  bool has_others_ = false;
+};
+
+}  // namespace trivium

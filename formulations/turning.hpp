@@ -1,0 +1,26 @@
+#pragma once
+/// How a body turns in the reduced unknowns x of a formulation. All that a point joint asks of coordinates.
+
+#include "bodies/padded.hpp"
+
+namespace trivium {
+
+/// With omega' = axes x + drift in the global frame, a body vector a has the rate omega x a, the second
+/// derivative (axes x + drift) x a + omega x (omega x a), and a moment about it does axes^T times itself.
+template <class S>
+struct Turning {
+  PaddedColumns<S, 3> A, axes_T;
+  Padded<S> omega, drift;
+
+  Turning() = default;
+  Turning(const Matrix3<S>& rotation, const Matrix3<S>& axes, const Vector3<S>& global_omega,
+          const Vector3<S>& global_drift)
+      : omega(padded<S>(global_omega)), drift(padded<S>(global_drift)) {
+    for (int k = 0; k < 3; ++k) {
+      A.col(k) = padded<S>(rotation.col(k));
+      axes_T.col(k) = padded<S>(axes.row(k).transpose());
+    }
+  }
+};
+
+}  // namespace trivium

@@ -1,0 +1,133 @@
+/// What an evaluation costs: a table over the scenes, and time per body against n for chains and ladders.
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "paper/table.hpp"
+
+namespace trivium::paper {
+
+namespace {
+
+/// One solver of the table or the figures: the rows of results/ that are its own.
+struct Solver {
+  std::string engine, formulation, refinement;
+  Tex name;
+};
+
+const std::vector<Solver> ours{{"Trivium", "r-omega", "unrefined", {"\\romega"}},
+                               {"Trivium", "r-omega", "refined", {"\\romega, refined"}},
+                               {"Trivium", "r-p", "refined", {"\\rp, refined"}},
+                               {"Trivium", "r-epsilon", "refined", {"\\reps, refined"}}};
+const std::vector<Solver> others{{"Simbody 3.7", "none", "none", {"Simbody"}},
+                                 {"MuJoCo 2.2.2", "none", "none", {"MuJoCo"}},
+                                 {"DART 6.12", "none", "none", {"DART"}},
+                                 {"SuiteSparse KLU", "r-omega", "none", {"KLU"}}};
+
+/// The scenes in their order, each with its rows.
+struct SceneRows {
+  std::string scene;
+  std::vector<std::size_t> rows;
+};
+
+std::vector<SceneRows> scenes_of(const ResultsTable& table) {
+  std::vector<SceneRows> all;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const std::string& scene = table.text(row, "scene");
+    if (scene == "ensemble") continue;
+    if (all.empty() || all.back().scene != scene) all.push_back({scene, {}});
+    all.back().rows.push_back(row);
+  }
+  return all;
+}
+
+std::optional<std::size_t> row_of(const ResultsTable& table, const SceneRows& scene, const Solver& solver) {
+  for (const std::size_t row : scene.rows)
+    if (table.text(row, "engine") == solver.engine && table.text(row, "formulation") == solver.formulation &&
+        table.text(row, "refinement") == solver.refinement)
+      return row;
+  return {};
+}
+
+bool has_time(const ResultsTable& table, std::size_t row) {
+  return table.text(row, "microseconds") != "none";
+}
+
+/// Three digits without an exponent: microseconds from tenths to hundred thousands.
+Tex microseconds(double x) {
+  const int digits = x < 9.995 ? 2 : x < 99.95 ? 1 : 0;
+  return {fmt::format("{:.{}f}", x, digits)};
+}
+
+std::string plot(const ResultsTable& table, const std::string& family) {
+  std::string out =
+      "\\begin{tikzpicture}\n\\begin{loglogaxis}[width=0.49\\textwidth,height=0.44\\textwidth,grid=major,\n"
+      "  xlabel={$n$},ylabel={microseconds per body},legend columns=3,\n"
+      "  legend style={font=\\scriptsize,draw=none,at={(0.5,-0.24)},anchor=north,/tikz/every even "
+      "column/.append style={column sep=4pt}}]\n";
+  std::vector<Solver> all = ours;
+  all.insert(all.end(), others.begin(), others.end());
+  for (const Solver& solver : all) {
+    std::string points;
+    for (const SceneRows& scene : scenes_of(table)) {
+      if (!scene.scene.starts_with(family + "_")) continue;
+      const auto row = row_of(table, scene, solver);
+      if (row && has_time(table, *row))
+        points += fmt::format(" ({},{})", table.text(*row, "n"), table.text(*row, "microseconds_per_body"));
+    }
+    if (!points.empty())
+      out +=
+          fmt::format("\\addplot coordinates {{{} }};\n\\addlegendentry{{{}}}\n", points, solver.name.source);
+  }
+  return out + "\\end{loglogaxis}\n\\end{tikzpicture}\n";
+}
+
+const std::string origin = "results/acceleration_cost.csv";
+
+}  // namespace
+
+std::string acceleration_cost_table(Results& results, Numbers& numbers) {
+  const ResultsTable& table = results["acceleration_cost"];
+  std::vector<TexColumn> columns{{"l", {"mechanism"}}, {"r", {"$n_b$"}}};
+  std::vector<Solver> all = ours;
+  all.insert(all.end(), others.begin(), others.end());
+  for (const Solver& solver : all) columns.push_back({"r", solver.name});
+  TexTable out(columns);
+  for (const SceneRows& scene : scenes_of(table)) {
+    std::vector<Tex> cells{text(scene.scene), text(table.text(scene.rows.front(), "bodies"))};
+    for (const Solver& solver : all) {
+      const auto row = row_of(table, scene, solver);
+      cells.push_back(row && has_time(table, *row) ? microseconds(table.number(*row, "microseconds"))
+                                                   : Tex{"--"});
+    }
+    out.add(cells);
+    if (scene.scene != "chain_100") continue;
+    const auto time = [&](const Solver& solver) {
+      const auto row = row_of(table, scene, solver);
+      if (!row || !has_time(table, *row))
+        throw ResultsError("acceleration_cost: chain_100 has no time of " + solver.engine);
+      return table.number(*row, "microseconds");
+    };
+    const double own = time(ours[0]), refined = time(ours[1]);
+    numbers.define("CostSimbody", ratio_in_text(time(others[0]) / own));
+    numbers.define("CostSimbodyRefined", ratio_in_text(time(others[0]) / refined));
+    numbers.define("CostMujoco", ratio_in_text(time(others[1]) / own));
+    numbers.define("CostMujocoRefined", ratio_in_text(time(others[1]) / refined));
+    numbers.define("CostDart", ratio_in_text(time(others[2]) / own));
+    numbers.define("CostDartRefined", ratio_in_text(time(others[2]) / refined));
+  }
+  return out.str(origin);
+}
+
+std::string cost_of_chains_figure(Results& results, Numbers&) {
+  return fmt::format("% Generated by paper_tables from {}\n{}", origin,
+                     plot(results["acceleration_cost"], "chain"));
+}
+
+std::string cost_of_ladders_figure(Results& results, Numbers&) {
+  return fmt::format("% Generated by paper_tables from {}\n{}", origin,
+                     plot(results["acceleration_cost"], "ladder"));
+}
+
+}  // namespace trivium::paper

@@ -1,0 +1,235 @@
+#include "validation/cost/ensemble.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <random>
+
+#include "formulations/acceleration_solver.hpp"
+#include "formulations/r_epsilon.hpp"
+#include "formulations/r_omega.hpp"
+#include "formulations/r_p.hpp"
+#include "validation/catalogue.hpp"
+#include "validation/cost/batch_sweep.hpp"
+#include "validation/cost/ours.hpp"
+#include "validation/cost/peer_translation.hpp"
+#ifdef TRIVIUM_COST_MUJOCO
+#include "validation/cost/mujoco_engine.hpp"
+#endif
+
+namespace trivium::cost {
+
+namespace {
+
+using V = trivium::Vector3<double>;
+
+constexpr int states = 4096;
+constexpr int checked_states = 16;
+
+scenes::Scene arm_under_gravity() {
+  scenes::Scene arm = load_scene("open_arm_7", 0);
+  std::erase_if(arm.effects,
+                [](const scenes::Effect& e) { return !std::holds_alternative<scenes::Gravity>(e); });
+  return arm;
+}
+
+Matrix3<double> axes_of(const JointFrame<double>& frame) {
+  Matrix3<double> axes;
+  axes << frame.u, frame.v, frame.z;
+  return axes;
+}
+
+/// An open arm: each joint turns its body j against i, which comes before.
+class Arm {
+ public:
+  explicit Arm(const scenes::Scene& scene)
+      : mechanism(make_mechanism<double>(scene)), at_rest_(make_state<double>(scene, 0.0)) {}
+
+  /// The angle of joint k in the scene's own state.
+  double own_angle(std::size_t k) const {
+    const Joint<double>& joint = mechanism.joints[k];
+    const Matrix3<double> A_i = joint.i == mechanism.ground() ? Matrix3<double>(Matrix3<double>::Identity())
+                                                              : rotation_matrix(at_rest_.pose[joint.i].p);
+    const V u = A_i.transpose() * (rotation_matrix(at_rest_.pose[joint.j].p) * joint.frame_j.u);
+    return std::atan2(joint.frame_i.v.dot(u), joint.frame_i.u.dot(u));
+  }
+
+  MechanismState<double> state(const std::vector<double>& angle, const std::vector<double>& rate) const {
+    MechanismState<double> out = at_rest_;
+    const Pose<double> ground_pose;
+    for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
+      const Joint<double>& joint = mechanism.joints[k];
+      const bool on_ground = joint.i == mechanism.ground();
+      const Pose<double>& inboard = on_ground ? ground_pose : out.pose[joint.i];
+      const Matrix3<double> A_i = rotation_matrix(inboard.p);
+      const V omega_i = on_ground ? V(V::Zero()) : V(A_i * out.twist[joint.i].omega_bar);
+      const V r_dot_i = on_ground ? V(V::Zero()) : out.twist[joint.i].r_dot;
+      const Matrix3<double> turn = Eigen::AngleAxisd(angle[k], V::UnitZ()).toRotationMatrix();
+      const Matrix3<double> A = A_i * axes_of(joint.frame_i) * turn * axes_of(joint.frame_j).transpose();
+      const Eigen::Quaterniond q(A);
+      Pose<double>& pose = out.pose[joint.j];
+      pose.p = Vector4<double>(q.w(), q.x(), q.y(), q.z()).normalized();
+      const V arm_i = A_i * joint.frame_i.point, arm_j = A * joint.frame_j.point;
+      const V omega = omega_i + rate[k] * (A_i * joint.frame_i.z);
+      pose.r = inboard.r + arm_i - arm_j;
+      out.twist[joint.j].omega_bar = A.transpose() * omega;
+      out.twist[joint.j].r_dot = r_dot_i + omega_i.cross(arm_i) - omega.cross(arm_j);
+    }
+    return out;
+  }
+
+  Mechanism<double> mechanism;
+
+ private:
+  MechanismState<double> at_rest_;
+};
+
+/// The same random states in every engine's coordinates, and some of the exact answers.
+struct Ensemble {
+  scenes::Scene scene = arm_under_gravity();
+  Arm arm{scene};
+  std::vector<std::vector<double>> angles, rates;
+  std::vector<MechanismState<double>> state;
+  std::vector<Exact> exact;
+
+  Ensemble() {
+    std::mt19937_64 engine(7);
+    const auto uniform = [&](double size) {
+      return size * (2 * static_cast<double>(engine() >> 11) * 0x1.0p-53 - 1);
+    };
+    for (int n = 0; n < states; ++n) {
+      angles.emplace_back();
+      rates.emplace_back();
+      for (std::size_t k = 0; k < arm.mechanism.joints.size(); ++k) {
+        angles.back().push_back(uniform(3));
+        rates.back().push_back(uniform(2));
+      }
+      state.push_back(arm.state(angles.back(), rates.back()));
+      if (n >= checked_states) continue;
+      scenes::Scene here = scene;
+      set_state(here, state.back());
+      exact.push_back(exact_solution(here));
+    }
+  }
+};
+
+/// One engine over all states.
+struct Sweep {
+  Measurement row;
+  std::function<void()> all;
+  std::function<std::vector<Vector3>(int)> r_ddot;  ///< at one of the states
+};
+
+template <class F>
+Sweep our_sweep(const Ensemble& ensemble, Measurement row, Refinement refinement) {
+  struct Data {
+    AccelerationSolver<F> solver;
+    std::vector<std::vector<BodyState<F>>> state;
+  };
+  const Mechanism<double>& mechanism = ensemble.arm.mechanism;
+  auto data = std::make_shared<Data>(Data{AccelerationSolver<F>(mechanism), {}});
+  for (const auto& state : ensemble.state)
+    data->state.push_back(to_coordinates<F>(mechanism, state, ChartOptions{}));
+  row.engine = our_name;
+  row.ours = true;
+  row.formulation = F::name;
+  row.refinement = refinement == Refinement::once ? "refined" : "unrefined";
+  return {row,
+          [data, refinement] {
+            for (const auto& state : data->state) data->solver.solve(state, 0.0, refinement);
+          },
+          [data, refinement, nb = mechanism.nb()](int n) {
+            data->solver.solve(data->state[static_cast<std::size_t>(n)], 0.0, refinement);
+            std::vector<Vector3> r_ddot;
+            for (int b = 0; b < nb; ++b) {
+              const auto a = data->solver.r_ddot(b);
+              r_ddot.push_back({a[0], a[1], a[2]});
+            }
+            return r_ddot;
+          }};
+}
+
+Sweep our_batches(const Ensemble& ensemble, Measurement row, const char* formulation, Refinement refinement) {
+  const bool refined = refinement == Refinement::once;
+  const BatchSweep batches = batch_sweep(ensemble.arm.mechanism, ensemble.state, formulation, refined);
+  row.engine = fmt::format("{}, {} lanes", our_name, batches.lanes);
+  row.ours = true;
+  row.formulation = formulation;
+  row.refinement = refined ? "refined" : "unrefined";
+  return {row, batches.all, batches.r_ddot};
+}
+
+#ifdef TRIVIUM_COST_MUJOCO
+Sweep mujoco_sweep(const Ensemble& ensemble, Measurement row) {
+  struct Data {
+    std::unique_ptr<MujocoEngine> engine;
+    std::vector<std::vector<double>> qpos, qvel;
+    void go_to(std::size_t n) const { engine->set_state(qpos[n], qvel[n]); }
+  };
+  auto data = std::make_shared<Data>();
+  data->engine = mujoco_engine_with_states(to_peers(ensemble.scene));
+  data->qvel = ensemble.rates;
+  data->qpos = ensemble.angles;
+  for (auto& qpos : data->qpos)
+    for (std::size_t k = 0; k < qpos.size(); ++k) qpos[k] -= ensemble.arm.own_angle(k);
+  row.engine = "MuJoCo 2.2.2";
+  return {row,
+          [data] {
+            for (std::size_t n = 0; n < data->qpos.size(); ++n) {
+              data->go_to(n);
+              data->engine->evaluate();
+            }
+          },
+          [data](int n) {
+            data->go_to(static_cast<std::size_t>(n));
+            data->engine->evaluate();
+            return data->engine->r_ddot();
+          }};
+}
+#endif
+
+std::vector<Sweep> sweeps(const Ensemble& ensemble) {
+  Measurement row;
+  row.scene = row.family = "ensemble";
+  row.n = states;
+  row.bodies = ensemble.arm.mechanism.nb();
+  std::vector<Sweep> all;
+  for (const Refinement refinement : {Refinement::none, Refinement::once}) {
+    all.push_back(our_sweep<ROmega<double>>(ensemble, row, refinement));
+    all.push_back(our_sweep<RP<double>>(ensemble, row, refinement));
+    all.push_back(our_sweep<REpsilon<double>>(ensemble, row, refinement));
+    for (const char* formulation : formulations)
+      all.push_back(our_batches(ensemble, row, formulation, refinement));
+  }
+#ifdef TRIVIUM_COST_MUJOCO
+  all.push_back(mujoco_sweep(ensemble, row));
+#endif
+  return all;
+}
+
+}  // namespace
+
+std::vector<Measurement> measure_ensemble(const Timing& timing) {
+  const Ensemble ensemble;
+  std::vector<Sweep> all = sweeps(ensemble);
+  std::vector<std::function<void()>> work;
+  for (Sweep& sweep : all) {
+    sweep.row.error = 0;
+    for (int n = 0; n < checked_states; ++n)
+      sweep.row.error =
+          std::max(*sweep.row.error, ensemble.exact[static_cast<std::size_t>(n)].error_of(sweep.r_ddot(n)));
+    work.push_back(sweep.all);
+  }
+  const std::vector<double> microseconds = median_microseconds(work, timing);
+  std::vector<Measurement> rows;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    all[k].row.microseconds = microseconds[k] / states;
+    rows.push_back(all[k].row);
+  }
+  set_ratios(rows);
+  return rows;
+}
+
+}  // namespace trivium::cost

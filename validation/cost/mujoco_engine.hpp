@@ -1,0 +1,20 @@
+#pragma once
+/// MuJoCo at one state, or at many of the same scene.
+
+#include <span>
+
+#include "validation/cost/peers.hpp"
+
+namespace trivium::cost {
+
+class MujocoEngine : public Engine {
+ public:
+  virtual int coordinates() const = 0;
+  virtual int velocities() const = 0;
+  virtual void set_state(std::span<const double> qpos, std::span<const double> qvel) = 0;
+};
+
+/// Throws like mujoco_engine.
+std::unique_ptr<MujocoEngine> mujoco_engine_with_states(const PeerScene& scene);
+
+}  // namespace trivium::cost

@@ -1,0 +1,80 @@
+#include "validation/cost/timing.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <string>
+
+namespace trivium::cost {
+
+namespace {
+
+/// Keeps what each repetition took; prints nothing.
+class Collector : public benchmark::BenchmarkReporter {
+ public:
+  explicit Collector(std::size_t size) : nanoseconds_(size) {}
+
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs)
+      if (run.run_type == Run::RT_Iteration && !run.error_occurred)
+        nanoseconds_[std::stoul(run.run_name.function_name)].push_back(run.GetAdjustedCPUTime());
+  }
+
+  double median_microseconds(std::size_t k) {
+    std::vector<double>& t = nanoseconds_[k];
+    const auto middle = t.begin() + static_cast<std::ptrdiff_t>(t.size() / 2);
+    std::nth_element(t.begin(), middle, t.end());
+    return *middle / 1e3;
+  }
+
+ private:
+  std::vector<std::vector<double>> nanoseconds_;
+};
+
+void initialise_once() {
+  static const bool done = [] {
+    std::string name = "acceleration_cost", interleaved = "--benchmark_enable_random_interleaving=true";
+    std::array<char*, 3> arguments{name.data(), interleaved.data(), nullptr};
+    int count = 2;
+    benchmark::Initialize(&count, arguments.data());
+    return true;
+  }();
+  static_cast<void>(done);
+}
+
+}  // namespace
+
+std::vector<double> median_microseconds(const std::vector<std::function<void()>>& work,
+                                        const Timing& timing) {
+  initialise_once();
+  for (std::size_t k = 0; k < work.size(); ++k)
+    benchmark::RegisterBenchmark(std::to_string(k).c_str(),
+                                 [&one = work[k]](benchmark::State& state) {
+                                   for (auto _ : state) one();
+                                 })
+        ->MinTime(timing.seconds)
+        ->Repetitions(timing.repetitions)
+        ->Unit(benchmark::kNanosecond);
+  Collector collector(work.size());
+  benchmark::RunSpecifiedBenchmarks(&collector);
+  benchmark::ClearRegisteredBenchmarks();
+  std::vector<double> medians;
+  for (std::size_t k = 0; k < work.size(); ++k) medians.push_back(collector.median_microseconds(k));
+  return medians;
+}
+
+double seconds_of(const std::function<void()>& work) {
+  const auto now = [] {
+    timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  };
+  const double start = now();
+  work();
+  return now() - start;
+}
+
+}  // namespace trivium::cost
