@@ -217,9 +217,10 @@ std::vector<Measurement> measure_ensemble(const Timing& timing) {
   std::vector<std::function<void()>> work;
   for (Sweep& sweep : all) {
     sweep.row.error = 0;
-    for (int n = 0; n < checked_states; ++n)
-      sweep.row.error =
-          std::max(*sweep.row.error, ensemble.exact[static_cast<std::size_t>(n)].error_of(sweep.r_ddot(n)));
+    for (int n = 0; n < checked_states; ++n) {
+      const double error = ensemble.exact[static_cast<std::size_t>(n)].error_of(sweep.r_ddot(n));
+      if (std::isnan(error) || error > *sweep.row.error) sweep.row.error = error;  // a NaN goes in and stays
+    }
     work.push_back(sweep.all);
   }
   const std::vector<double> microseconds = median_microseconds(work, timing);

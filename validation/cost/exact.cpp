@@ -30,9 +30,8 @@ double Exact::error_of(const std::vector<Vector3>& other) const {
   double difference = 0, size = 0;
   for (std::size_t b = 0; b < r_ddot.size(); ++b) {
     const Vector3 &x = r_ddot[b], &y = other[b];
-    // a NaN must stay
     const double d = std::hypot(y[0] - x[0], y[1] - x[1], y[2] - x[2]);
-    if (!(d <= difference)) difference = d;
+    if (std::isnan(d) || d > difference) difference = d;  // a NaN goes in and stays
     size = std::max(size, std::hypot(x[0], x[1], x[2]));
   }
   return difference == 0 ? 0 : difference / size;
