@@ -1,6 +1,6 @@
 #pragma once
-/// Decisions in code over any Scalar, spelt so that a Scalar which carries many numbers at once could take
-/// them lane by lane.
+/// Decisions in code over any Scalar, spelt so that a Scalar which carries many numbers at once (batch.hpp)
+/// takes them lane by lane.
 
 namespace trivium {
 

@@ -86,16 +86,6 @@ TRIVIUM_INLINE Padded<S> cross_product(const Padded<S>& a, const Padded<S>& b) {
   }
 }
 
-/// M tilde(a).
-template <class S>
-TRIVIUM_INLINE PaddedColumns<S, 3> times_cross(const PaddedColumns<S, 3>& M, const Padded<S>& a) {
-  PaddedColumns<S, 3> product;
-  product.col(0) = M.col(1) * a[2] - M.col(2) * a[1];
-  product.col(1) = M.col(2) * a[0] - M.col(0) * a[2];
-  product.col(2) = M.col(0) * a[1] - M.col(1) * a[0];
-  return product;
-}
-
 /// M times the rotation by `angle` about coordinate axis k: two columns mix.
 template <class S>
 TRIVIUM_INLINE void turn(PaddedColumns<S, 3>& M, int k, const S& angle) {

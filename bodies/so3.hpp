@@ -108,13 +108,13 @@ Matrix3<Scalar> axis_rotation(int k, const Scalar& angle) {
   return R;
 }
 
-/// M tilde(a), a column at a time.
-template <class Scalar>
-Matrix3<Scalar> times_tilde(const Matrix3<Scalar>& M, const Vector3<Scalar>& a) {
-  Matrix3<Scalar> product;
-  product.col(0) = M.col(1) * a.z() - M.col(2) * a.y();
-  product.col(1) = M.col(2) * a.x() - M.col(0) * a.z();
-  product.col(2) = M.col(0) * a.y() - M.col(1) * a.x();
+/// M tilde(a), a column at a time; of a its first three places.
+template <class Scalar, int rows, int size>
+Matrix<Scalar, rows, 3> times_tilde(const Matrix<Scalar, rows, 3>& M, const Vector<Scalar, size>& a) {
+  Matrix<Scalar, rows, 3> product;
+  product.col(0) = M.col(1) * a[2] - M.col(2) * a[1];
+  product.col(1) = M.col(2) * a[0] - M.col(0) * a[2];
+  product.col(2) = M.col(0) * a[1] - M.col(1) * a[0];
   return product;
 }
 

@@ -78,7 +78,6 @@ struct BodyVectorFeature {
   const Body& body;
   BodyVector<Scalar> vector;
 
-  BodyVectorFeature(const Body& of, const BodyVector<Scalar>& a) : body(of), vector(a) {}
   BodyVectorFeature(const Body& of, const Vector3<Scalar>& a_bar) : body(of), vector(of.vector(a_bar)) {}
 
   const Vector3<Scalar>& value() const { return vector.a; }

@@ -56,27 +56,11 @@ class AccelerationSolver {
     move_bodies(state, t);
     assemble_closings(t);
     solver_.start(matrix_, right_side_);
-    naming_bodies([&] {
-      auto joint = links_.begin();
-      for (int step = 0; step < solver_.steps(); ++step) {
-        if (joint != links_.end() && joint->link == solver_.plan().steps[step].link)
-          assemble_link(*joint++, t);
-        solver_.eliminate(step, right_side_);
-      }
-    });
+    eliminate(t);
     solver_.substitute(solution_);
     if (refinement == Refinement::once) refine();
   }
 
-  // the same in steps, for those who reuse the factors
-  void assemble(std::span<const BodyState<F>> state, const S& t) {
-    move_bodies(state, t);
-    assemble_closings(t);
-    for (const LinkJoint& link : links_) assemble_link(link, t);
-  }
-  void factor() {
-    naming_bodies([&] { solver_.factor(matrix_); });
-  }
   /// One step of iterative refinement.
   void refine() {
     solver_.residual(matrix_, right_side_, solution_, defect_);
@@ -154,10 +138,15 @@ class AccelerationSolver {
     }
   }
 
-  template <class Work>
-  void naming_bodies(const Work& work) const {
+  /// Link by link, each joint evaluated just before its step.
+  void eliminate(const S& t) {
+    auto joint = links_.begin();
     try {
-      work();
+      for (int step = 0; step < solver_.steps(); ++step) {
+        if (joint != links_.end() && joint->link == solver_.plan().steps[step].link)
+          assemble_link(*joint++, t);
+        solver_.eliminate(step, right_side_);
+      }
     } catch (const SingularLink& e) {
       throw ModelError(fmt::format(
           "body \"{}\": {}; its links cannot be eliminated one by one: solve the printed system instead",

@@ -176,7 +176,6 @@ class GraphSolver {
     BodyColumns<S> C;       ///< of L^-1 C^T, on the body where it is eliminated
     Vector6<S> own, bound;  ///< the diagonal before other closings go, and its magnitude
     Vector6<S> gamma;       ///< the right side at hand
-    Vector6<S> lambda;
   };
 
   template <class Visit>
@@ -208,7 +207,17 @@ class GraphSolver {
 
   void start_factors(const GraphMatrix<S>& matrix) {
     matrix_ = &matrix;
-    start_closings();
+    for (const EliminationPlan::Link& link : plan_.links)
+      for (const EliminationPlan::Column& column : link.columns) column_[column.slot] = {};
+    for (Matrix6<S>& block : coupling_) block.setZero();
+    for (std::size_t c = 0; c < closing_.size(); ++c) {
+      const EliminationPlan::Closing& closing = plan_.closings[c];
+      if (closing.column_slot >= 0) column_[closing.column_slot] = {};
+      if (closing.slot_i >= 0) column_[closing.slot_i] = matrix_->rows[plan_.rows_slot[closing.edge]].C_i;
+      if (closing.slot_j >= 0) column_[closing.slot_j] = matrix_->rows[plan_.rows_slot[closing.edge]].C_j;
+      closing_[c].bound.setZero();
+      closing_[c].own.setZero();
+    }
   }
   void start_solution(const GraphVector<S>& right_side) {
     for (std::size_t c = 0; c < closing_.size(); ++c)
@@ -221,20 +230,6 @@ class GraphSolver {
   void forward_step(const EliminationPlan::Step& step, const GraphVector<S>& right_side) {
     for (int c : step.closings) forward_closing(c);
     if (step.link >= 0) forward_link(step.link, right_side);
-  }
-
-  void start_closings() {
-    for (const EliminationPlan::Link& link : plan_.links)
-      for (const EliminationPlan::Column& column : link.columns) column_[column.slot] = {};
-    for (Matrix6<S>& block : coupling_) block.setZero();
-    for (std::size_t c = 0; c < closing_.size(); ++c) {
-      const EliminationPlan::Closing& closing = plan_.closings[c];
-      if (closing.column_slot >= 0) column_[closing.column_slot] = {};
-      if (closing.slot_i >= 0) column_[closing.slot_i] = matrix_->rows[plan_.rows_slot[closing.edge]].C_i;
-      if (closing.slot_j >= 0) column_[closing.slot_j] = matrix_->rows[plan_.rows_slot[closing.edge]].C_j;
-      closing_[c].bound.setZero();
-      closing_[c].own.setZero();
-    }
   }
 
   void factor_link(int index) {

@@ -33,7 +33,6 @@ class PointJoint {
     }
   }
 
-  const BodyPair& bodies() const { return bodies_; }
   /// Rows of orientation.
   int size() const { return size_; }
 
@@ -44,8 +43,8 @@ class PointJoint {
                                  Vector<S, 6>& gamma) const {
     const Turning<S>&i = turning[bodies_.i], &j = turning[bodies_.j];
     const Moved moved_i(i, on_i_), moved_j(j, on_j_);
-    L_i = times_cross<S>(i.axes_T, moved_i.a[0]);
-    L_j = times_cross<S>(j.axes_T, moved_j.a[0]);
+    L_i = times_tilde<S>(i.axes_T, moved_i.a[0]);
+    L_j = times_tilde<S>(j.axes_T, moved_j.a[0]);
     gamma.template head<3>() = unpadded<S>(moved_i.bias[0] - moved_j.bias[0]);
     for (int k = 0; k < size_; ++k) {
       if (rows_[k].i < 0) continue;

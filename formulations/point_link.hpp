@@ -120,9 +120,8 @@ class PointLink {
     U_r_ = times<S, 3>(rx, N_);
     const PaddedColumns<S, free> U_x = times<S, 3>(xx, N_);
     const Matrix<S, free, free> D = N_.transpose() * U_x;
-    const S moments = abs_sum(xx(0, 0), xx(1, 1), xx(2, 2));
-    if (!invert_positive<S, free>(D, 8 * unit_roundoff<S>() * moments * N_.squaredNorm(), D_inverse_))
-      return Elimination::no_inertia;
+    const S rounding = 8 * unit_roundoff<S>() * xx.diagonal().cwiseAbs().sum() * N_.squaredNorm();
+    if (!invert_positive<S, free>(D, rounding, D_inverse_)) return Elimination::no_inertia;
     const Matrix<S, free, m> carried = U_x.transpose() * Y_;
     P_ = D_inverse_ * carried;
     const PaddedColumns<S, free> E = times<S, free>(U_r_, D_inverse_);
@@ -131,7 +130,7 @@ class PointLink {
     T_ = Y_.transpose() * times<S, 3>(xx, Y_) - carried.transpose() * P_;
     if (parent == nullptr) return Elimination::done;
     // u and w by the parent's r'' and x
-    const PaddedColumns<S, m> W = rows.W_parent.template leftCols<m>();
+    const PaddedColumns<S, m> W = parent_rows(rows);
     const PaddedColumns<S, 3> arm = times_transpose<S, 3>(rr_, rows.L_parent);
     const PaddedColumns<S, 3> ZW = times_transpose<S, m>(Z_, W);
     parent->rr += rr_;
@@ -221,10 +220,6 @@ class PointLink {
 
   static PaddedColumns<S, m> parent_rows(const PointRows<S>& rows) {
     return rows.W_parent.template leftCols<m>();
-  }
-  static S abs_sum(const S& a, const S& b, const S& c) {
-    using std::abs;
-    return abs(a) + abs(b) + abs(c);
   }
 
   PaddedColumns<S, free> N_;

@@ -25,6 +25,12 @@ const std::vector<Solver> others{{"Simbody 3.7", "none", "none", {"Simbody"}},
                                  {"DART 6.12", "none", "none", {"DART"}},
                                  {"SuiteSparse KLU", "r-omega", "none", {"KLU"}}};
 
+std::vector<Solver> all_solvers() {
+  std::vector<Solver> all = ours;
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
+}
+
 /// The scenes in their order, each with its rows.
 struct SceneRows {
   std::string scene;
@@ -42,16 +48,13 @@ std::vector<SceneRows> scenes_of(const ResultsTable& table) {
   return all;
 }
 
+/// The solver's row; none where it has no time.
 std::optional<std::size_t> row_of(const ResultsTable& table, const SceneRows& scene, const Solver& solver) {
   for (const std::size_t row : scene.rows)
     if (table.text(row, "engine") == solver.engine && table.text(row, "formulation") == solver.formulation &&
-        table.text(row, "refinement") == solver.refinement)
+        table.text(row, "refinement") == solver.refinement && table.text(row, "microseconds") != "none")
       return row;
   return {};
-}
-
-bool has_time(const ResultsTable& table, std::size_t row) {
-  return table.text(row, "microseconds") != "none";
 }
 
 /// Three digits without an exponent: microseconds from tenths to hundred thousands.
@@ -66,14 +69,12 @@ std::string plot(const ResultsTable& table, const std::string& family) {
       "  xlabel={$n$},ylabel={microseconds per body},legend columns=3,\n"
       "  legend style={font=\\scriptsize,draw=none,at={(0.5,-0.24)},anchor=north,/tikz/every even "
       "column/.append style={column sep=4pt}}]\n";
-  std::vector<Solver> all = ours;
-  all.insert(all.end(), others.begin(), others.end());
-  for (const Solver& solver : all) {
+  for (const Solver& solver : all_solvers()) {
     std::string points;
     for (const SceneRows& scene : scenes_of(table)) {
       if (!scene.scene.starts_with(family + "_")) continue;
       const auto row = row_of(table, scene, solver);
-      if (row && has_time(table, *row))
+      if (row)
         points += fmt::format(" ({},{})", table.text(*row, "n"), table.text(*row, "microseconds_per_body"));
     }
     if (!points.empty())
@@ -90,23 +91,20 @@ const std::string origin = "results/acceleration_cost.csv";
 std::string acceleration_cost_table(Results& results, Numbers& numbers) {
   const ResultsTable& table = results["acceleration_cost"];
   std::vector<TexColumn> columns{{"l", {"mechanism"}}, {"r", {"$n_b$"}}};
-  std::vector<Solver> all = ours;
-  all.insert(all.end(), others.begin(), others.end());
+  const std::vector<Solver> all = all_solvers();
   for (const Solver& solver : all) columns.push_back({"r", solver.name});
   TexTable out(columns);
   for (const SceneRows& scene : scenes_of(table)) {
     std::vector<Tex> cells{text(scene.scene), text(table.text(scene.rows.front(), "bodies"))};
     for (const Solver& solver : all) {
       const auto row = row_of(table, scene, solver);
-      cells.push_back(row && has_time(table, *row) ? microseconds(table.number(*row, "microseconds"))
-                                                   : Tex{"--"});
+      cells.push_back(row ? microseconds(table.number(*row, "microseconds")) : Tex{"--"});
     }
     out.add(cells);
     if (scene.scene != "chain_100") continue;
     const auto time = [&](const Solver& solver) {
       const auto row = row_of(table, scene, solver);
-      if (!row || !has_time(table, *row))
-        throw ResultsError("acceleration_cost: chain_100 has no time of " + solver.engine);
+      if (!row) throw ResultsError("acceleration_cost: chain_100 has no time of " + solver.engine);
       return table.number(*row, "microseconds");
     };
     const double own = time(ours[0]), refined = time(ours[1]);

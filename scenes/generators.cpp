@@ -19,8 +19,13 @@ using P = trivium::Vector4<double>;
 
 Vector3 plain(const V& v) { return {v[0], v[1], v[2]}; }
 
-void require_at_least(int least, int n) {
+/// An empty scene of size n, at least `least`.
+Scene sized(const char* kind, int n, int least, const std::string& description) {
   if (n < least) throw std::invalid_argument(fmt::format("a scene needs n >= {}, not {}", least, n));
+  Scene scene;
+  scene.name = fmt::format("{}_{}", kind, n);
+  scene.description = description;
+  return scene;
 }
 
 /// A bar along its x axis, joints at both ends, and how it moves.
@@ -105,10 +110,7 @@ Body rod(const std::string& name, const Vector3& inertia, const Vector3& positio
 }  // namespace
 
 Scene chain(int n) {
-  require_at_least(1, n);
-  Scene scene;
-  scene.name = fmt::format("chain_{}", n);
-  scene.description = fmt::format("{} bars in series on revolutes with alternating axes", n);
+  Scene scene = sized("chain", n, 1, fmt::format("{} bars in series on revolutes with alternating axes", n));
   Bar last;
   for (int k = 0; k < n; ++k) {
     const V axis = V::Unit(k % 2 == 0 ? 1 : 2);
@@ -121,10 +123,7 @@ Scene chain(int n) {
 }
 
 Scene ladder(int n) {
-  require_at_least(1, n);
-  Scene scene;
-  scene.name = fmt::format("ladder_{}", n);
-  scene.description = fmt::format("IFToMM A02 with {} loops", n);
+  Scene scene = sized("ladder", n, 1, fmt::format("IFToMM A02 with {} loops", n));
   const double J = 1.0 / 12;
   for (int k = 0; k <= n; ++k)
     scene.bodies.push_back(rod(fmt::format("rod_{}", k), {J, 0, J}, {1.0 * k, 0.5, 0}, {0.5, 0, 0}, -1));
@@ -148,10 +147,8 @@ Scene ladder(int n) {
 }
 
 Scene tree(int n, std::uint64_t seed) {
-  require_at_least(1, n);
-  Scene scene;
-  scene.name = fmt::format("tree_{}", n);
-  scene.description = fmt::format("{} bars, each hung on one drawn among those before it, seed {}", n, seed);
+  Scene scene = sized("tree", n, 1,
+                      fmt::format("{} bars, each hung on one drawn among those before it, seed {}", n, seed));
   std::mt19937_64 engine(seed);
   const auto uniform = [&](double low, double high) {  // the same on every standard library
     return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1.0p-53;
@@ -171,10 +168,8 @@ Scene tree(int n, std::uint64_t seed) {
 }
 
 Scene ring(int n) {
-  require_at_least(3, n);
-  Scene scene;
-  scene.name = fmt::format("ring_{}", n);
-  scene.description = fmt::format("a regular polygon of {} bars on spherical joints, one of them held", n);
+  Scene scene = sized("ring", n, 3,
+                      fmt::format("a regular polygon of {} bars on spherical joints, one of them held", n));
   const double corner = 2 * std::numbers::pi / n, apothem = 0.5 / std::tan(corner / 2), turn = 0.8;
   // across the plane, bars of a plane polygon may move their ends as they like
   const auto lift = [n](int k) { return k % n < 2 ? 0.0 : 0.5 * std::sin(1.7 * (k % n)); };
@@ -200,26 +195,21 @@ Scene ring(int n) {
 }
 
 Scene hub(int n) {
-  require_at_least(1, n);
-  Scene scene;
-  scene.name = fmt::format("hub_{}", n);
-  scene.description = fmt::format("a wheel on an upright axle, {} bars hung on its rim", n);
-  const double radius = 1, turn = 0.7;
+  Scene scene = sized("hub", n, 1, fmt::format("a wheel on an upright axle, {} bars hung on its rim", n));
+  const double radius = 1, turn = 0.7;  // the radius is a bar's length
   Body wheel = rod("wheel", {2.5, 2.5, 5}, {0, 0, 0}, {0, 0, 0}, turn);
   wheel.mass = 10;
   scene.bodies.push_back(wheel);
   scene.constraints.push_back(revolute_about_z("axle", ground, {0, 0, 0}, 0, {0, 0, 0}));
   for (int k = 1; k <= n; ++k) {
-    const P place = exponential_parameters<double>(V(0, 0, 2 * std::numbers::pi * k / n));
-    const P tilt = exponential_parameters<double>(V(0, 0.4 + 0.3 * std::sin(1.3 * k), 0));
-    const V rim = rotation_matrix(place) * V(radius, 0, 0), axis = rotation_matrix(place) * V(0, 1, 0);
-    Bar bar;
-    bar.p = multiply_parameters<double>(place, tilt);
-    bar.p /= bar.p.norm();
-    bar.omega = V(0, 0, turn) + std::cos(0.9 * k) * axis;
-    const V arm = rotation_matrix(bar.p) * V(0.5, 0, 0);
-    bar.r = rim + arm;
-    bar.r_dot = V(0, 0, turn).cross(rim) + bar.omega.cross(arm);
+    // where a bar from the axle to the rim would be
+    Bar spoke;
+    spoke.p = exponential_parameters<double>(V(0, 0, 2 * std::numbers::pi * k / n));
+    spoke.r = rotation_matrix(spoke.p) * V(radius / 2, 0, 0);
+    spoke.omega = V(0, 0, turn);
+    spoke.r_dot = spoke.omega.cross(spoke.r);
+    const V rim = spoke.end(radius / 2), axis = rotation_matrix(spoke.p) * V(0, 1, 0);
+    const Bar bar = hang(&spoke, V(0, 1, 0), 0.4 + 0.3 * std::sin(1.3 * k), std::cos(0.9 * k));
     scene.bodies.push_back(body_of(fmt::format("bar_{}", k), bar));
     scene.constraints.push_back(joint_of(ConstraintType::revolute, fmt::format("J{}", k),
                                          {0, plain(rim), {}, plain(axis), {}},

@@ -60,28 +60,16 @@ class System {
     return bodies_[joint.i].findStationLocationInGround(state_, vec(joint.frame_i.point));
   }
 
-  /// A row is idle where its forces on the bodies do no work along any mobility.
   void disable_idle_rows() {
     system_.realize(state_, SimTK::Stage::Velocity);
     std::vector<LinkedConstraint> active, idle;
     for (const LinkedConstraint& c : constraints_)
-      (is_idle(matter_.getConstraint(c.index)) ? idle : active).push_back(c);
+      (is_idle(matter_, matter_.getConstraint(c.index), state_) ? idle : active).push_back(c);
     for (const LinkedConstraint& c : idle) {
       matter_.getConstraint(c.index).disable(state_);
       idle_rows_.push_back(c.rows.front().row);
     }
     constraints_ = active;
-  }
-  bool is_idle(const SimTK::Constraint& row) const {
-    const SimTK::Vector one(1, 1.0);
-    SimTK::Vector lambda, mobility_forces, along_mobilities;
-    SimTK::Vector_<SpatialVec> body_forces;
-    row.calcConstraintForcesFromMultipliers(state_, one, body_forces, mobility_forces);
-    row.setMyPartInConstraintSpaceVector(state_, one, lambda);
-    matter_.multiplyByGTranspose(state_, lambda, along_mobilities);
-    double size = 0;
-    for (int b = 0; b < body_forces.size(); ++b) size += body_forces[b].norm();
-    return along_mobilities.norm() <= 1e-10 * size;
   }
 
   /// Simbody forms G^T from the forces of its constraints and G from their errors: they must be the same.

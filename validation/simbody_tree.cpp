@@ -138,6 +138,19 @@ SpatialVec velocity_of(const Model& model, int body) {
   return {pose_of(model, body).R() * vec(b.angular_velocity), vec(b.velocity)};
 }
 
+bool is_idle(const SimTK::SimbodyMatterSubsystem& matter, const SimTK::Constraint& row,
+             const SimTK::State& state) {
+  const SimTK::Vector one(1, 1.0);
+  SimTK::Vector lambda, mobility_forces, along_mobilities;
+  SimTK::Vector_<SimTK::SpatialVec> body_forces;
+  row.calcConstraintForcesFromMultipliers(state, one, body_forces, mobility_forces);
+  row.setMyPartInConstraintSpaceVector(state, one, lambda);
+  matter.multiplyByGTranspose(state, lambda, along_mobilities);
+  double size = 0;
+  for (int b = 0; b < body_forces.size(); ++b) size += body_forces[b].norm();
+  return along_mobilities.norm() <= 1e-10 * size;
+}
+
 void fit_mobilizer(const Model& model, const Branch& branch, const BodyMap& bodies, SimTK::State& state) {
   const MobilizedBody& child = bodies[branch.body];
   const Transform X_P = pose_of(model, branch.parent), X_B = pose_of(model, branch.body);

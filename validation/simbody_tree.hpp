@@ -24,6 +24,11 @@ SimTK::MobilizedBodyIndex add_mobilizer(const Model& model, const Branch& branch
 SimTK::Transform pose_of(const Model& model, int body);
 SimTK::SpatialVec velocity_of(const Model& model, int body);
 
+/// Whether the row's forces on the bodies do no work along any mobility at the state (realised to
+/// Stage::Velocity).
+bool is_idle(const SimTK::SimbodyMatterSubsystem& matter, const SimTK::Constraint& row,
+             const SimTK::State& state);
+
 /// Sets the mobilizer's coordinates and speeds to the model's state.
 void fit_mobilizer(const Model& model, const Branch& branch, const BodyMap& bodies, SimTK::State& state);
 

@@ -6,8 +6,8 @@ endif()
 find_package(benchmark REQUIRED)
 
 add_executable(acceleration_cost acceleration_cost.cpp simbody_translation.cpp
-               cost/batch_sweep.cpp cost/ensemble.cpp cost/exact.cpp cost/measurement.cpp cost/ours.cpp cost/peer_translation.cpp cost/peers.cpp
-               cost/plots.cpp cost/scenes.cpp cost/sparse.cpp cost/timing.cpp)
+               cost/ensemble.cpp cost/exact.cpp cost/measurement.cpp cost/ours.cpp cost/peer_translation.cpp cost/peers.cpp
+               cost/plots.cpp cost/scenes.cpp cost/sparse.cpp cost/state_sweep.cpp cost/timing.cpp)
 target_link_libraries(acceleration_cost PRIVATE trivium_edge trivium_options benchmark::benchmark ${CMAKE_DL_LIBS})
 
 # Simbody: C++17 and NDEBUG undefined, as in TriviumSimbody

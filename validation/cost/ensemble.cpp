@@ -7,14 +7,9 @@
 #include <memory>
 #include <random>
 
-#include "formulations/acceleration_solver.hpp"
-#include "formulations/r_epsilon.hpp"
-#include "formulations/r_omega.hpp"
-#include "formulations/r_p.hpp"
 #include "validation/catalogue.hpp"
-#include "validation/cost/batch_sweep.hpp"
-#include "validation/cost/ours.hpp"
 #include "validation/cost/peer_translation.hpp"
+#include "validation/cost/state_sweep.hpp"
 #ifdef TRIVIUM_COST_MUJOCO
 #include "validation/cost/mujoco_engine.hpp"
 #endif
@@ -118,55 +113,18 @@ struct Ensemble {
 /// One engine over all states.
 struct Sweep {
   Measurement row;
-  std::function<void()> all;
-  std::function<std::vector<Vector3>(int)> r_ddot;  ///< at one of the states
+  StateSweep states;
 };
-
-template <class F>
-Sweep our_sweep(const Ensemble& ensemble, Measurement row, Refinement refinement) {
-  struct Data {
-    AccelerationSolver<F> solver;
-    std::vector<std::vector<BodyState<F>>> state;
-  };
-  const Mechanism<double>& mechanism = ensemble.arm.mechanism;
-  auto data = std::make_shared<Data>(Data{AccelerationSolver<F>(mechanism), {}});
-  for (const auto& state : ensemble.state)
-    data->state.push_back(to_coordinates<F>(mechanism, state, ChartOptions{}));
-  row.engine = our_name;
-  row.ours = true;
-  row.formulation = F::name;
-  row.refinement = refinement == Refinement::once ? "refined" : "unrefined";
-  return {row,
-          [data, refinement] {
-            for (const auto& state : data->state) data->solver.solve(state, 0.0, refinement);
-          },
-          [data, refinement, nb = mechanism.nb()](int n) {
-            data->solver.solve(data->state[static_cast<std::size_t>(n)], 0.0, refinement);
-            std::vector<Vector3> r_ddot;
-            for (int b = 0; b < nb; ++b) {
-              const auto a = data->solver.r_ddot(b);
-              r_ddot.push_back({a[0], a[1], a[2]});
-            }
-            return r_ddot;
-          }};
-}
-
-Sweep our_batches(const Ensemble& ensemble, Measurement row, const char* formulation, Refinement refinement) {
-  const bool refined = refinement == Refinement::once;
-  const BatchSweep batches = batch_sweep(ensemble.arm.mechanism, ensemble.state, formulation, refined);
-  row.engine = fmt::format("{}, {} lanes", our_name, batches.lanes);
-  row.ours = true;
-  row.formulation = formulation;
-  row.refinement = refined ? "refined" : "unrefined";
-  return {row, batches.all, batches.r_ddot};
-}
 
 #ifdef TRIVIUM_COST_MUJOCO
 Sweep mujoco_sweep(const Ensemble& ensemble, Measurement row) {
   struct Data {
     std::unique_ptr<MujocoEngine> engine;
     std::vector<std::vector<double>> qpos, qvel;
-    void go_to(std::size_t n) const { engine->set_state(qpos[n], qvel[n]); }
+    void evaluate(std::size_t n) const {
+      engine->set_state(qpos[n], qvel[n]);
+      engine->evaluate();
+    }
   };
   auto data = std::make_shared<Data>();
   data->engine = mujoco_engine_with_states(to_peers(ensemble.scene));
@@ -174,19 +132,15 @@ Sweep mujoco_sweep(const Ensemble& ensemble, Measurement row) {
   data->qpos = ensemble.angles;
   for (auto& qpos : data->qpos)
     for (std::size_t k = 0; k < qpos.size(); ++k) qpos[k] -= ensemble.arm.own_angle(k);
-  row.engine = "MuJoCo 2.2.2";
+  row.engine = mujoco_name;
   return {row,
-          [data] {
-            for (std::size_t n = 0; n < data->qpos.size(); ++n) {
-              data->go_to(n);
-              data->engine->evaluate();
-            }
-          },
-          [data](int n) {
-            data->go_to(static_cast<std::size_t>(n));
-            data->engine->evaluate();
-            return data->engine->r_ddot();
-          }};
+          {[data] {
+             for (std::size_t n = 0; n < data->qpos.size(); ++n) data->evaluate(n);
+           },
+           [data](int n) {
+             data->evaluate(static_cast<std::size_t>(n));
+             return data->engine->r_ddot();
+           }}};
 }
 #endif
 
@@ -196,12 +150,16 @@ std::vector<Sweep> sweeps(const Ensemble& ensemble) {
   row.n = states;
   row.bodies = ensemble.arm.mechanism.nb();
   std::vector<Sweep> all;
-  for (const Refinement refinement : {Refinement::none, Refinement::once}) {
-    all.push_back(our_sweep<ROmega<double>>(ensemble, row, refinement));
-    all.push_back(our_sweep<RP<double>>(ensemble, row, refinement));
-    all.push_back(our_sweep<REpsilon<double>>(ensemble, row, refinement));
+  const Mechanism<double>& mechanism = ensemble.arm.mechanism;
+  for (const Refined refined : {Refined::no, Refined::yes}) {
     for (const char* formulation : formulations)
-      all.push_back(our_batches(ensemble, row, formulation, refinement));
+      all.push_back(
+          {of_ours(row, formulation, refined), one_by_one(mechanism, ensemble.state, formulation, refined)});
+    for (const char* formulation : formulations) {
+      Measurement batches = of_ours(row, formulation, refined);
+      batches.engine += fmt::format(", {} lanes", register_lanes);
+      all.push_back({batches, in_batches(mechanism, ensemble.state, formulation, refined)});
+    }
   }
 #ifdef TRIVIUM_COST_MUJOCO
   all.push_back(mujoco_sweep(ensemble, row));
@@ -218,10 +176,10 @@ std::vector<Measurement> measure_ensemble(const Timing& timing) {
   for (Sweep& sweep : all) {
     sweep.row.error = 0;
     for (int n = 0; n < checked_states; ++n) {
-      const double error = ensemble.exact[static_cast<std::size_t>(n)].error_of(sweep.r_ddot(n));
+      const double error = ensemble.exact[static_cast<std::size_t>(n)].error_of(sweep.states.r_ddot(n));
       if (std::isnan(error) || error > *sweep.row.error) sweep.row.error = error;  // a NaN goes in and stays
     }
-    work.push_back(sweep.all);
+    work.push_back(sweep.states.all);
   }
   const std::vector<double> microseconds = median_microseconds(work, timing);
   std::vector<Measurement> rows;

@@ -49,7 +49,7 @@ double Exact::lambda_error_of(const std::vector<double>& other) const {
 
 Exact exact_solution(const scenes::Scene& scene) {
   try {
-    OurEngine<ROmega<Quad>> quad(scene, Refinement::once);
+    OurEngine<ROmega<Quad>> quad(scene, Refined::yes);
     quad.evaluate();
     // which multipliers are unique does not take quad, and would take long there
     return {quad.r_ddot(), quad.lambda(), unique_multipliers(scene)};

@@ -7,7 +7,6 @@
 #include <functional>
 #include <memory>
 
-#include "validation/cost/ours.hpp"
 #include "validation/cost/peer_translation.hpp"
 #include "validation/cost/peers.hpp"
 #include "validation/cost/sparse.hpp"
@@ -32,17 +31,11 @@ std::vector<Entrant> entrants(const TimedScene& timed, const PeerScene& peer_sce
   row.n = timed.n;
   row.bodies = static_cast<int>(timed.scene.bodies.size());
   std::vector<Entrant> all;
-  row.engine = our_name;
-  row.ours = true;
   for (const char* formulation : formulations)
-    for (const Refined refined : {Refined::no, Refined::yes}) {
-      row.formulation = formulation;
-      row.refinement = refined == Refined::yes ? "refined" : "unrefined";
-      all.push_back(
-          {row, [&timed, formulation, refined] { return our_engine(timed.scene, formulation, refined); }});
-    }
-  row.ours = false;
-  row.formulation = row.refinement = "";
+    for (const Refined refined : {Refined::no, Refined::yes})
+      all.push_back({of_ours(row, formulation, refined), [&timed, formulation, refined] {
+                       return our_engine(timed.scene, formulation, refined);
+                     }});
   for (const Peer& peer : peers()) {
     row.engine = peer.name;
     all.push_back(
@@ -87,6 +80,14 @@ std::unique_ptr<Engine> try_out(Entrant& entrant, const Exact& exact) {
 }
 
 }  // namespace
+
+Measurement of_ours(Measurement row, const std::string& formulation, Refined refined) {
+  row.engine = our_name;
+  row.ours = true;
+  row.formulation = formulation;
+  row.refinement = refined == Refined::yes ? "refined" : "unrefined";
+  return row;
+}
 
 void set_ratios(std::vector<Measurement>& rows) {
   const auto is_reference = [](const Measurement& row) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "validation/cost/ours.hpp"
 #include "validation/cost/scenes.hpp"
 #include "validation/cost/timing.hpp"
 
@@ -26,6 +27,9 @@ struct Measurement {
 };
 
 inline constexpr const char* our_name = "Trivium";
+
+/// The row as one of ours.
+Measurement of_ours(Measurement row, const std::string& formulation, Refined refined);
 
 /// An engine that needs more than this for one evaluation is not timed.
 inline constexpr double most_seconds = 2;

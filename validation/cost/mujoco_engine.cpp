@@ -79,8 +79,6 @@ class Mujoco : public MujocoEngine {
     return r_ddot;
   }
 
-  int coordinates() const override { return model_->nq; }
-  int velocities() const override { return model_->nv; }
   void set_state(std::span<const double> qpos, std::span<const double> qvel) override {
     std::copy(qpos.begin(), qpos.end(), data_->qpos);
     std::copy(qvel.begin(), qvel.end(), data_->qvel);

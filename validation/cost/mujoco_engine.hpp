@@ -7,10 +7,10 @@
 
 namespace trivium::cost {
 
+inline constexpr const char* mujoco_name = "MuJoCo 2.2.2";
+
 class MujocoEngine : public Engine {
  public:
-  virtual int coordinates() const = 0;
-  virtual int velocities() const = 0;
   virtual void set_state(std::span<const double> qpos, std::span<const double> qvel) = 0;
 };
 

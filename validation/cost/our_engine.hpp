@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "formulations/acceleration_solver.hpp"
-#include "validation/cost/engine.hpp"
+#include "validation/cost/ours.hpp"
 
 namespace trivium::cost {
 
@@ -21,11 +21,8 @@ std::vector<double> plain(const VectorX<S>& v) {
   return out;
 }
 
-template <class F>
-std::vector<Vector3> r_ddot_of(const AccelerationSolver<F>& solver, int nb) {
-  std::vector<Vector3> r_ddot;
-  for (int b = 0; b < nb; ++b) r_ddot.push_back(plain<typename F::Scalar>(solver.r_ddot(b)));
-  return r_ddot;
+inline Refinement refinement_of(Refined refined) {
+  return refined == Refined::yes ? Refinement::once : Refinement::none;
 }
 
 template <class F>
@@ -33,15 +30,19 @@ class OurEngine : public Engine {
  public:
   using S = typename F::Scalar;
 
-  OurEngine(const scenes::Scene& scene, Refinement refinement)
+  OurEngine(const scenes::Scene& scene, Refined refined)
       : mechanism_(make_mechanism<S>(scene)),
         state_(to_coordinates<F>(mechanism_, make_state<S>(scene), ChartOptions{})),
         solver_(mechanism_),
-        refinement_(refinement) {}
+        refinement_(refinement_of(refined)) {}
 
   void evaluate() override { solver_.solve(state_, S(0), refinement_); }
 
-  std::vector<Vector3> r_ddot() override { return r_ddot_of(solver_, mechanism_.nb()); }
+  std::vector<Vector3> r_ddot() override {
+    std::vector<Vector3> r_ddot;
+    for (int b = 0; b < mechanism_.nb(); ++b) r_ddot.push_back(plain<S>(solver_.r_ddot(b)));
+    return r_ddot;
+  }
   std::vector<double> lambda() override { return plain<S>(solver_.lambda()); }
   std::vector<bool> unique() { return solver_.unique(); }
 

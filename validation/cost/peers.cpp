@@ -1,4 +1,4 @@
-#include "validation/cost/peers.hpp"
+#include "validation/cost/mujoco_engine.hpp"
 
 namespace trivium::cost {
 
@@ -8,7 +8,7 @@ std::vector<Peer> peers() {
       {"Simbody 3.7", simbody_engine},
 #endif
 #ifdef TRIVIUM_COST_MUJOCO
-      {"MuJoCo 2.2.2", mujoco_engine},
+      {mujoco_name, mujoco_engine},
 #endif
 #ifdef TRIVIUM_COST_DART
       {"DART 6.12", dart_engine},

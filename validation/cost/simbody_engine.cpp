@@ -5,8 +5,6 @@ namespace trivium::cost {
 
 namespace {
 
-using SimTK::SpatialVec;
-
 class Simbody : public Engine {
  public:
   explicit Simbody(const PeerScene& scene) : matter_(system_), forces_(system_), bodies_{matter_, {}} {
@@ -40,23 +38,12 @@ class Simbody : public Engine {
   }
 
  private:
-  /// A constraint of one row is idle where its forces do no work along any mobility.
   void disable_idle(const std::vector<simbody::LinkedConstraint>& constraints) {
     std::vector<SimTK::ConstraintIndex> idle;
     for (const simbody::LinkedConstraint& c : constraints)
-      if (c.rows.size() == 1 && is_idle(matter_.getConstraint(c.index))) idle.push_back(c.index);
+      if (c.rows.size() == 1 && is_idle(matter_, matter_.getConstraint(c.index), state_))
+        idle.push_back(c.index);
     for (const SimTK::ConstraintIndex index : idle) matter_.getConstraint(index).disable(state_);
-  }
-  bool is_idle(const SimTK::Constraint& row) const {
-    const SimTK::Vector one(1, 1.0);
-    SimTK::Vector lambda, mobility_forces, along_mobilities;
-    SimTK::Vector_<SpatialVec> body_forces;
-    row.calcConstraintForcesFromMultipliers(state_, one, body_forces, mobility_forces);
-    row.setMyPartInConstraintSpaceVector(state_, one, lambda);
-    matter_.multiplyByGTranspose(state_, lambda, along_mobilities);
-    double size = 0;
-    for (int b = 0; b < body_forces.size(); ++b) size += body_forces[b].norm();
-    return along_mobilities.norm() <= 1e-10 * size;
   }
 
   SimTK::MultibodySystem system_;
