@@ -138,7 +138,7 @@ class Run {
     }
     if (with_ensemble) {
       take(
-          "ensemble", [&] { return measure_ensemble(timing_); }, ensemble_table);
+          "ensemble", [&] { return measure_ensemble(options_.quick ? 40000 : 1000000); }, ensemble_table);
       progress.step();
     }
     return finish();

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <random>
 
 #include "validation/catalogue.hpp"
@@ -20,7 +22,7 @@ namespace {
 
 using V = trivium::Vector3<double>;
 
-constexpr int states = 4096;
+constexpr int portion_size = 4000;
 constexpr int checked_states = 16;
 
 scenes::Scene arm_under_gravity() {
@@ -81,40 +83,59 @@ class Arm {
   MechanismState<double> at_rest_;
 };
 
-/// The same random states in every engine's coordinates, and some of the exact answers.
-struct Ensemble {
-  scenes::Scene scene = arm_under_gravity();
-  Arm arm{scene};
+/// Random states in every engine's coordinates.
+struct Portion {
   std::vector<std::vector<double>> angles, rates;
-  std::vector<MechanismState<double>> state;
-  std::vector<Exact> exact;
-
-  Ensemble() {
-    std::mt19937_64 engine(7);
-    const auto uniform = [&](double size) {
-      return size * (2 * static_cast<double>(engine() >> 11) * 0x1.0p-53 - 1);
-    };
-    for (int n = 0; n < states; ++n) {
-      angles.emplace_back();
-      rates.emplace_back();
-      for (std::size_t k = 0; k < arm.mechanism.joints.size(); ++k) {
-        angles.back().push_back(uniform(3));
-        rates.back().push_back(uniform(2));
-      }
-      state.push_back(arm.state(angles.back(), rates.back()));
-      if (n >= checked_states) continue;
-      scenes::Scene here = scene;
-      set_state(here, state.back());
-      exact.push_back(exact_solution(here));
-    }
-  }
+  States states;
 };
 
-/// One engine over all states.
+class Ensemble {
+ public:
+  const scenes::Scene scene = arm_under_gravity();
+  const Arm arm{scene};
+
+  Portion draw() {
+    Portion portion;
+    for (int n = 0; n < portion_size; ++n) {
+      auto& angles = portion.angles.emplace_back();
+      auto& rates = portion.rates.emplace_back();
+      for (std::size_t k = 0; k < arm.mechanism.joints.size(); ++k) {
+        angles.push_back(uniform(3));
+        rates.push_back(uniform(2));
+      }
+      portion.states.push_back(arm.state(angles, rates));
+    }
+    return portion;
+  }
+
+  Exact exact(const MechanismState<double>& state) const {
+    scenes::Scene here = scene;
+    set_state(here, state);
+    return exact_solution(here);
+  }
+
+ private:
+  double uniform(double size) { return size * (2 * static_cast<double>(engine_() >> 11) * 0x1.0p-53 - 1); }
+
+  std::mt19937_64 engine_{7};
+};
+
+/// One engine over the states of a portion.
 struct Sweep {
   Measurement row;
-  StateSweep states;
+  std::function<void(const Portion&)> take;
+  std::function<void()> all;
+  std::function<std::vector<Vector3>(int)> r_ddot;
+  std::vector<double> seconds;  ///< of each portion
 };
+
+Sweep our_sweep(const Measurement& row, const StateSweep& sweep) {
+  return {row,
+          [take = sweep.take](const Portion& portion) { take(portion.states); },
+          sweep.all,
+          sweep.r_ddot,
+          {}};
+}
 
 #ifdef TRIVIUM_COST_MUJOCO
 Sweep mujoco_sweep(const Ensemble& ensemble, Measurement row) {
@@ -128,23 +149,26 @@ Sweep mujoco_sweep(const Ensemble& ensemble, Measurement row) {
   };
   auto data = std::make_shared<Data>();
   data->engine = mujoco_engine_with_states(to_peers(ensemble.scene));
-  data->qvel = ensemble.rates;
-  data->qpos = ensemble.angles;
-  for (auto& qpos : data->qpos)
-    for (std::size_t k = 0; k < qpos.size(); ++k) qpos[k] -= ensemble.arm.own_angle(k);
   row.engine = mujoco_name;
   return {row,
-          {[data] {
-             for (std::size_t n = 0; n < data->qpos.size(); ++n) data->evaluate(n);
-           },
-           [data](int n) {
-             data->evaluate(static_cast<std::size_t>(n));
-             return data->engine->r_ddot();
-           }}};
+          [data, &arm = ensemble.arm](const Portion& portion) {
+            data->qvel = portion.rates;
+            data->qpos = portion.angles;
+            for (auto& qpos : data->qpos)
+              for (std::size_t k = 0; k < qpos.size(); ++k) qpos[k] -= arm.own_angle(k);
+          },
+          [data] {
+            for (std::size_t n = 0; n < data->qpos.size(); ++n) data->evaluate(n);
+          },
+          [data](int n) {
+            data->evaluate(static_cast<std::size_t>(n));
+            return data->engine->r_ddot();
+          },
+          {}};
 }
 #endif
 
-std::vector<Sweep> sweeps(const Ensemble& ensemble) {
+std::vector<Sweep> sweeps(const Ensemble& ensemble, int states) {
   Measurement row;
   row.scene = row.family = "ensemble";
   row.n = states;
@@ -154,11 +178,11 @@ std::vector<Sweep> sweeps(const Ensemble& ensemble) {
   for (const Refined refined : {Refined::no, Refined::yes}) {
     for (const char* formulation : formulations)
       all.push_back(
-          {of_ours(row, formulation, refined), one_by_one(mechanism, ensemble.state, formulation, refined)});
+          our_sweep(of_ours(row, formulation, refined), one_by_one(mechanism, formulation, refined)));
     for (const char* formulation : formulations) {
       Measurement batches = of_ours(row, formulation, refined);
       batches.engine += fmt::format(", {} lanes", register_lanes);
-      all.push_back({batches, in_batches(mechanism, ensemble.state, formulation, refined)});
+      all.push_back(our_sweep(batches, in_batches(mechanism, formulation, refined)));
     }
   }
 #ifdef TRIVIUM_COST_MUJOCO
@@ -167,25 +191,38 @@ std::vector<Sweep> sweeps(const Ensemble& ensemble) {
   return all;
 }
 
+double median(std::vector<double> x) {
+  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
+  std::nth_element(x.begin(), middle, x.end());
+  return *middle;
+}
+
 }  // namespace
 
-std::vector<Measurement> measure_ensemble(const Timing& timing) {
-  const Ensemble ensemble;
-  std::vector<Sweep> all = sweeps(ensemble);
-  std::vector<std::function<void()>> work;
-  for (Sweep& sweep : all) {
-    sweep.row.error = 0;
-    for (int n = 0; n < checked_states; ++n) {
-      const double error = ensemble.exact[static_cast<std::size_t>(n)].error_of(sweep.states.r_ddot(n));
-      if (std::isnan(error) || error > *sweep.row.error) sweep.row.error = error;  // a NaN goes in and stays
-    }
-    work.push_back(sweep.states.all);
+std::vector<Measurement> measure_ensemble(int states) {
+  Ensemble ensemble;
+  std::vector<Sweep> all = sweeps(ensemble, states);
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::mt19937_64 engine(1);
+  for (int done = 0; done < states; done += portion_size) {
+    const Portion portion = ensemble.draw();
+    for (Sweep& sweep : all) sweep.take(portion);
+    if (done == 0)
+      for (int n = 0; n < checked_states; ++n) {
+        const Exact exact = ensemble.exact(portion.states[static_cast<std::size_t>(n)]);
+        for (Sweep& sweep : all) {
+          const double error = exact.error_of(sweep.r_ddot(n)), worst = sweep.row.error.value_or(0);
+          sweep.row.error = error <= worst || std::isnan(worst) ? worst : error;  // a NaN goes in and stays
+        }
+      }
+    std::shuffle(order.begin(), order.end(), engine);
+    for (const std::size_t k : order) all[k].seconds.push_back(seconds_of(all[k].all));
   }
-  const std::vector<double> microseconds = median_microseconds(work, timing);
   std::vector<Measurement> rows;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    all[k].row.microseconds = microseconds[k] / states;
-    rows.push_back(all[k].row);
+  for (Sweep& sweep : all) {
+    sweep.row.microseconds = 1e6 * median(sweep.seconds) / portion_size;
+    rows.push_back(sweep.row);
   }
   set_ratios(rows);
   return rows;

@@ -7,8 +7,9 @@
 
 namespace trivium::cost {
 
-/// The catalogue's arm of seven joints under gravity alone, at random angles and rates. Microseconds are
-/// those of one state, errors the largest over some of the states.
-std::vector<Measurement> measure_ensemble(const Timing& timing);
+/// The catalogue's arm of seven joints under gravity alone, at so many random angles and rates, rounded up to
+/// whole portions. Every engine goes through a portion, then the next is drawn; microseconds are the median
+/// over the portions, of one state; errors the largest over some of the states.
+std::vector<Measurement> measure_ensemble(int states);
 
 }  // namespace trivium::cost

@@ -39,9 +39,11 @@ class Sweep {
  public:
   using S = typename F::Scalar;
 
-  Sweep(const Mechanism<double>& mechanism, const std::vector<MechanismState<double>>& states,
-        Refinement refinement)
-      : mechanism_(mechanism_cast<S>(mechanism)), solver_(mechanism_), refinement_(refinement) {
+  Sweep(const Mechanism<double>& mechanism, Refinement refinement)
+      : mechanism_(mechanism_cast<S>(mechanism)), solver_(mechanism_), refinement_(refinement) {}
+
+  void take(const States& states) {
+    states_.clear();
     for (std::size_t n = 0; n < states.size(); n += lanes) {
       const std::span<const MechanismState<double>, lanes> some(states.data() + n, lanes);
       states_.push_back(to_coordinates<F>(mechanism_, Lanes<S>::pack(some), ChartOptions{}));
@@ -69,11 +71,11 @@ class Sweep {
 };
 
 template <class S>
-StateSweep sweep_in(const Mechanism<double>& mechanism, const std::vector<MechanismState<double>>& states,
-                    const std::string& formulation, Refined refined) {
+StateSweep sweep_in(const Mechanism<double>& mechanism, const std::string& formulation, Refined refined) {
   const auto in = [&]<class F>(std::type_identity<F>) {
-    const auto sweep = std::make_shared<Sweep<F>>(mechanism, states, refinement_of(refined));
-    return StateSweep{[sweep] { sweep->all(); }, [sweep](int n) { return sweep->r_ddot(n); }};
+    const auto sweep = std::make_shared<Sweep<F>>(mechanism, refinement_of(refined));
+    return StateSweep{[sweep](const States& states) { sweep->take(states); }, [sweep] { sweep->all(); },
+                      [sweep](int n) { return sweep->r_ddot(n); }};
   };
   if (formulation == RP<double>::name) return in(std::type_identity<RP<S>>{});
   if (formulation == REpsilon<double>::name) return in(std::type_identity<REpsilon<S>>{});
@@ -82,14 +84,12 @@ StateSweep sweep_in(const Mechanism<double>& mechanism, const std::vector<Mechan
 
 }  // namespace
 
-StateSweep one_by_one(const Mechanism<double>& mechanism, const std::vector<MechanismState<double>>& states,
-                      const std::string& formulation, Refined refined) {
-  return sweep_in<double>(mechanism, states, formulation, refined);
+StateSweep one_by_one(const Mechanism<double>& mechanism, const std::string& formulation, Refined refined) {
+  return sweep_in<double>(mechanism, formulation, refined);
 }
 
-StateSweep in_batches(const Mechanism<double>& mechanism, const std::vector<MechanismState<double>>& states,
-                      const std::string& formulation, Refined refined) {
-  return sweep_in<Batch<double, register_lanes>>(mechanism, states, formulation, refined);
+StateSweep in_batches(const Mechanism<double>& mechanism, const std::string& formulation, Refined refined) {
+  return sweep_in<Batch<double, register_lanes>>(mechanism, formulation, refined);
 }
 
 }  // namespace trivium::cost

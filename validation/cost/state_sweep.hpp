@@ -13,18 +13,19 @@
 
 namespace trivium::cost {
 
+using States = std::vector<MechanismState<double>>;
+
 struct StateSweep {
-  std::function<void()> all;
-  std::function<std::vector<Vector3>(int)> r_ddot;  ///< at one of the states
+  std::function<void(const States&)> take;
+  std::function<void()> all;                        ///< solves at all that were taken
+  std::function<std::vector<Vector3>(int)> r_ddot;  ///< at one of them
 };
 
 inline constexpr int register_lanes = native_lanes<double>;
 
 /// In the formulation of that name.
-StateSweep one_by_one(const Mechanism<double>& mechanism, const std::vector<MechanismState<double>>& states,
-                      const std::string& formulation, Refined refined);
+StateSweep one_by_one(const Mechanism<double>& mechanism, const std::string& formulation, Refined refined);
 /// `register_lanes` at once; the states' number is a multiple of that.
-StateSweep in_batches(const Mechanism<double>& mechanism, const std::vector<MechanismState<double>>& states,
-                      const std::string& formulation, Refined refined);
+StateSweep in_batches(const Mechanism<double>& mechanism, const std::string& formulation, Refined refined);
 
 }  // namespace trivium::cost
