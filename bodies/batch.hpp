@@ -8,18 +8,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
 #include <type_traits>
 
 #include "bodies/lanes.hpp"
 
 namespace trivium {
-
-/// A branch asked for one answer and the lanes gave two: these states cannot go in lockstep.
-class MixedLanes : public std::runtime_error {
- public:
-  MixedLanes() : std::runtime_error("the states of a batch take different branches; solve them one by one") {}
-};
 
 /// As many numbers as a vector register of this build holds.
 template <class T>
@@ -107,7 +100,7 @@ class Batch {
 
   friend double largest_lane(const Batch& x) {
     T largest = x[0];
-    for (int k = 1; k < N; ++k) largest = x[k] > largest ? x[k] : largest;
+    for (int k = 1; k < N; ++k) largest = largest >= x[k] || std::isnan(largest) ? largest : x[k];
     return static_cast<double>(largest);
   }
 

@@ -2,7 +2,15 @@
 /// Decisions in code over any Scalar, spelt so that a Scalar which carries many numbers at once (batch.hpp)
 /// takes them lane by lane.
 
+#include <stdexcept>
+
 namespace trivium {
+
+/// A branch asked for one answer and the lanes gave two: these states cannot go in lockstep.
+class MixedLanes : public std::runtime_error {
+ public:
+  MixedLanes() : std::runtime_error("the states of a batch take different branches; solve them one by one") {}
+};
 
 inline bool any(bool condition) { return condition; }
 inline bool all(bool condition) { return condition; }
@@ -13,7 +21,12 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) {
   return condition ? a : b;
 }
 
-/// The worst of all lanes, for reports.
+template <class Scalar>
+Scalar larger(const Scalar& a, const Scalar& b) {
+  return select(a > b, a, b);
+}
+
+/// The worst of all lanes, for reports; a NaN is worst.
 template <class Scalar>
 double largest_lane(const Scalar& x) {
   return static_cast<double>(x);

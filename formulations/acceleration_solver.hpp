@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <string>
 #include <variant>
@@ -51,14 +52,21 @@ class AccelerationSolver {
     plan_assembly();
   }
 
-  /// Solves at a state. Throws a ModelError that names the body where a link is singular.
+  /// Solves at a state. Throws a ModelError that names the body where a link is singular, and the row where
+  /// redundant rows contradict each other; all answers are NaN then.
   void solve(std::span<const BodyState<F>> state, const S& t, Refinement refinement = Refinement::once) {
-    move_bodies(state, t);
-    assemble_closings(t);
-    solver_.start(matrix_, right_side_);
-    eliminate(t);
-    solver_.substitute(solution_);
-    if (refinement == Refinement::once) refine();
+    try {
+      move_bodies(state, t);
+      assemble_closings(t);
+      solver_.start(matrix_, right_side_);
+      eliminate(t);
+      solver_.substitute(solution_);
+      if (refinement == Refinement::once) refine();
+      check_dropped_rows(t);
+    } catch (...) {
+      forget();
+      throw;
+    }
   }
 
   /// One step of iterative refinement.
@@ -148,10 +156,82 @@ class AccelerationSolver {
         solver_.eliminate(step, right_side_);
       }
     } catch (const SingularLink& e) {
-      throw ModelError(fmt::format(
-          "body \"{}\": {}; its links cannot be eliminated one by one: solve the printed system instead",
-          mechanism_.body_names[e.body()], e.what()));
+      require_numbers(t);
+      throw ModelError(
+          fmt::format("body \"{}\" at t = {}: {}; its links cannot be eliminated one by one: solve the "
+                      "printed system instead",
+                      mechanism_.body_names[e.body()], static_cast<double>(t), e.what()));
     }
+  }
+
+  /// Rows that were left out are combinations of the others: their right sides must be the same combinations.
+  void check_dropped_rows(const S& t) {
+    using std::sqrt;
+    if (!solver_.any_dropped()) return;
+    const S tolerance = larger(S(1e-6), S(3 * sqrt(solver_.dependence())));
+    // forces in balance leave accelerations that are rounding, beside what the forces could cause
+    BodyPart<S> largest = largest_of(solution_);
+    for (int b = 0; b < mechanism_.nb(); ++b) {
+      const BodyPart<S>& force = right_side_.body[b];
+      const S moments = matrix_.H[b].xx.diagonal().sum();
+      take_largest(largest.r, Padded<S>(force.r / mechanism_.bodies[b].mass));
+      if (moments > S(0)) take_largest(largest.x, Padded<S>(force.x / moments));
+    }
+    if (!solver_.unmet_row(matrix_, right_side_, solution_, largest, S(tolerance / 1000))) return;
+    if (const auto row = solver_.unmet_row(matrix_, right_side_, solution_, largest, tolerance))
+      throw_unmet(*row, t);
+    // how much of it is rounding of the forces shows without them
+    std::fill(defect_.body.begin(), defect_.body.end(), BodyPart<S>{});
+    std::copy(right_side_.edge.begin(), right_side_.edge.end(), defect_.edge.begin());
+    solver_.solve(defect_, step_);
+    solver_.residual(matrix_, defect_, step_, defect_);
+    solver_.solve(defect_, defect_);
+    for (int b = 0; b < mechanism_.nb(); ++b) step_.body[b] += defect_.body[b];
+    if (const auto row = solver_.unmet_row(matrix_, right_side_, step_, largest_of(step_), tolerance))
+      throw_unmet(*row, t);
+  }
+  static void take_largest(Padded<S>& largest, const Padded<S>& part) {
+    using std::abs;
+    S most = largest[0];
+    for (int k = 0; k < 3; ++k) most = larger(most, S(abs(part[k])));
+    largest.setConstant(most);
+  }
+  /// The largest number of each part, in all its places.
+  static BodyPart<S> largest_of(const GraphVector<S>& solution) {
+    BodyPart<S> largest;
+    for (const BodyPart<S>& part : solution.body) {
+      take_largest(largest.r, part.r);
+      take_largest(largest.x, part.x);
+    }
+    return largest;
+  }
+  [[noreturn]] void throw_unmet(const typename GraphSolver<S>::Row& row, const S& t) const {
+    require_numbers(t);
+    const int k = solver_.plan().graph.edges[row.edge].rows[row.k];
+    throw ModelError(fmt::format(
+        "row \"{}\" at t = {}: it depends on other rows, to the precision of this Scalar, and asks for "
+        "another "
+        "acceleration than they do. Either none satisfies all: remove a row, or make their functions of time "
+        "agree; or the masses lie too far apart to tell: take a wider Scalar, or solve the printed system",
+        mechanism_.row_names[k], static_cast<double>(t)));
+  }
+  /// Throws a ModelError that names the body whose state is not a number.
+  void require_numbers(const S& t) const {
+    using std::isfinite;
+    for (int b = 0; b < mechanism_.nb(); ++b)
+      if (!isfinite(
+              S(turning_[b].A.sum() + turning_[b].omega.sum() + body_[b].r.sum() + body_[b].r_dot.sum())))
+        throw ModelError(fmt::format("body \"{}\" at t = {}: its state is not finite",
+                                     mechanism_.body_names[b], static_cast<double>(t)));
+  }
+  /// No answer of another state may be taken for one of this.
+  void forget() {
+    const S nothing = std::numeric_limits<S>::quiet_NaN();
+    for (BodyPart<S>& part : solution_.body) {
+      part.r.setConstant(nothing);
+      part.x.setConstant(nothing);
+    }
+    for (Vector6<S>& lambda : solution_.edge) lambda.setConstant(nothing);
   }
 
   void move_bodies(std::span<const BodyState<F>> state, const S& t) {
@@ -251,10 +331,11 @@ class AccelerationSolver {
     for (const ClosingJoint& closing : closings_) measure(closing.edge);
     for (const int e : others_) measure(e);
     const auto ratio = [](const S& difference, const S& whole) {
-      return largest_lane(difference) == 0 ? 0.0 : std::sqrt(largest_lane(S(difference / whole)));
+      return std::sqrt(largest_lane(S(select(difference == S(0), S(0), S(difference / whole)))));
     };
-    corrections_ = {ratio(moved, size), std::max(ratio(lambda_moved.force, lambda_size.force),
-                                                 ratio(lambda_moved.moment, lambda_size.moment))};
+    const double forces = ratio(lambda_moved.force, lambda_size.force),
+                 moments = ratio(lambda_moved.moment, lambda_size.moment);
+    corrections_ = {ratio(moved, size), std::isnan(moments) ? moments : std::max(forces, moments)};
   }
 
   /// Sums of squares of what single multipliers do to a body.

@@ -14,6 +14,39 @@ namespace {
 
 using test::SolvedTwice;
 
+/// The scene in a unit of length and one of mass that are so many times smaller; of effects, its gravity.
+scenes::Scene in_units(scenes::Scene scene, double length, double mass) {
+  const auto scale = [](scenes::Vector3& v, double by) {
+    for (double& x : v) x *= by;
+  };
+  for (scenes::Body& body : scene.bodies) {
+    body.mass *= mass;
+    const double moment = mass * length * length;
+    if (auto* diagonal = std::get_if<scenes::Vector3>(&body.inertia)) scale(*diagonal, moment);
+    if (auto* full = std::get_if<scenes::Matrix3>(&body.inertia))
+      for (scenes::Vector3& row : *full) scale(row, moment);
+    scale(body.position, length);
+    scale(body.velocity, length);
+  }
+  for (scenes::Constraint& c : scene.constraints) {
+    if (c.i.point) scale(*c.i.point, length);
+    if (c.j.point) scale(*c.j.point, length);
+    c.distance *= length;
+    const double f = c.type == scenes::ConstraintType::dp1 ? 1
+                     : c.type == scenes::ConstraintType::d ? length * length
+                                                           : length;
+    c.f = TimeFunction::Product{{c.f, f}};
+  }
+  std::erase_if(scene.effects, [](const auto& e) { return !std::holds_alternative<scenes::Gravity>(e); });
+  for (auto& effect : scene.effects) scale(std::get<scenes::Gravity>(effect).acceleration, length);
+  return scene;
+}
+/// What a row is measured in: a number, a length, or its square.
+double unit_of(const BasicConstraint<double>& row, double length) {
+  if (std::holds_alternative<D<double>>(row)) return length * length;
+  return std::holds_alternative<DP2<double>>(row) || std::holds_alternative<CD<double>>(row) ? length : 1;
+}
+
 template <class F>
 class StructuredSolver : public testing::Test {};
 TYPED_TEST_SUITE(StructuredSolver, test::AllFormulations<double>, test::FormulationNames);
@@ -36,6 +69,34 @@ TYPED_TEST(StructuredSolver, MinimumNormIsThatOfThePrintedSystem) {
     ASSERT_LT(s.structured.rank(), s.mechanism.nc()) << name;
     const VectorX<double> least = s.structured.minimum_norm_lambda(), printed = s.by_print.lambda;
     EXPECT_LE((least - printed).norm(), 1e-10 * (1e-6 + printed.norm())) << name;
+  }
+}
+
+// Balancing rows and columns by powers of two would change no bit: no decision compares numbers of
+// different units, and the order of elimination is fixed.
+TYPED_TEST(StructuredSolver, UnitsChangeNoBit) {
+  const double length = 0x1p10, mass = 0x1p-7;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const scenes::Scene scene = in_units(test::varied_scene(seed), 1, 1);
+    const auto solve = [&](const scenes::Scene& of, const auto& use) {
+      const auto mechanism = make_mechanism<double>(of);
+      AccelerationSolver<TypeParam> solver(mechanism);
+      solver.solve(to_coordinates<TypeParam>(mechanism, make_state<double>(of), {}), 0);
+      use(mechanism, solver);
+    };
+    solve(scene, [&](const auto& mechanism, auto& solver) {
+      solve(in_units(scene, length, mass), [&](const auto&, auto& other) {
+        for (int b = 0; b < mechanism.nb(); ++b) {
+          EXPECT_EQ(other.r_ddot(b), length * solver.r_ddot(b)) << seed;
+          EXPECT_EQ(other.omega_bar_dot(b), solver.omega_bar_dot(b)) << seed;
+        }
+        for (int k = 0; k < mechanism.nc(); ++k)
+          EXPECT_EQ(other.lambda()[k],
+                    mass * length * length / unit_of(mechanism.rows[k], length) * solver.lambda()[k])
+              << seed;
+        EXPECT_EQ(other.unique(), solver.unique()) << seed;
+      });
+    });
   }
 }
 

@@ -16,12 +16,17 @@ namespace {
 
 using Four = Batch<double, 4>;
 
-/// States that differ in how the bodies turn and move, the poses being those of the scene.
+/// States that differ in how fast the mechanism moves, the poses being those of the scene.
 std::vector<MechanismState<double>> ensemble(const scenes::Scene& scene) {
   test::Random random(5);
   std::vector<MechanismState<double>> states(Four::lanes, make_state<double>(scene));
-  for (auto& state : states)
-    for (auto& twist : state.twist) twist.omega_bar += random.vector<double, 3>();
+  for (auto& state : states) {
+    const double faster = 1 + random.uniform();
+    for (auto& twist : state.twist) {
+      twist.r_dot *= faster;
+      twist.omega_bar *= faster;
+    }
+  }
   return states;
 }
 
@@ -59,6 +64,31 @@ TEST(Batch, RefusesABranchOnWhichItsLanesDisagree) {
   EXPECT_THROW(static_cast<void>(x > Four(0) ? 1 : 2), MixedLanes);
   EXPECT_TRUE(abs(x) == Four(1));
   EXPECT_EQ(select(x > Four(0), Four(3), Four(4))[2], 4);
+}
+
+TEST(Batch, ARowThatStandsInEachLaneByAnotherColumnDoesNotPassForDependent) {
+  // along x in two lanes, along y in the others, so that no column is a pivot in all, and z is zero in all
+  Four x(1.0), y(0.0);
+  for (int lane : {0, 1}) {
+    x.set(lane, 0);
+    y.set(lane, 1);
+  }
+  BodyBlock<Four> H;
+  for (int k = 0; k < 3; ++k) H.rr(k, k) = H.xx(k, k) = Four(1);
+  BodyColumns<Four> C;
+  C.r(0, 0) = x;
+  C.r(1, 0) = y;
+  const PointRows<Four> none;
+  std::array<bool, 6> dropped;
+  GeneralLink<Four> link;
+  const BodyColumns<Four> parent;
+  EXPECT_THROW(link.factor(H, {none, C, parent, 1}, nullptr, dropped), MixedLanes);
+}
+
+TEST(Batch, TheWorstLaneIsTheOneThatIsNotANumber) {
+  Four x(1.0);
+  x.set(1, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_TRUE(std::isnan(largest_lane(x)));
 }
 
 }  // namespace

@@ -22,12 +22,21 @@ bool is_basic(ConstraintType type) {
 
 std::pair<int, int> unordered(const BodyPair& pair) { return std::minmax(pair.i, pair.j); }
 
+/// Whether the driver turns about the revolute's axis, as seen by both bodies.
+bool turns(const GraphJoint& driver, const GraphJoint& revolute) {
+  const bool swapped = driver.i != revolute.i;
+  const auto apart = [](const Vector3<double>& a, const Vector3<double>& b) { return a.cross(b).norm(); };
+  return apart(driver.axis_i, swapped ? revolute.axis_j : revolute.axis_i) < 1e-8 &&
+         apart(driver.axis_j, swapped ? revolute.axis_i : revolute.axis_j) < 1e-8;
+}
+
 }  // namespace
 
 BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joints) {
   BodyJointGraph graph;
   graph.bodies = bodies;
-  std::map<std::pair<int, int>, int> basic_edge, point_edge;
+  std::map<std::pair<int, int>, int> basic_edge;
+  std::map<std::pair<int, int>, std::pair<int, const GraphJoint*>> revolute_edge;
   const auto add_edge = [&](const BodyPair& pair, bool is_point) {
     graph.edges.push_back({pair, {}, is_point, true});
     return static_cast<int>(graph.edges.size()) - 1;
@@ -50,15 +59,16 @@ BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joint
     } else {
       const bool is_point = holds_a_point(joint.type);
       const int edge = add_edge(joint, is_point);
-      if (is_point) point_edge.emplace(pair, edge);
+      if (joint.type == ConstraintType::revolute) revolute_edge.emplace(pair, std::pair(edge, &joint));
       take_rows(edge, joint);
     }
   }
   // a driver turns the axis that a revolute leaves free: together they are one block
   for (const GraphJoint* driver : drivers) {
-    const auto found = point_edge.find(unordered(*driver));
-    const bool joins = found != point_edge.end() && graph.edges[found->second].size() == 5;
-    take_rows(joins ? found->second : add_edge(*driver, false), *driver);
+    const auto found = revolute_edge.find(unordered(*driver));
+    const bool joins = found != revolute_edge.end() && graph.edges[found->second.first].size() == 5 &&
+                       turns(*driver, *found->second.second);
+    take_rows(joins ? found->second.first : add_edge(*driver, false), *driver);
   }
   return graph;
 }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "bodies/scalar.hpp"
 #include "scenes/mechanism.hpp"
 
 namespace trivium {
@@ -32,9 +33,10 @@ struct BodyJointGraph {
 struct GraphJoint : BodyPair {
   scenes::ConstraintType type;
   int first_row, rows;
+  Vector3<double> axis_i, axis_j;  ///< unit, each in its body's frame
 };
 
-/// A joint is an edge; a rotation_driver joins the edge of the point joint that it drives; up to six basic
+/// A joint is an edge; a rotation_driver joins the edge of the revolute whose axis it turns; up to six basic
 /// constraints between the same two bodies are one edge.
 BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joints);
 
@@ -42,7 +44,8 @@ template <class Scalar>
 BodyJointGraph body_joint_graph(const Mechanism<Scalar>& mechanism) {
   std::vector<GraphJoint> joints;
   for (const Joint<Scalar>& joint : mechanism.joints)
-    joints.push_back({joint, joint.type, joint.first_row, joint.rows});
+    joints.push_back({joint, joint.type, joint.first_row, joint.rows, scalar_cast<double>(joint.frame_i.z),
+                      scalar_cast<double>(joint.frame_j.z)});
   return body_joint_graph(mechanism.nb(), joints);
 }
 

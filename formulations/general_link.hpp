@@ -6,8 +6,7 @@
 
 #include <array>
 
-#include "bodies/lanes.hpp"
-#include "formulations/point_link.hpp"
+#include "formulations/graph_system.hpp"
 
 namespace trivium {
 
@@ -15,7 +14,7 @@ template <class S>
 class GeneralLink {
  public:
   /// Rows that depend on the ones before them have multiplier 0 and are marked in `dropped`; binds_the_parent
-  /// where such a row would still bind the parent's absolute motion.
+  /// where such a row would still bind the parent's own motion.
   Elimination factor(const BodyBlock<S>& block, const LinkRows<S>& link, BodyBlock<S>* parent,
                      std::array<bool, 6>& dropped) {
     Matrix6<S> M;
@@ -23,14 +22,14 @@ class GeneralLink {
     M.template topRightCorner<3, 3>() = block.rx.template topRows<3>();
     M.template bottomLeftCorner<3, 3>() = block.rx.template topRows<3>().transpose();
     M.template bottomRightCorner<3, 3>() = block.xx.template topRows<3>();
-    if (!solve_rows(M, link, dropped)) return Elimination::binds_the_parent;
+    if (!solve_rows(M, link, parent != nullptr, dropped)) return Elimination::binds_the_parent;
     const Vector6<S> size = M.diagonal();
     // what is rounding beside the other moments has no size
     const S least = S(1e-8) * size.template tail<3>().maxCoeff();
     for (int k = 0; k < 6; ++k)
       inverse_size_[k] = select(size[k] > (k < 3 ? S(0) : least), S(1 / size[k]), S(0));
     U_ = M * H_;
-    if (!invert(H_.transpose() * U_)) return Elimination::no_inertia;
+    if (!invert(H_.transpose() * U_, H_.cwiseAbs2().transpose() * size)) return Elimination::no_inertia;
     rest_ = M - U_ * D_inverse_ * U_.transpose();
     if (parent == nullptr) return Elimination::done;
     const Matrix6<S> left = V_.transpose() * rest_ * V_;
@@ -40,11 +39,18 @@ class GeneralLink {
     return Elimination::done;
   }
 
-  void factor(const BodyColumns<S>& columns, int n, const LinkRows<S>&, LinkColumn<S>& out, Vector6<S>& size,
-              BodyColumns<S>* parent) const {
+  void factor(const BodyColumns<S>& columns, int n, const LinkRows<S>&, LinkColumn<S>& out,
+              ColumnSizes<S>& size, BodyColumns<S>* parent) const {
     const Matrix6<S> C = columns.six();
     for (int k = 0; k < n; ++k) {
-      size[k] += C.col(k).cwiseAbs2().dot(inverse_size_);
+      const Vector6<S> squares = C.col(k).cwiseAbs2();
+      const S r = squares.template head<3>().sum(), x = squares.template tail<3>().sum();
+      size.take(k, r, x);
+      // a part that cancelled is as large in any direction
+      const auto whole = [](const S& was, const S& is) { return select(is > S(0), S(was / is), S(0)); };
+      size.product[k] +=
+          whole(size.r[k], r) * squares.template head<3>().dot(inverse_size_.template head<3>()) +
+          whole(size.x[k], x) * squares.template tail<3>().dot(inverse_size_.template tail<3>());
       const Free g = H_.transpose() * C.col(k);
       out.g.col(k).setZero();
       out.g.col(k).head(g.size()) = g;
@@ -99,7 +105,8 @@ class GeneralLink {
 
   /// Gauss-Jordan on [Phi | P | I] with the largest pivot, columns weighed by the body's own inertia: a
   /// motion without inertia is solved for first.
-  bool solve_rows(const Matrix6<S>& M, const LinkRows<S>& link, std::array<bool, 6>& dropped) {
+  bool solve_rows(const Matrix6<S>& M, const LinkRows<S>& link, bool has_parent,
+                  std::array<bool, 6>& dropped) {
     using std::abs, std::sqrt;
     const int rows = link.count;
     const Matrix6<S> C = link.C.six(), C_parent = link.C_parent.six();
@@ -107,10 +114,12 @@ class GeneralLink {
     G.template leftCols<6>() = C.transpose();
     G.template middleCols<6>(6) = C_parent.transpose();
     G.template rightCols<6>().setIdentity();
-    const S largest_mass = M.diagonal().maxCoeff();
+    const S masses = M.template topLeftCorner<3, 3>().diagonal().maxCoeff();
+    const S moments = M.template bottomRightCorner<3, 3>().diagonal().maxCoeff();
     Vector6<S> weight;
     for (int k = 0; k < 6; ++k) {
-      const S least = S(1e-6) * largest_mass;
+      const S& largest = k < 3 ? masses : moments;
+      const S least = select(largest > S(0), S(S(1e-6) * largest), S(1));
       weight[k] = 1 / S(sqrt(select(M(k, k) > least, M(k, k), least)));
     }
     // rows are judged against what they are made of
@@ -118,28 +127,32 @@ class GeneralLink {
     Vector6<S> parent_size = C_parent.cwiseAbs().colwise().maxCoeff().transpose();
     std::array<int, 6> pivot_of_row;
     std::array<bool, 6> is_basic{};
-    const S tolerance = select(S(100 * unit_roundoff<S>()) > S(1e-8), S(100 * unit_roundoff<S>()), S(1e-8));
+    const S tolerance = direction_tolerance<S>();
     dropped.fill(false);
     bool good = true;
     // row by row, so that the row left out is the one that depends on those before it
     for (int r = 0; r < rows; ++r) {
       int best = -1;
-      S best_pull(0), size(0);
+      S best_pull(0), largest(0), size(0);
       for (int k = 0; k < 6; ++k) {
         const S p = abs(G(r, k)) * weight[k], whole = made_of(r, k) * weight[k];
-        size = select(whole > size, whole, size);
+        size = larger(size, whole);
         if (is_basic[k]) continue;
+        largest = larger(p, largest);
         if (best < 0 || least_lane(p) > least_lane(best_pull)) {
           best = k;
           best_pull = p;
         }
       }
-      if (best < 0 || !(best_pull > tolerance * size)) {
-        dropped[r] = true;
-        for (int k = 0; k < 6; ++k) good = good && all(abs(G(r, 6 + k)) <= tolerance * parent_size[r]);
+      const S least_pull = tolerance * size;
+      dropped[r] = best < 0 || largest <= least_pull;
+      if (dropped[r]) {
+        for (int k = 0; k < 6 && has_parent; ++k)
+          good = good && abs(G(r, 6 + k)) <= tolerance * parent_size[r];
         G.row(r).setZero();
         continue;
       }
+      if (best_pull <= least_pull) throw MixedLanes();  // no column stands in all lanes
       is_basic[best] = true;
       pivot_of_row[r] = best;
       const S inverse = 1 / G(r, best);
@@ -174,14 +187,14 @@ class GeneralLink {
     return good;
   }
 
-  /// D^-1 by L D L^T; false where a pivot is its own rounding.
-  bool invert(const Block& D) {
+  /// D^-1 by L D L^T; false where a pivot is the rounding of what the diagonal is made of.
+  bool invert(const Block& D, const Free& made_of) {
     const int n = free();
     Block L = D;
     bool good = true;
     D_inverse_.setIdentity(n, n);
     for (int k = 0; k < n; ++k) {
-      good = good && all(L(k, k) > 16 * unit_roundoff<S>() * D(k, k)) && all(D(k, k) > S(0));
+      good = good && L(k, k) > 16 * unit_roundoff<S>() * larger(made_of[k], S(0));
       for (int r = k + 1; r < n; ++r) {
         const S factor = L(r, k) / L(k, k);
         L.row(r) -= factor * L.row(k);

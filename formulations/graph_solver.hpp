@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -18,7 +19,8 @@
 namespace trivium {
 
 /// A body that cannot be eliminated with its link: the joint to its parent leaves a motion without inertia
-/// free, or binds the parent's absolute motion. The system may still be regular.
+/// free, has dependent rows of orientation, or binds the parent's absolute motion. The system may still be
+/// regular.
 class SingularLink : public ModelError {
  public:
   SingularLink(int body, const std::string& why) : ModelError(why), body_(body) {}
@@ -53,6 +55,9 @@ class GraphSolver {
     std::get<2>(links_).resize(count[2]);
     std::get<3>(links_).resize(count[3]);
     std::get<4>(links_).resize(count[4]);
+    for (std::size_t n = 0; n < plan_.links.size(); ++n)
+      if (place_[n].kind == general && plan_.links[n].edge >= 0) may_drop_.push_back(plan_.links[n].edge);
+    for (const EliminationPlan::Closing& closing : plan_.closings) may_drop_.push_back(closing.edge);
   }
 
   const EliminationPlan& plan() const { return plan_; }
@@ -65,8 +70,8 @@ class GraphSolver {
     for (const EliminationPlan::Step& step : plan_.steps) factor_step(step);
   }
 
-  /// The solution for a right side. Rows that depend on others have multiplier 0; what their right sides say
-  /// is not asked.
+  /// The solution for a right side, which may be the same object. Rows that depend on others have multiplier
+  /// 0; what their right sides say is not asked.
   void solve(const GraphVector<S>& right_side, GraphVector<S>& solution) {
     start_solution(right_side);
     for (const EliminationPlan::Step& step : plan_.steps) forward_step(step, right_side);
@@ -95,8 +100,45 @@ class GraphSolver {
 
   /// Whether row k of an edge was left out because it depends on others.
   bool is_dropped(int edge, int k) const { return dropped_[edge][k]; }
+  bool any_dropped() const {
+    return std::any_of(may_drop_.begin(), may_drop_.end(), [this](int e) {
+      return std::any_of(dropped_[e].begin(), dropped_[e].end(), [](bool dropped) { return dropped; });
+    });
+  }
 
-  /// right_side - [H Phi^T; Phi 0] solution, into `defect`.
+  struct Row {
+    int edge, k;
+  };
+  /// The first row that was left out and that the solution misses by more than this share of what it is made
+  /// of: gamma, and accelerations as large as `largest`. What velocities of rounding size leave, below 1e-12,
+  /// is none.
+  std::optional<Row> unmet_row(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side,
+                               const GraphVector<S>& solution, const BodyPart<S>& largest,
+                               const S& tolerance) const {
+    using std::abs;
+    for (const int e : may_drop_) {
+      const GraphEdge& edge = plan_.graph.edges[e];
+      const EdgeRows<S>& rows = matrix.rows[plan_.rows_slot[e]];
+      for (int k = 0; k < edge.size(); ++k) {
+        if (!dropped_[e][k]) continue;
+        S missing = right_side.edge[e][k], size = abs(missing);
+        const auto take = [&](const BodyColumns<S>& C, const BodyPart<S>& a) {
+          missing -= C.r.col(k).dot(a.r) + C.x.col(k).dot(a.x);
+          size += C.r.col(k).cwiseAbs().dot(largest.r) + C.x.col(k).cwiseAbs().dot(largest.x);
+        };
+        take(rows.C_i, solution.body[edge.i]);
+        take(rows.C_j, solution.body[edge.j]);
+        if (!(abs(missing) <= tolerance * size + S(1e-12))) return Row{e, k};
+      }
+    }
+    return {};
+  }
+
+  /// A row of a loop is left out where the square of its sine to the others, in the metric of H, is at most
+  /// this.
+  static S dependence() { return larger(S(1000 * unit_roundoff<S>()), S(1e-16)); }
+
+  /// right_side - [H Phi^T; Phi 0] solution, into `defect`, which may be the right side itself.
   void residual(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side,
                 const GraphVector<S>& solution, GraphVector<S>& defect) const {
     const int ground = plan_.graph.bodies;
@@ -171,13 +213,13 @@ class GraphSolver {
     int rows;
   };
   struct ClosingFactor {
-    Matrix6<S> L;           ///< unit lower triangle of its pivoted block; columns of dropped rows are zero
-    Vector6<S> inverse;     ///< of the pivots; 0 for dropped rows
-    BodyColumns<S> C;       ///< of L^-1 C^T, on the body where it is eliminated
-    Vector6<S> own, bound;  ///< the diagonal before other closings go, and its magnitude
-    Vector6<S> gamma;       ///< the right side at hand
+    Matrix6<S> L;         ///< unit lower triangle of its pivoted block; columns of dropped rows are zero
+    Vector6<S> inverse;   ///< of the pivots; 0 for dropped rows
+    BodyColumns<S> C;     ///< of L^-1 C^T, on the body where it is eliminated
+    Vector6<S> own;       ///< the diagonal before other closings go
+    ColumnSizes<S> size;  ///< of what that was made of
+    Vector6<S> gamma;     ///< the right side at hand
   };
-
   template <class Visit>
   decltype(auto) with_link(const Place& place, const Visit& visit) {
     switch (place.kind) {
@@ -215,7 +257,7 @@ class GraphSolver {
       if (closing.column_slot >= 0) column_[closing.column_slot] = {};
       if (closing.slot_i >= 0) column_[closing.slot_i] = matrix_->rows[plan_.rows_slot[closing.edge]].C_i;
       if (closing.slot_j >= 0) column_[closing.slot_j] = matrix_->rows[plan_.rows_slot[closing.edge]].C_j;
-      closing_[c].bound.setZero();
+      closing_[c].size.setZero();
       closing_[c].own.setZero();
     }
   }
@@ -247,7 +289,7 @@ class GraphSolver {
       for (std::size_t n = 0; n < link.columns.size(); ++n) {
         const EliminationPlan::Column& column = link.columns[n];
         factors.factor(column_[column.slot], rows_of_closing(column.closing), rows, columns[n],
-                       closing_[column.closing].bound,
+                       closing_[column.closing].size,
                        column.parent_slot >= 0 ? &column_[column.parent_slot] : nullptr);
       }
       for (const EliminationPlan::Coupling& pair : link.couplings) {
@@ -271,13 +313,10 @@ class GraphSolver {
     std::array<bool, 6>& dropped = dropped_[closing.edge];
     const bool on_body = closing.column_slot >= 0;
     if (on_body) f.C = column_[closing.column_slot];
-    const S rounding = S(1000) * unit_roundoff<S>(), least = S(1e-16);
-    const S cancelled = select(rounding > least, rounding, least);
-    const S defect = select(rounding * rounding / S(100) > least, S(rounding * rounding / S(100)), least);
+    const S cancelled = dependence(), defect = larger(S(cancelled * cancelled / S(100)), S(1e-16));
     for (int k = 0; k < n; ++k) {
       const S pivot = block(k, k);
-      const bool stands = pivot > cancelled * f.own[k] + defect * f.bound[k];
-      dropped[k] = !stands;
+      dropped[k] = pivot <= cancelled * f.own[k] + defect * f.size.product[k];
       f.inverse[k] = dropped[k] ? S(0) : S(1 / pivot);
       for (int r = k + 1; r < n; ++r) {
         const S l = block(k, r) * f.inverse[k];
@@ -383,14 +422,19 @@ class GraphSolver {
         ++column;
       }
       factors.backward(has_parent(link) ? &solution.body[link.parent] : nullptr, rows_of(index),
-                       solution.body[link.body], link.edge >= 0 ? solution.edge[link.edge] : none_);
+                       solution.body[link.body], link.edge >= 0 ? solution.edge[link.edge] : nowhere_);
     });
   }
 
   [[noreturn]] static void throw_singular(const EliminationPlan::Link& link, Elimination result) {
-    throw SingularLink(link.body, result == Elimination::no_inertia
-                                      ? "the joint to its parent leaves a motion without inertia free"
-                                      : "its rows depend on each other and bind the parent's own motion");
+    switch (result) {
+      case Elimination::no_inertia:
+        throw SingularLink(link.body, "the joint to its parent leaves a motion without inertia free");
+      case Elimination::dependent_rows:
+        throw SingularLink(link.body, "the orientation rows of the joint to its parent depend on each other");
+      default:
+        throw SingularLink(link.body, "its rows depend on each other and bind the parent's own motion");
+    }
   }
 
   EliminationPlan plan_;
@@ -405,8 +449,11 @@ class GraphSolver {
   std::vector<ClosingFactor> closing_;
   std::vector<BodyPart<S>> carried_;
   std::vector<std::array<bool, 6>> dropped_;
+  std::vector<int> may_drop_;  ///< edges whose rows are ranked
   BodyColumns<S> no_columns_;
-  Vector6<S> none_ = Vector6<S>::Zero();  ///< the rows of a body that hangs on nothing
+  // the rows of a body that hangs on nothing
+  const Vector6<S> none_ = Vector6<S>::Zero();
+  Vector6<S> nowhere_;
   const GraphMatrix<S>* matrix_ = nullptr;
 };
 

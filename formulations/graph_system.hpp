@@ -10,7 +10,9 @@
 #include <array>
 #include <vector>
 
+#include "bodies/lanes.hpp"
 #include "bodies/padded.hpp"
+#include "bodies/scalar.hpp"
 #include "formulations/elimination_plan.hpp"
 
 namespace trivium {
@@ -109,7 +111,31 @@ struct LinkRows {
   int count;
 };
 
-enum class Elimination { done, no_inertia, binds_the_parent };
+enum class Elimination { done, no_inertia, dependent_rows, binds_the_parent };
+
+/// Rows of a joint whose directions are dependent to within this sine count as dependent.
+template <class S>
+S direction_tolerance() {
+  return larger(S(100 * unit_roundoff<S>()), S(1e-8));
+}
+
+/// What the columns of a closing were made of on their way up, row by row. One that cancelled is its own
+/// rounding, and does not show that itself.
+template <class S>
+struct ColumnSizes {
+  Vector6<S> r, x;     ///< the largest squares of its parts
+  Vector6<S> product;  ///< what its product with itself (see `couple`) would be if nothing cancelled
+
+  void setZero() {
+    r.setZero();
+    x.setZero();
+    product.setZero();
+  }
+  void take(int k, const S& r_squared, const S& x_squared) {
+    r[k] = larger(r[k], r_squared);
+    x[k] = larger(x[k], x_squared);
+  }
+};
 
 /// What the multipliers of a closing do at a link, a column per row: along the free motion, and what is left
 /// for the joint to carry (its force, and its moment as far as a moment is carried).

@@ -16,18 +16,17 @@
 
 #include <array>
 
-#include "bodies/lanes.hpp"
-#include "bodies/scalar.hpp"
 #include "formulations/graph_system.hpp"
 
 namespace trivium {
 
-/// N and Y of the orientation rows W^T x = z: W^T N = 0, W^T Y = I.
+/// N and Y of the orientation rows W^T x = z: W^T N = 0, W^T Y = I. The rows are of unit vectors.
 template <class S, int m>
 struct OrientationRows {
   static constexpr int free = 3 - m;
   PaddedColumns<S, free> N;
   PaddedColumns<S, m> Y;
+  bool are_independent = true;
 
   explicit OrientationRows(const PaddedColumns<S, 3>& W) {
     const Vector3<S> a = unpadded<S>(W.col(0)), b = unpadded<S>(W.col(1)), c = unpadded<S>(W.col(2));
@@ -36,6 +35,7 @@ struct OrientationRows {
     } else if constexpr (m == 1) {
       // two directions across a; neither is short
       const S zero(0), aa = a.squaredNorm();
+      are_independent = is_size(aa);
       const auto is_flat = a.x() * a.x() + a.y() * a.y() < a.z() * a.z();
       const Vector3<S> n(select(is_flat, a.z(), -a.y()), select(is_flat, zero, a.x()),
                          select(is_flat, -a.x(), zero));
@@ -44,13 +44,15 @@ struct OrientationRows {
       Y = W.col(0) / aa;
     } else if constexpr (m == 2) {
       const Vector3<S> n = a.cross(b);
-      const S inverse = 1 / n.squaredNorm();
+      const S nn = n.squaredNorm(), inverse = 1 / nn;
+      are_independent = is_size(nn);
       N = padded<S>(n);
       Y.col(0) = padded<S>(b.cross(n) * inverse);
       Y.col(1) = padded<S>(n.cross(a) * inverse);
     } else {
       const Vector3<S> bc = b.cross(c);
-      const S inverse = 1 / a.dot(bc);
+      const S determinant = a.dot(bc), inverse = 1 / determinant;
+      are_independent = is_size(determinant * determinant);
       Y.col(0) = padded<S>(bc * inverse);
       Y.col(1) = padded<S>(c.cross(a) * inverse);
       Y.col(2) = padded<S>(a.cross(b) * inverse);
@@ -58,6 +60,9 @@ struct OrientationRows {
   }
 
  private:
+  static bool is_size(const S& squared) {
+    return squared > direction_tolerance<S>() * direction_tolerance<S>();
+  }
   static S sqrt_of(const S& x) {
     using std::sqrt;
     return sqrt(x);
@@ -72,12 +77,12 @@ bool invert_positive(const Matrix<S, n, n>& D, const S& least, Matrix<S, n, n>& 
     return true;
   } else if constexpr (n == 1) {
     inverse(0, 0) = 1 / D(0, 0);
-    return all(D(0, 0) > least);
+    return D(0, 0) > least;
   } else {
     // L D L^T, its own inverse multiplied out
     const S d0 = D(0, 0), i0 = 1 / d0, l10 = D(1, 0) * i0;
     const S d1 = D(1, 1) - l10 * D(1, 0), i1 = 1 / d1;
-    bool good = all(d0 > least) && all(d1 > least);
+    bool good = d0 > least && d1 > least;
     if constexpr (n == 2) {
       inverse(1, 1) = i1;
       inverse(0, 1) = inverse(1, 0) = -l10 * i1;
@@ -85,7 +90,7 @@ bool invert_positive(const Matrix<S, n, n>& D, const S& least, Matrix<S, n, n>& 
     } else {
       const S l20 = D(2, 0) * i0, e = D(2, 1) - l10 * D(2, 0), l21 = e * i1;
       const S d2 = D(2, 2) - l20 * D(2, 0) - l21 * e, i2 = 1 / d2;
-      good = good && all(d2 > least);
+      good = good && d2 > least;
       const S m20 = l10 * l21 - l20;  // of L^-1
       inverse(2, 2) = i2;
       inverse(1, 2) = inverse(2, 1) = -l21 * i2;
@@ -110,6 +115,7 @@ class PointLink {
                                       std::array<bool, 6>&) {
     const PointRows<S>& rows = link.point;
     const OrientationRows<S, m> orientation(rows.W_child);
+    if (!orientation.are_independent) return Elimination::dependent_rows;
     N_ = orientation.N;
     Y_ = orientation.Y;
     // about the point: H_rx - H_rr L^T, and H_xx - L X - (L X)^T with X half of the way there
@@ -120,8 +126,9 @@ class PointLink {
     U_r_ = times<S, 3>(rx, N_);
     const PaddedColumns<S, free> U_x = times<S, 3>(xx, N_);
     const Matrix<S, free, free> D = N_.transpose() * U_x;
-    const S rounding = 8 * unit_roundoff<S>() * xx.diagonal().cwiseAbs().sum() * N_.squaredNorm();
-    if (!invert_positive<S, free>(D, rounding, D_inverse_)) return Elimination::no_inertia;
+    const S moments = xx.diagonal().cwiseAbs().sum() + H.xx.diagonal().cwiseAbs().sum();
+    if (!invert_positive<S, free>(D, 8 * unit_roundoff<S>() * moments * N_.squaredNorm(), D_inverse_))
+      return Elimination::no_inertia;
     const Matrix<S, free, m> carried = U_x.transpose() * Y_;
     P_ = D_inverse_ * carried;
     const PaddedColumns<S, free> E = times<S, free>(U_r_, D_inverse_);
@@ -140,15 +147,16 @@ class PointLink {
     return Elimination::done;
   }
 
-  /// The same for the columns C of a closing on the body. `size` receives what a column's product with itself
-  /// (see `couple`) would be if nothing cancelled.
+  /// The same for the columns C of a closing on the body, whose sizes grow along the way.
   [[gnu::flatten]] void factor(const BodyColumns<S>& C, int n, const LinkRows<S>& link, LinkColumn<S>& out,
-                               Vector6<S>& size, BodyColumns<S>* parent) const {
+                               ColumnSizes<S>& size, BodyColumns<S>* parent) const {
     const PointRows<S>& rows = link.point;
     const S yield = times<S, free>(N_, D_inverse_).cwiseProduct(N_).sum();
+    const S lever_size = rows.L_child.squaredNorm();
     for (int k = 0; k < n; ++k) {
-      const Padded<S> lever = times<S, 3>(rows.L_child, C.r.col(k)), x = C.x.col(k) - lever;
-      size[k] += (C.x.col(k).squaredNorm() + lever.squaredNorm()) * yield;
+      const Padded<S> x = C.x.col(k) - times<S, 3>(rows.L_child, C.r.col(k));
+      size.take(k, C.r.col(k).squaredNorm(), C.x.col(k).squaredNorm());
+      size.product[k] += (size.x[k] + lever_size * size.r[k]) * yield;
       const Free g = transpose_times<S, free>(N_, x);
       out.g.col(k).template head<free>() = g;
       const Padded<S> rest_r = C.r.col(k) - times<S, free>(U_r_, Free(D_inverse_ * g));
