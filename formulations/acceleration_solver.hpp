@@ -71,8 +71,7 @@ class AccelerationSolver {
 
   /// One step of iterative refinement.
   void refine() {
-    solver_.residual(matrix_, right_side_, solution_, defect_);
-    solver_.solve(defect_, step_);
+    solver_.correct(matrix_, right_side_, solution_, defect_, step_);
     measure_and_add_step();
   }
 
@@ -181,12 +180,13 @@ class AccelerationSolver {
     if (const auto row = solver_.unmet_row(matrix_, right_side_, solution_, largest, tolerance))
       throw_unmet(*row, t);
     // how much of it is rounding of the forces shows without them
-    std::fill(defect_.body.begin(), defect_.body.end(), BodyPart<S>{});
-    std::copy(right_side_.edge.begin(), right_side_.edge.end(), defect_.edge.begin());
-    solver_.solve(defect_, step_);
-    solver_.residual(matrix_, defect_, step_, defect_);
-    solver_.solve(defect_, defect_);
-    for (int b = 0; b < mechanism_.nb(); ++b) step_.body[b] += defect_.body[b];
+    for (BodyPart<S>& force : right_side_.body) force = {};
+    solver_.solve(right_side_, step_);
+    solver_.correct(matrix_, right_side_, step_, defect_, defect_);
+    for (int b = 0; b < mechanism_.nb(); ++b) {
+      step_.body[b] += defect_.body[b];
+      push_body(b);
+    }
     if (const auto row = solver_.unmet_row(matrix_, right_side_, step_, largest_of(step_), tolerance))
       throw_unmet(*row, t);
   }

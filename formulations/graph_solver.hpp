@@ -70,8 +70,8 @@ class GraphSolver {
     for (const EliminationPlan::Step& step : plan_.steps) factor_step(step);
   }
 
-  /// The solution for a right side, which may be the same object. Rows that depend on others have multiplier
-  /// 0; what their right sides say is not asked.
+  /// The solution for a right side. Rows that depend on others have multiplier 0; what their right sides say
+  /// is not asked.
   void solve(const GraphVector<S>& right_side, GraphVector<S>& solution) {
     start_solution(right_side);
     for (const EliminationPlan::Step& step : plan_.steps) forward_step(step, right_side);
@@ -138,59 +138,73 @@ class GraphSolver {
   /// this.
   static S dependence() { return larger(S(1000 * unit_roundoff<S>()), S(1e-16)); }
 
-  /// right_side - [H Phi^T; Phi 0] solution, into `defect`, which may be the right side itself.
-  void residual(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side,
-                const GraphVector<S>& solution, GraphVector<S>& defect) const {
-    const int ground = plan_.graph.bodies;
-    for (int b = 0; b < ground; ++b) {
-      const BodyPart<S>& a = solution.body[b];
-      const BodyBlock<S>& H = matrix.H[b];
-      defect.body[b].r = right_side.body[b].r - times<S, 3>(H.rr, a.r) - times<S, 3>(H.rx, a.x);
-      defect.body[b].x =
-          right_side.body[b].x - padded<S>(transpose_times<S, 3>(H.rx, a.r)) - times<S, 3>(H.xx, a.x);
+  /// One step of iterative refinement: what `solution` still needs, into `correction`. What it leaves of the
+  /// right side is formed in `defect` link by link, just before it is passed on; the two may be one object.
+  void correct(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side, const GraphVector<S>& solution,
+               GraphVector<S>& defect, GraphVector<S>& correction) {
+    std::fill(defect.body.begin(), defect.body.end(), BodyPart<S>{});
+    for (std::size_t c = 0; c < closing_.size(); ++c) {
+      const int edge = plan_.closings[c].edge;
+      edge_defect(matrix, edge, right_side, solution, defect);
+      closing_[c].gamma = defect.edge[edge];
     }
-    for (std::size_t n = 0; n < plan_.links.size(); ++n) {
-      const EliminationPlan::Link& link = plan_.links[n];
-      if (place_[n].kind == general) {
-        if (link.edge >= 0) edge_residual(matrix, link.edge, right_side, solution, defect);
-        continue;
-      }
-      const PointRows<S>& rows = matrix.point[n];
-      const int m = place_[n].kind;
-      const Vector6<S>& lambda = solution.edge[link.edge];
-      const Padded<S> f = rows.sign * padded<S>(lambda.template head<3>());
-      Vector3<S> z = Vector3<S>::Zero();
-      const auto turn = [&](int body, const PaddedColumns<S, 3>& W) {
-        for (int k = 0; k < m; ++k) {
-          defect.body[body].x -= lambda[3 + k] * W.col(k);
-          z[k] += W.col(k).dot(solution.body[body].x);
-        }
-      };
-      const BodyPart<S>& child = solution.body[link.body];
-      Padded<S> u = child.r + padded<S>(transpose_times<S, 3>(rows.L_child, child.x));
-      defect.body[link.body].r -= f;
-      defect.body[link.body].x -= times<S, 3>(rows.L_child, f);
-      turn(link.body, rows.W_child);
-      if (link.parent != ground) {
-        const BodyPart<S>& parent = solution.body[link.parent];
-        u -= parent.r + padded<S>(transpose_times<S, 3>(rows.L_parent, parent.x));
-        defect.body[link.parent].r += f;
-        defect.body[link.parent].x += times<S, 3>(rows.L_parent, f);
-        turn(link.parent, rows.W_parent);
-      }
-      defect.edge[link.edge] = right_side.edge[link.edge];
-      defect.edge[link.edge].template head<3>() -= rows.sign * unpadded<S>(u);
-      for (int k = 0; k < m; ++k) defect.edge[link.edge][3 + k] -= z[k];
+    for (const EliminationPlan::Step& step : plan_.steps) {
+      for (int c : step.closings) forward_closing(c, defect.body);
+      if (step.link < 0) continue;
+      link_defect(matrix, step.link, right_side, solution, defect);
+      const EliminationPlan::Link& link = plan_.links[step.link];
+      pass_up(step.link, defect.body[link.body], defect,
+              has_parent(link) ? &defect.body[link.parent] : nullptr);
     }
-    for (const EliminationPlan::Closing& closing : plan_.closings)
-      edge_residual(matrix, closing.edge, right_side, solution, defect);
+    substitute(correction);
   }
 
  private:
   static constexpr int general = 4;
 
-  void edge_residual(const GraphMatrix<S>& matrix, int e, const GraphVector<S>& right_side,
-                     const GraphVector<S>& solution, GraphVector<S>& defect) const {
+  /// Of a body, and of the joint to its parent: on both bodies, and its rows.
+  void link_defect(const GraphMatrix<S>& matrix, int index, const GraphVector<S>& right_side,
+                   const GraphVector<S>& solution, GraphVector<S>& defect) const {
+    const EliminationPlan::Link& link = plan_.links[index];
+    const BodyPart<S>& child = solution.body[link.body];
+    const BodyBlock<S>& H = matrix.H[link.body];
+    BodyPart<S>& on_child = defect.body[link.body];
+    on_child.r += right_side.body[link.body].r - times<S, 3>(H.rr, child.r) - times<S, 3>(H.rx, child.x);
+    on_child.x += right_side.body[link.body].x - padded<S>(transpose_times<S, 3>(H.rx, child.r)) -
+                  times<S, 3>(H.xx, child.x);
+    if (link.edge < 0) return;
+    if (place_[index].kind == general) {
+      edge_defect(matrix, link.edge, right_side, solution, defect);
+      return;
+    }
+    const PointRows<S>& rows = matrix.point[index];
+    const int m = place_[index].kind;
+    const Vector6<S>& lambda = solution.edge[link.edge];
+    const Padded<S> f = rows.sign * padded<S>(lambda.template head<3>());
+    Vector3<S> z = Vector3<S>::Zero();
+    const auto turn = [&](int body, const PaddedColumns<S, 3>& W) {
+      for (int k = 0; k < m; ++k) {
+        defect.body[body].x -= lambda[3 + k] * W.col(k);
+        z[k] += W.col(k).dot(solution.body[body].x);
+      }
+    };
+    Padded<S> u = child.r + padded<S>(transpose_times<S, 3>(rows.L_child, child.x));
+    on_child.r -= f;
+    on_child.x -= times<S, 3>(rows.L_child, f);
+    turn(link.body, rows.W_child);
+    if (has_parent(link)) {
+      const BodyPart<S>& parent = solution.body[link.parent];
+      u -= parent.r + padded<S>(transpose_times<S, 3>(rows.L_parent, parent.x));
+      defect.body[link.parent].r += f;
+      defect.body[link.parent].x += times<S, 3>(rows.L_parent, f);
+      turn(link.parent, rows.W_parent);
+    }
+    defect.edge[link.edge] = right_side.edge[link.edge];
+    defect.edge[link.edge].template head<3>() -= rows.sign * unpadded<S>(u);
+    for (int k = 0; k < m; ++k) defect.edge[link.edge][3 + k] -= z[k];
+  }
+  void edge_defect(const GraphMatrix<S>& matrix, int e, const GraphVector<S>& right_side,
+                   const GraphVector<S>& solution, GraphVector<S>& defect) const {
     const GraphEdge& edge = plan_.graph.edges[e];
     const EdgeRows<S>& rows = matrix.rows[plan_.rows_slot[e]];
     defect.edge[e] = right_side.edge[e];
@@ -270,7 +284,7 @@ class GraphSolver {
     if (step.link >= 0) factor_link(step.link);
   }
   void forward_step(const EliminationPlan::Step& step, const GraphVector<S>& right_side) {
-    for (int c : step.closings) forward_closing(c);
+    for (int c : step.closings) forward_closing(c, carried_);
     if (step.link >= 0) forward_link(step.link, right_side);
   }
 
@@ -362,11 +376,16 @@ class GraphSolver {
 
   void forward_link(int index, const GraphVector<S>& right_side) {
     const EliminationPlan::Link& link = plan_.links[index];
+    if (has_parent(link) && link.is_first) carried_[link.parent] = right_side.body[link.parent];
+    pass_up(index, link.has_children ? carried_[link.body] : right_side.body[link.body], right_side,
+            has_parent(link) ? &carried_[link.parent] : nullptr);
+  }
+  /// The right side of a link, its body's forces with what its children passed up: to its parent, and to the
+  /// closings.
+  void pass_up(int index, const BodyPart<S>& force, const GraphVector<S>& right_side, BodyPart<S>* parent) {
+    const EliminationPlan::Link& link = plan_.links[index];
     with_link(place_[index], [&](auto& factors) {
-      if (has_parent(link) && link.is_first) carried_[link.parent] = right_side.body[link.parent];
-      factors.forward(link.has_children ? carried_[link.body] : right_side.body[link.body],
-                      link.edge >= 0 ? right_side.edge[link.edge] : none_, rows_of(index),
-                      has_parent(link) ? &carried_[link.parent] : nullptr);
+      factors.forward(force, link.edge >= 0 ? right_side.edge[link.edge] : none_, rows_of(index), parent);
       const LinkColumn<S>* column = link_column_.data() + place_[index].first_column;
       for (const EliminationPlan::Column& c : link.columns) {
         for (int k = 0; k < rows_of_closing(c.closing); ++k)
@@ -375,7 +394,7 @@ class GraphSolver {
       }
     });
   }
-  void forward_closing(int c) {
+  void forward_closing(int c, std::vector<BodyPart<S>>& carried) {
     const EliminationPlan::Closing& closing = plan_.closings[c];
     ClosingFactor& f = closing_[c];
     const int n = rows_of_closing(c);
@@ -384,8 +403,8 @@ class GraphSolver {
     for (int k = 0; k < n; ++k) {
       const S scaled = f.inverse[k] * f.gamma[k];
       if (closing.column_slot >= 0) {
-        carried_[closing.body].r += scaled * f.C.r.col(k);
-        carried_[closing.body].x += scaled * f.C.x.col(k);
+        carried[closing.body].r += scaled * f.C.r.col(k);
+        carried[closing.body].x += scaled * f.C.x.col(k);
       }
       for (const EliminationPlan::Neighbour& next : closing.later)
         for (int m = 0; m < rows_of_closing(next.closing); ++m)
