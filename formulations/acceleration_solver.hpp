@@ -192,11 +192,9 @@ class AccelerationSolver {
   }
   static void take_largest(Padded<S>& largest, const Padded<S>& part) {
     using std::abs;
-    S most = largest[0];
-    for (int k = 0; k < 3; ++k) most = larger(most, S(abs(part[k])));
-    largest.setConstant(most);
+    for (int k = 0; k < 3; ++k) largest[k] = larger(largest[k], S(abs(part[k])));
   }
-  /// The largest number of each part, in all its places.
+  /// The largest number of each part.
   static BodyPart<S> largest_of(const GraphVector<S>& solution) {
     BodyPart<S> largest;
     for (const BodyPart<S>& part : solution.body) {

@@ -12,6 +12,9 @@
 #include "scenes/mechanism_cast.hpp"
 
 namespace trivium {
+
+extern template class GraphSolver<Batch<double, 4>>;  // graph_solver_batch.cpp
+
 namespace {
 
 using Four = Batch<double, 4>;

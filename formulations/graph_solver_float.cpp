@@ -1,3 +1,3 @@
-#include "formulations/graph_solver.hpp"
+#include "formulations/graph_solver_impl.hpp"
 
 template class trivium::GraphSolver<float>;

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "bodies/batch_states.hpp"
+#include "formulations/graph_solver_impl.hpp"
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/r_p.hpp"

@@ -1,0 +1,423 @@
+#pragma once
+/// The one definition behind the GraphSolver instantiations, for those of a Scalar that has none.
+
+#include <algorithm>
+
+#include "formulations/graph_solver.hpp"
+
+namespace trivium {
+
+template <class S>
+GraphSolver<S>::GraphSolver(EliminationPlan plan)
+    : plan_(std::move(plan)),
+      block_(plan_.graph.bodies),
+      column_(plan_.column_slots),
+      coupling_(plan_.coupling_slots),
+      closing_(plan_.closings.size()),
+      carried_(plan_.graph.bodies + 1) {
+  dropped_.resize(plan_.graph.edges.size());
+  int columns = 0;
+  std::array<int, 5> count{};
+  for (const EliminationPlan::Link& link : plan_.links) {
+    const int kind = plan_.is_point_link(link) ? plan_.graph.edges[link.edge].size() - 3 : general;
+    place_.push_back(
+        {kind, count[kind]++, columns, link.edge >= 0 ? plan_.graph.edges[link.edge].size() : 0});
+    columns += static_cast<int>(link.columns.size());
+  }
+  link_column_.resize(columns);
+  std::get<0>(links_).resize(count[0]);
+  std::get<1>(links_).resize(count[1]);
+  std::get<2>(links_).resize(count[2]);
+  std::get<3>(links_).resize(count[3]);
+  std::get<4>(links_).resize(count[4]);
+  for (std::size_t n = 0; n < plan_.links.size(); ++n)
+    if (place_[n].kind == general && plan_.links[n].edge >= 0) may_drop_.push_back(plan_.links[n].edge);
+  for (const EliminationPlan::Closing& closing : plan_.closings) may_drop_.push_back(closing.edge);
+}
+
+template <class S>
+template <class Visit>
+void GraphSolver<S>::with_link(const Place& place, const Visit& visit) {
+  switch (place.kind) {
+    case 0:
+      return visit(std::get<0>(links_)[place.index]);
+    case 1:
+      return visit(std::get<1>(links_)[place.index]);
+    case 2:
+      return visit(std::get<2>(links_)[place.index]);
+    case 3:
+      return visit(std::get<3>(links_)[place.index]);
+    default:
+      return visit(std::get<4>(links_)[place.index]);
+  }
+}
+
+template <class S>
+[[gnu::always_inline]] inline LinkRows<S> GraphSolver<S>::rows_of(int index) const {
+  const EliminationPlan::Link& link = plan_.links[index];
+  if (place_[index].kind != general || link.edge < 0)
+    return {matrix_->point[index], no_columns_, no_columns_, 0};
+  const EdgeRows<S>& edge = matrix_->rows[plan_.rows_slot[link.edge]];
+  return {matrix_->point[index], link.body_is_j ? edge.C_j : edge.C_i, link.body_is_j ? edge.C_i : edge.C_j,
+          place_[index].rows};
+}
+
+template <class S>
+void GraphSolver<S>::factor(const GraphMatrix<S>& matrix) {
+  start_factors(matrix);
+  for (const EliminationPlan::Step& step : plan_.steps) factor_step(step);
+}
+
+template <class S>
+void GraphSolver<S>::solve(const GraphVector<S>& right_side, GraphVector<S>& solution) {
+  start_solution(right_side);
+  for (const EliminationPlan::Step& step : plan_.steps) forward_step(step, right_side);
+  substitute(solution);
+}
+
+template <class S>
+void GraphSolver<S>::start(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side) {
+  start_factors(matrix);
+  start_solution(right_side);
+}
+
+template <class S>
+void GraphSolver<S>::eliminate(int step, const GraphVector<S>& right_side) {
+  factor_step(plan_.steps[step]);
+  forward_step(plan_.steps[step], right_side);
+}
+
+template <class S>
+void GraphSolver<S>::substitute(GraphVector<S>& solution) {
+  for (auto step = plan_.steps.rbegin(); step != plan_.steps.rend(); ++step) {
+    if (step->link >= 0) backward_link(step->link, solution);
+    for (auto c = step->closings.rbegin(); c != step->closings.rend(); ++c) backward_closing(*c, solution);
+  }
+  solution.body.back() = {};
+}
+
+template <class S>
+bool GraphSolver<S>::any_dropped() const {
+  return std::any_of(may_drop_.begin(), may_drop_.end(), [this](int e) {
+    return std::any_of(dropped_[e].begin(), dropped_[e].end(), [](bool dropped) { return dropped; });
+  });
+}
+
+template <class S>
+auto GraphSolver<S>::unmet_row(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side,
+                               const GraphVector<S>& solution, const BodyPart<S>& largest,
+                               const S& tolerance) const -> std::optional<Row> {
+  using std::abs;
+  const auto in_any_place = [](const Padded<S>& v) { return larger(larger(v[0], v[1]), v[2]); };
+  const S r = in_any_place(largest.r), x = in_any_place(largest.x);
+  for (const int e : may_drop_) {
+    const GraphEdge& edge = plan_.graph.edges[e];
+    const EdgeRows<S>& rows = matrix.rows[plan_.rows_slot[e]];
+    for (int k = 0; k < edge.size(); ++k) {
+      if (!dropped_[e][k]) continue;
+      S missing = right_side.edge[e][k], size = abs(missing);
+      const auto take = [&](const BodyColumns<S>& C, const BodyPart<S>& a) {
+        missing -= C.r.col(k).dot(a.r) + C.x.col(k).dot(a.x);
+        size += C.r.col(k).cwiseAbs().sum() * r + C.x.col(k).cwiseAbs().sum() * x;
+      };
+      take(rows.C_i, solution.body[edge.i]);
+      take(rows.C_j, solution.body[edge.j]);
+      if (!(abs(missing) <= tolerance * size + S(1e-12))) return Row{e, k};
+    }
+  }
+  return {};
+}
+
+template <class S>
+void GraphSolver<S>::correct(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side,
+                             const GraphVector<S>& solution, GraphVector<S>& defect,
+                             GraphVector<S>& correction) {
+  std::fill(defect.body.begin(), defect.body.end(), BodyPart<S>{});
+  for (std::size_t c = 0; c < closing_.size(); ++c) {
+    const int edge = plan_.closings[c].edge;
+    edge_defect(matrix, edge, right_side, solution, defect);
+    closing_[c].gamma = defect.edge[edge];
+  }
+  for (const EliminationPlan::Step& step : plan_.steps) {
+    for (int c : step.closings) forward_closing(c, defect.body);
+    if (step.link < 0) continue;
+    link_defect(matrix, step.link, right_side, solution, defect);
+    const EliminationPlan::Link& link = plan_.links[step.link];
+    pass_up(step.link, defect.body[link.body], defect,
+            has_parent(link) ? &defect.body[link.parent] : nullptr);
+  }
+  substitute(correction);
+}
+
+template <class S>
+void GraphSolver<S>::link_defect(const GraphMatrix<S>& matrix, int index, const GraphVector<S>& right_side,
+                                 const GraphVector<S>& solution, GraphVector<S>& defect) const {
+  const EliminationPlan::Link& link = plan_.links[index];
+  const BodyPart<S>& child = solution.body[link.body];
+  const BodyBlock<S>& H = matrix.H[link.body];
+  BodyPart<S>& on_child = defect.body[link.body];
+  on_child.r += right_side.body[link.body].r - times<S, 3>(H.rr, child.r) - times<S, 3>(H.rx, child.x);
+  on_child.x += right_side.body[link.body].x - padded<S>(transpose_times<S, 3>(H.rx, child.r)) -
+                times<S, 3>(H.xx, child.x);
+  if (link.edge < 0) return;
+  if (place_[index].kind == general) {
+    edge_defect(matrix, link.edge, right_side, solution, defect);
+    return;
+  }
+  const PointRows<S>& rows = matrix.point[index];
+  const int m = place_[index].kind;
+  const Vector6<S>& lambda = solution.edge[link.edge];
+  const Padded<S> f = rows.sign * padded<S>(lambda.template head<3>());
+  Vector3<S> z = Vector3<S>::Zero();
+  const auto turn = [&](int body, const PaddedColumns<S, 3>& W) {
+    for (int k = 0; k < m; ++k) {
+      defect.body[body].x -= lambda[3 + k] * W.col(k);
+      z[k] += W.col(k).dot(solution.body[body].x);
+    }
+  };
+  Padded<S> u = child.r + padded<S>(transpose_times<S, 3>(rows.L_child, child.x));
+  on_child.r -= f;
+  on_child.x -= times<S, 3>(rows.L_child, f);
+  turn(link.body, rows.W_child);
+  if (has_parent(link)) {
+    const BodyPart<S>& parent = solution.body[link.parent];
+    u -= parent.r + padded<S>(transpose_times<S, 3>(rows.L_parent, parent.x));
+    defect.body[link.parent].r += f;
+    defect.body[link.parent].x += times<S, 3>(rows.L_parent, f);
+    turn(link.parent, rows.W_parent);
+  }
+  defect.edge[link.edge] = right_side.edge[link.edge];
+  defect.edge[link.edge].template head<3>() -= rows.sign * unpadded<S>(u);
+  for (int k = 0; k < m; ++k) defect.edge[link.edge][3 + k] -= z[k];
+}
+
+template <class S>
+void GraphSolver<S>::edge_defect(const GraphMatrix<S>& matrix, int e, const GraphVector<S>& right_side,
+                                 const GraphVector<S>& solution, GraphVector<S>& defect) const {
+  const GraphEdge& edge = plan_.graph.edges[e];
+  const EdgeRows<S>& rows = matrix.rows[plan_.rows_slot[e]];
+  defect.edge[e] = right_side.edge[e];
+  const auto one = [&](int body, const BodyColumns<S>& C) {
+    if (body == plan_.graph.bodies) return;
+    for (int k = 0; k < edge.size(); ++k) {
+      defect.body[body].r -= solution.edge[e][k] * C.r.col(k);
+      defect.body[body].x -= solution.edge[e][k] * C.x.col(k);
+      defect.edge[e][k] -= C.r.col(k).dot(solution.body[body].r) + C.x.col(k).dot(solution.body[body].x);
+    }
+  };
+  one(edge.i, rows.C_i);
+  one(edge.j, rows.C_j);
+}
+
+template <class S>
+void GraphSolver<S>::start_factors(const GraphMatrix<S>& matrix) {
+  matrix_ = &matrix;
+  for (const EliminationPlan::Link& link : plan_.links)
+    for (const EliminationPlan::Column& column : link.columns) column_[column.slot] = {};
+  for (Matrix6<S>& block : coupling_) block.setZero();
+  for (std::size_t c = 0; c < closing_.size(); ++c) {
+    const EliminationPlan::Closing& closing = plan_.closings[c];
+    if (closing.column_slot >= 0) column_[closing.column_slot] = {};
+    if (closing.slot_i >= 0) column_[closing.slot_i] = matrix_->rows[plan_.rows_slot[closing.edge]].C_i;
+    if (closing.slot_j >= 0) column_[closing.slot_j] = matrix_->rows[plan_.rows_slot[closing.edge]].C_j;
+    closing_[c].size.setZero();
+    closing_[c].own.setZero();
+  }
+}
+
+template <class S>
+void GraphSolver<S>::start_solution(const GraphVector<S>& right_side) {
+  for (std::size_t c = 0; c < closing_.size(); ++c)
+    closing_[c].gamma = right_side.edge[plan_.closings[c].edge];
+}
+
+template <class S>
+inline void GraphSolver<S>::factor_step(const EliminationPlan::Step& step) {
+  for (int c : step.closings) factor_closing(c);
+  if (step.link >= 0) factor_link(step.link);
+}
+
+template <class S>
+inline void GraphSolver<S>::forward_step(const EliminationPlan::Step& step,
+                                         const GraphVector<S>& right_side) {
+  for (int c : step.closings) forward_closing(c, carried_);
+  if (step.link >= 0) forward_link(step.link, right_side);
+}
+
+template <class S>
+inline void GraphSolver<S>::factor_link(int index) {
+  const EliminationPlan::Link& link = plan_.links[index];
+  const LinkRows<S> rows = rows_of(index);
+  with_link(place_[index], [&](auto& factors) {
+    std::array<bool, 6> dropped{};
+    if (has_parent(link) && link.is_first) block_[link.parent] = matrix_->H[link.parent];
+    const Elimination result =
+        factors.factor(link.has_children ? block_[link.body] : matrix_->H[link.body], rows,
+                       has_parent(link) ? &block_[link.parent] : nullptr, dropped);
+    if (result != Elimination::done) throw_singular(link, result);
+    if (link.edge >= 0) dropped_[link.edge] = dropped;
+    LinkColumn<S>* const columns = link_column_.data() + place_[index].first_column;
+    for (std::size_t n = 0; n < link.columns.size(); ++n) {
+      const EliminationPlan::Column& column = link.columns[n];
+      factors.factor(column_[column.slot], rows_of_closing(column.closing), rows, columns[n],
+                     closing_[column.closing].size,
+                     column.parent_slot >= 0 ? &column_[column.parent_slot] : nullptr);
+    }
+    for (const EliminationPlan::Coupling& pair : link.couplings) {
+      const int a = link.columns[pair.first].closing, b = link.columns[pair.second].closing;
+      Matrix6<S>& sum = coupling_[pair.slot];
+      if (a == b) closing_[a].own -= sum.diagonal();
+      factors.couple(columns[pair.first], rows_of_closing(a), columns[pair.second], rows_of_closing(b), sum);
+      if (a == b) closing_[a].own += sum.diagonal();
+    }
+  });
+}
+
+template <class S>
+void GraphSolver<S>::factor_closing(int c) {
+  const EliminationPlan::Closing& closing = plan_.closings[c];
+  ClosingFactor& f = closing_[c];
+  Matrix6<S>& block = coupling_[plan_.diagonal_slot[c]];
+  const int n = rows_of_closing(c);
+  std::array<bool, 6>& dropped = dropped_[closing.edge];
+  const bool on_body = closing.column_slot >= 0;
+  if (on_body) f.C = column_[closing.column_slot];
+  const S cancelled = dependence(), defect = larger(S(cancelled * cancelled / S(100)), S(1e-16));
+  for (int k = 0; k < n; ++k) {
+    const S pivot = block(k, k);
+    dropped[k] = pivot <= cancelled * f.own[k] + defect * f.size.product[k];
+    f.inverse[k] = dropped[k] ? S(0) : S(1 / pivot);
+    for (int r = k + 1; r < n; ++r) {
+      const S l = block(k, r) * f.inverse[k];
+      f.L(r, k) = l;
+      if (dropped[k]) continue;
+      for (int s = r; s < n; ++s) block(r, s) -= l * block(k, s);
+      if (on_body) {
+        f.C.r.col(r) -= l * f.C.r.col(k);
+        f.C.x.col(r) -= l * f.C.x.col(k);
+      }
+      for (const EliminationPlan::Neighbour& next : closing.later)
+        coupling_[next.slot].row(r) -= l * coupling_[next.slot].row(k);
+    }
+  }
+  for (int k = 0; k < n; ++k) {
+    if (dropped[k]) continue;
+    if (on_body) {
+      const Padded<S> r = f.C.r.col(k), x = f.C.x.col(k);
+      const Padded<S> scaled_r = f.inverse[k] * r, scaled_x = f.inverse[k] * x;
+      BodyBlock<S>& H = block_[closing.body];
+      for (int m = 0; m < 3; ++m) {
+        H.rr.col(m) += r * scaled_r[m];
+        H.rx.col(m) += r * scaled_x[m];
+        H.xx.col(m) += x * scaled_x[m];
+      }
+      for (const EliminationPlan::Neighbour& next : closing.later)
+        if (next.column_slot >= 0)
+          for (int m = 0; m < rows_of_closing(next.closing); ++m) {
+            column_[next.column_slot].r.col(m) -= coupling_[next.slot](k, m) * scaled_r;
+            column_[next.column_slot].x.col(m) -= coupling_[next.slot](k, m) * scaled_x;
+          }
+    }
+    for (const EliminationPlan::Fill& fill : closing.fill) {
+      const EliminationPlan::Neighbour &a = closing.later[fill.first], &b = closing.later[fill.second];
+      for (int s = 0; s < rows_of_closing(b.closing); ++s) {
+        const S scaled = f.inverse[k] * coupling_[b.slot](k, s);
+        for (int r = 0; r < rows_of_closing(a.closing); ++r)
+          coupling_[fill.slot](r, s) -= coupling_[a.slot](k, r) * scaled;
+      }
+    }
+  }
+}
+
+template <class S>
+inline void GraphSolver<S>::forward_link(int index, const GraphVector<S>& right_side) {
+  const EliminationPlan::Link& link = plan_.links[index];
+  if (has_parent(link) && link.is_first) carried_[link.parent] = right_side.body[link.parent];
+  pass_up(index, link.has_children ? carried_[link.body] : right_side.body[link.body], right_side,
+          has_parent(link) ? &carried_[link.parent] : nullptr);
+}
+
+template <class S>
+inline void GraphSolver<S>::pass_up(int index, const BodyPart<S>& force, const GraphVector<S>& right_side,
+                                    BodyPart<S>* parent) {
+  const EliminationPlan::Link& link = plan_.links[index];
+  with_link(place_[index], [&](auto& factors) {
+    factors.forward(force, link.edge >= 0 ? right_side.edge[link.edge] : none_, rows_of(index), parent);
+    const LinkColumn<S>* column = link_column_.data() + place_[index].first_column;
+    for (const EliminationPlan::Column& c : link.columns) {
+      for (int k = 0; k < rows_of_closing(c.closing); ++k)
+        closing_[c.closing].gamma[k] -= factors.closing_rate(*column, k);
+      ++column;
+    }
+  });
+}
+
+template <class S>
+void GraphSolver<S>::forward_closing(int c, std::vector<BodyPart<S>>& carried) {
+  const EliminationPlan::Closing& closing = plan_.closings[c];
+  ClosingFactor& f = closing_[c];
+  const int n = rows_of_closing(c);
+  for (int k = 0; k < n; ++k)
+    for (int r = k + 1; r < n; ++r) f.gamma[r] -= f.L(r, k) * f.gamma[k];
+  for (int k = 0; k < n; ++k) {
+    const S scaled = f.inverse[k] * f.gamma[k];
+    if (closing.column_slot >= 0) {
+      carried[closing.body].r += scaled * f.C.r.col(k);
+      carried[closing.body].x += scaled * f.C.x.col(k);
+    }
+    for (const EliminationPlan::Neighbour& next : closing.later)
+      for (int m = 0; m < rows_of_closing(next.closing); ++m)
+        closing_[next.closing].gamma[m] -= scaled * coupling_[next.slot](k, m);
+  }
+}
+
+template <class S>
+void GraphSolver<S>::backward_closing(int c, GraphVector<S>& solution) {
+  const EliminationPlan::Closing& closing = plan_.closings[c];
+  ClosingFactor& f = closing_[c];
+  const int n = rows_of_closing(c);
+  Vector6<S>& lambda = solution.edge[closing.edge];
+  for (int k = 0; k < n; ++k) {
+    S sum = -f.gamma[k];
+    if (closing.column_slot >= 0)
+      sum +=
+          f.C.r.col(k).dot(solution.body[closing.body].r) + f.C.x.col(k).dot(solution.body[closing.body].x);
+    for (const EliminationPlan::Neighbour& next : closing.later) {
+      const Vector6<S>& theirs = solution.edge[plan_.closings[next.closing].edge];
+      for (int m = 0; m < rows_of_closing(next.closing); ++m) sum -= coupling_[next.slot](k, m) * theirs[m];
+    }
+    lambda[k] = f.inverse[k] * sum;
+  }
+  for (int k = n - 1; k >= 0; --k)
+    for (int r = k + 1; r < n; ++r)
+      if (!dropped_[closing.edge][k]) lambda[k] -= f.L(r, k) * lambda[r];
+}
+
+template <class S>
+inline void GraphSolver<S>::backward_link(int index, GraphVector<S>& solution) {
+  const EliminationPlan::Link& link = plan_.links[index];
+  with_link(place_[index], [&](auto& factors) {
+    const LinkColumn<S>* column = link_column_.data() + place_[index].first_column;
+    for (const EliminationPlan::Column& c : link.columns) {
+      const Vector6<S>& lambda = solution.edge[plan_.closings[c.closing].edge];
+      for (int k = 0; k < rows_of_closing(c.closing); ++k) factors.add_multiplier(*column, k, lambda[k]);
+      ++column;
+    }
+    factors.backward(has_parent(link) ? &solution.body[link.parent] : nullptr, rows_of(index),
+                     solution.body[link.body], link.edge >= 0 ? solution.edge[link.edge] : nowhere_);
+  });
+}
+
+template <class S>
+[[noreturn]] void GraphSolver<S>::throw_singular(const EliminationPlan::Link& link, Elimination result) {
+  switch (result) {
+    case Elimination::no_inertia:
+      throw SingularLink(link.body, "the joint to its parent leaves a motion without inertia free");
+    case Elimination::dependent_rows:
+      throw SingularLink(link.body, "the orientation rows of the joint to its parent depend on each other");
+    default:
+      throw SingularLink(link.body, "its rows depend on each other and bind the parent's own motion");
+  }
+}
+
+}  // namespace trivium
