@@ -41,7 +41,7 @@ class Simbody : public Engine {
   void disable_idle(const std::vector<simbody::LinkedConstraint>& constraints) {
     std::vector<SimTK::ConstraintIndex> idle;
     for (const simbody::LinkedConstraint& c : constraints)
-      if (c.rows.size() == 1 && is_idle(matter_, matter_.getConstraint(c.index), state_))
+      if (c.rows.size() == 1 && simbody::is_idle(matter_, matter_.getConstraint(c.index), state_))
         idle.push_back(c.index);
     for (const SimTK::ConstraintIndex index : idle) matter_.getConstraint(index).disable(state_);
   }
