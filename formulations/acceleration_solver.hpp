@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -20,7 +21,7 @@ namespace trivium {
 
 /// What one refinement corrected, relative: accelerations in the mass metric; multipliers by the forces and
 /// by the moments that they exert, whichever is worse. It is the error of the unrefined solution; what is
-/// left is smaller.
+/// left is smaller. Where forces in balance leave no acceleration, all of it is correction.
 struct Corrections {
   double acceleration = 0, lambda = 0;
 };
@@ -132,6 +133,7 @@ class AccelerationSolver {
     for (int e = 0; e < static_cast<int>(plan.graph.edges.size()); ++e) {
       const GraphEdge& edge = plan.graph.edges[e];
       if (plan.rows_slot[e] < 0) continue;
+      ranked_.push_back(e);
       if (edge.is_point) {
         closings_.push_back({e, {mechanism_, edge}});
         EdgeRows<S>& rows = matrix_.rows[plan.rows_slot[e]];
@@ -166,44 +168,81 @@ class AccelerationSolver {
   /// Rows that were left out are combinations of the others: their right sides must be the same combinations.
   void check_dropped_rows(const S& t) {
     using std::sqrt;
-    if (!solver_.any_dropped()) return;
+    if (ranked_.empty()) return;
     const S tolerance = larger(S(1e-6), S(3 * sqrt(solver_.dependence())));
+    const S rounding = larger(S(1e-6 * tolerance), S(100 * unit_roundoff<S>()));
+    const auto size_here = [&](int b) { return size_of(solution_.body[b]); };
+    if (!unmet_row(solution_, rounding, size_here)) return;
     // forces in balance leave accelerations that are rounding, beside what the forces could cause
-    BodyPart<S> largest = largest_of(solution_);
+    Size whole, turning;
+    for (int b = 0; b < mechanism_.nb(); ++b)  // with levers, what gamma is made of
+      turning.take({S(0), turning_[b].omega.squaredNorm()});
+    whole = turning;
     for (int b = 0; b < mechanism_.nb(); ++b) {
       const BodyPart<S>& force = right_side_.body[b];
       const S moments = matrix_.H[b].xx.diagonal().sum();
-      take_largest(largest.r, Padded<S>(force.r / mechanism_.bodies[b].mass));
-      if (moments > S(0)) take_largest(largest.x, Padded<S>(force.x / moments));
+      const Size of_force = size_of(force);
+      whole.take(size_here(b));
+      whole.take({of_force.r / mechanism_.bodies[b].mass, moments > S(0) ? S(of_force.x / moments) : S(0)});
     }
-    if (!solver_.unmet_row(matrix_, right_side_, solution_, largest, S(tolerance / 1000))) return;
-    if (const auto row = solver_.unmet_row(matrix_, right_side_, solution_, largest, tolerance))
-      throw_unmet(*row, t);
+    if (const auto row = unmet_row(solution_, tolerance, [&](int) { return whole; })) throw_unmet(*row, t);
     // how much of it is rounding of the forces shows without them
     for (BodyPart<S>& force : right_side_.body) force = {};
     solver_.solve(right_side_, step_);
     solver_.correct(matrix_, right_side_, step_, defect_, defect_);
+    whole = turning;
     for (int b = 0; b < mechanism_.nb(); ++b) {
       step_.body[b] += defect_.body[b];
       push_body(b);
+      whole.take(size_of(step_.body[b]));
     }
-    if (const auto row = solver_.unmet_row(matrix_, right_side_, step_, largest_of(step_), tolerance))
-      throw_unmet(*row, t);
-  }
-  static void take_largest(Padded<S>& largest, const Padded<S>& part) {
-    using std::abs;
-    for (int k = 0; k < 3; ++k) largest[k] = larger(largest[k], S(abs(part[k])));
+    if (const auto row = unmet_row(step_, tolerance, [&](int) { return whole; })) throw_unmet(*row, t);
   }
   /// The largest number of each part.
-  static BodyPart<S> largest_of(const GraphVector<S>& solution) {
-    BodyPart<S> largest;
-    for (const BodyPart<S>& part : solution.body) {
-      take_largest(largest.r, part.r);
-      take_largest(largest.x, part.x);
+  struct Size {
+    S r{0}, x{0};
+    void take(const Size& other) {
+      r = larger(r, other.r);
+      x = larger(x, other.x);
     }
-    return largest;
+  };
+  static Size size_of(const BodyPart<S>& part) {
+    using std::abs;
+    Size size;
+    for (int k = 0; k < 3; ++k) size.take({S(abs(part.r[k])), S(abs(part.x[k]))});
+    return size;
   }
-  [[noreturn]] void throw_unmet(const typename GraphSolver<S>::Row& row, const S& t) const {
+  struct Row {
+    int edge, k;
+  };
+  /// The first row that was left out and that the solution misses by more than this share of what it is made
+  /// of: gamma, and accelerations of a size by body. What velocities of rounding size leave, below 1e-12, is
+  /// none.
+  template <class SizeOf>
+  std::optional<Row> unmet_row(const GraphVector<S>& solution, const S& tolerance,
+                               const SizeOf& size_of_body) const {
+    using std::abs;
+    for (const int e : ranked_) {
+      const GraphEdge& edge = solver_.plan().graph.edges[e];
+      const EdgeRows<S>& rows = matrix_.rows[solver_.plan().rows_slot[e]];
+      for (int k = 0; k < edge.size(); ++k) {
+        if (!solver_.is_dropped(e, k)) continue;
+        S missing = right_side_.edge[e][k], made_of = abs(missing);
+        const auto take = [&](const BodyColumns<S>& C, int b) {
+          if (b == mechanism_.ground()) return;
+          const BodyPart<S>& a = solution.body[b];
+          const Size size = size_of_body(b);
+          missing -= C.r.col(k).dot(a.r) + C.x.col(k).dot(a.x);
+          made_of += C.r.col(k).cwiseAbs().sum() * size.r + C.x.col(k).cwiseAbs().sum() * size.x;
+        };
+        take(rows.C_i, edge.i);
+        take(rows.C_j, edge.j);
+        if (!(abs(missing) <= tolerance * made_of + S(1e-12))) return Row{e, k};
+      }
+    }
+    return {};
+  }
+  [[noreturn]] void throw_unmet(const Row& row, const S& t) const {
     require_numbers(t);
     const int k = solver_.plan().graph.edges[row.edge].rows[row.k];
     throw ModelError(fmt::format(
@@ -230,6 +269,7 @@ class AccelerationSolver {
       part.x.setConstant(nothing);
     }
     for (Vector6<S>& lambda : solution_.edge) lambda.setConstant(nothing);
+    corrections_ = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   }
 
   void move_bodies(std::span<const BodyState<F>> state, const S& t) {
@@ -379,6 +419,7 @@ class AccelerationSolver {
   std::vector<LinkJoint> links_;
   std::vector<ClosingJoint> closings_;
   std::vector<int> others_;  ///< edges that are not point joints
+  std::vector<int> ranked_;  ///< edges whose rows may be left out: all but the point joints of the tree
   Corrections corrections_;
 };
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "formulations/solved_twice.hpp"
+#include "scenes/generators.hpp"
 #include "scenes/test_scenes.hpp"
 
 namespace trivium {
@@ -132,6 +133,25 @@ TEST(DependentRows, ARowLostToRoundingIsAnErrorEvenWhereNothingMoves) {
   EXPECT_NE(refusal.find("light"), std::string::npos) << refusal;
   for (scenes::Body& body : scene.bodies) body.mass = 1;
   EXPECT_EQ(refusal_of(scene), "");
+}
+
+TEST(DependentRows, VelocitiesMayMissTheirRowsByWhatAnIntegratorLeaves) {
+  // rods that turn alike, so that no angular acceleration tells how fast
+  for (const double e : {2e-12, 1e-10, 1e-8}) {
+    scenes::Scene scene = scenes::ladder(3);
+    scene.bodies[4].angular_velocity[0] += e;
+    EXPECT_LE(test::SolvedTwice<F>(scene).accelerations_apart(), 100 * e);
+  }
+}
+
+TEST(DependentRows, AForceElsewhereHidesNoContradiction) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("block", 2), test::body("shot", 1)};
+  scene.constraints = {cd("guide", scenes::ground, {}, 0, {}, Polynomial{{0, 0, 0.5}}),
+                       cd("second guide", scenes::ground, {}, 0, {}, Polynomial{{0, 0, 1}})};
+  scene.effects = {scenes::Force{"blow", 1, {}, {1e9, 0, 0}, scenes::Frame::global}};
+  const std::string refusal = refusal_of(scene);
+  EXPECT_NE(refusal.find("second guide"), std::string::npos) << refusal;
 }
 
 TEST(NoAnswer, AJointWhoseAxesHaveFallenTogetherIsAnErrorThatNamesItsBody) {

@@ -4,7 +4,6 @@
 /// are short.
 
 #include <array>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -55,18 +54,6 @@ class GraphSolver {
 
   /// Whether row k of an edge was left out because it depends on others.
   bool is_dropped(int edge, int k) const { return dropped_[edge][k]; }
-  bool any_dropped() const;
-
-  struct Row {
-    int edge, k;
-  };
-  /// The first row that was left out and that the solution misses by more than this share of what it is made
-  /// of: gamma, and accelerations as large as `largest`. What velocities of rounding size leave, below 1e-12,
-  /// is none.
-  std::optional<Row> unmet_row(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side,
-                               const GraphVector<S>& solution, const BodyPart<S>& largest,
-                               const S& tolerance) const;
-
   /// A row of a loop is left out where the square of its sine to the others, in the metric of H, is at most
   /// this.
   static S dependence() { return larger(S(1000 * unit_roundoff<S>()), S(1e-16)); }
@@ -136,7 +123,6 @@ class GraphSolver {
   std::vector<ClosingFactor> closing_;
   std::vector<BodyPart<S>> carried_;
   std::vector<std::array<bool, 6>> dropped_;
-  std::vector<int> may_drop_;  ///< edges whose rows are ranked
   BodyColumns<S> no_columns_;
   // the rows of a body that hangs on nothing
   const Vector6<S> none_ = Vector6<S>::Zero();

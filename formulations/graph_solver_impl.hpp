@@ -30,9 +30,6 @@ GraphSolver<S>::GraphSolver(EliminationPlan plan)
   std::get<2>(links_).resize(count[2]);
   std::get<3>(links_).resize(count[3]);
   std::get<4>(links_).resize(count[4]);
-  for (std::size_t n = 0; n < plan_.links.size(); ++n)
-    if (place_[n].kind == general && plan_.links[n].edge >= 0) may_drop_.push_back(plan_.links[n].edge);
-  for (const EliminationPlan::Closing& closing : plan_.closings) may_drop_.push_back(closing.edge);
 }
 
 template <class S>
@@ -94,38 +91,6 @@ void GraphSolver<S>::substitute(GraphVector<S>& solution) {
     for (auto c = step->closings.rbegin(); c != step->closings.rend(); ++c) backward_closing(*c, solution);
   }
   solution.body.back() = {};
-}
-
-template <class S>
-bool GraphSolver<S>::any_dropped() const {
-  return std::any_of(may_drop_.begin(), may_drop_.end(), [this](int e) {
-    return std::any_of(dropped_[e].begin(), dropped_[e].end(), [](bool dropped) { return dropped; });
-  });
-}
-
-template <class S>
-auto GraphSolver<S>::unmet_row(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side,
-                               const GraphVector<S>& solution, const BodyPart<S>& largest,
-                               const S& tolerance) const -> std::optional<Row> {
-  using std::abs;
-  const auto in_any_place = [](const Padded<S>& v) { return larger(larger(v[0], v[1]), v[2]); };
-  const S r = in_any_place(largest.r), x = in_any_place(largest.x);
-  for (const int e : may_drop_) {
-    const GraphEdge& edge = plan_.graph.edges[e];
-    const EdgeRows<S>& rows = matrix.rows[plan_.rows_slot[e]];
-    for (int k = 0; k < edge.size(); ++k) {
-      if (!dropped_[e][k]) continue;
-      S missing = right_side.edge[e][k], size = abs(missing);
-      const auto take = [&](const BodyColumns<S>& C, const BodyPart<S>& a) {
-        missing -= C.r.col(k).dot(a.r) + C.x.col(k).dot(a.x);
-        size += C.r.col(k).cwiseAbs().sum() * r + C.x.col(k).cwiseAbs().sum() * x;
-      };
-      take(rows.C_i, solution.body[edge.i]);
-      take(rows.C_j, solution.body[edge.j]);
-      if (!(abs(missing) <= tolerance * size + S(1e-12))) return Row{e, k};
-    }
-  }
-  return {};
 }
 
 template <class S>

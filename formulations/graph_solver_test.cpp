@@ -1,4 +1,4 @@
-/// The factorisation alone: any symmetric blocks, any rows, as projections and Newton's method need it.
+/// The factorisation alone: any positive definite blocks, any rows, as projections need it.
 
 #include "formulations/graph_solver.hpp"
 
@@ -122,7 +122,7 @@ class RandomSystem {
   VectorX<double> right;
 };
 
-TEST(GraphSolver, SolvesAnySymmetricBlocksUnderAnyRows) {
+TEST(GraphSolver, SolvesAnyPositiveBlocksUnderAnyRows) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) EXPECT_LE(RandomSystem(seed).defect(), 1e-11) << seed;
 }
 
