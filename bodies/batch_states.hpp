@@ -8,7 +8,7 @@
 
 namespace trivium {
 
-/// As many states as there are lanes, all of the same time.
+/// As many states as there are lanes, each with its time.
 template <class T, int N>
 MechanismState<Batch<T, N>> pack(std::span<const MechanismState<T>, N> states) {
   using Lanes = Batch<T, N>;
@@ -19,7 +19,7 @@ MechanismState<Batch<T, N>> pack(std::span<const MechanismState<T>, N> states) {
     return all;
   };
   MechanismState<Lanes> all;
-  all.t = states[0].t;
+  for (int lane = 0; lane < N; ++lane) all.t.set(lane, states[lane].t);
   for (std::size_t b = 0; b < states[0].pose.size(); ++b) {
     all.pose.push_back({packed.template operator()<3>([&](const auto& s) { return s.pose[b].r; }),
                         packed.template operator()<4>([&](const auto& s) { return s.pose[b].p; })});

@@ -34,16 +34,17 @@ std::vector<MechanismState<double>> ensemble(const scenes::Scene& scene) {
 }
 
 template <template <class> class F>
-void expect_lanes_are_the_states(const scenes::Scene& scene) {
+void expect_lanes_are_the_states(const scenes::Scene& scene, double time_step = 0) {
   const auto mechanism = make_mechanism<double>(scene);
   const auto in_lanes = mechanism_cast<Four>(mechanism);
-  const auto states = ensemble(scene);
+  auto states = ensemble(scene);
+  for (int k = 0; k < Four::lanes; ++k) states[k].t = k * time_step;
   AccelerationSolver<F<double>> one(mechanism);
   AccelerationSolver<F<Four>> four(in_lanes);
   const auto all = pack<double, Four::lanes>(std::span<const MechanismState<double>, Four::lanes>(states));
   four.solve(to_coordinates<F<Four>>(in_lanes, all, {}), all.t);
   for (int k = 0; k < Four::lanes; ++k) {
-    one.solve(to_coordinates<F<double>>(mechanism, states[k], {}), 0);
+    one.solve(to_coordinates<F<double>>(mechanism, states[k], {}), states[k].t);
     for (int b = 0; b < mechanism.nb(); ++b) {
       const double size = one.r_ddot(b).norm() + one.omega_bar_dot(b).norm();
       EXPECT_LE((lane_of(four.r_ddot(b), k) - one.r_ddot(b)).norm(), 1e-12 * size);
@@ -59,6 +60,11 @@ TEST(Batch, LanesAreTheStatesOneByOne) {
   expect_lanes_are_the_states<REpsilon>(scenes::chain(7));
   expect_lanes_are_the_states<ROmega>(scenes::ladder(3));
   expect_lanes_are_the_states<ROmega>(test::random_scene(8, {.bodies = 4, .closings = 1}));
+}
+
+TEST(Batch, EachLaneHasItsTime) {
+  expect_lanes_are_the_states<ROmega>(test::random_scene(8, {.bodies = 3, .closings = 1, .driven = true}),
+                                      0.1);
 }
 
 TEST(Batch, RefusesABranchOnWhichItsLanesDisagree) {
