@@ -71,24 +71,51 @@ Forest breadth_first(const Adjacency& graph) {
   return forest;
 }
 
-/// The edges of a shortest loop through an edge; none where there is none within `reach` nodes.
-std::vector<int> shortest_loop(const Adjacency& graph, int through, std::map<int, Incident>& back) {
-  constexpr std::size_t reach = 400;
-  const int from = graph.edge(through).i, to = graph.edge(through).j;
-  back.clear();
-  back[from] = {from, -1};
-  std::vector<int> queue{from};
-  for (std::size_t head = 0; head < queue.size() && queue.size() < reach; ++head)
-    for (const Incident& next : graph.at(queue[head])) {
-      if (next.edge == through || !graph.is_there(next.edge) || back.count(next.node)) continue;
-      back[next.node] = {queue[head], next.edge};
-      if (next.node == to) {
-        std::vector<int> loop{through};
-        for (int node = to; node != from; node = back[node].node) loop.push_back(back[node].edge);
-        return loop;
+/// The edges of a shortest loop through an edge, searched from both its ends, so that a body with many joints
+/// (the ground) is met and not searched through; none where that looks at more than `reach` edges.
+std::vector<int> shortest_loop(const Adjacency& graph, int through) {
+  constexpr std::size_t reach = 1000;
+  struct Reached {
+    Incident back;  ///< towards the end of the edge that it was reached from
+    int distance;
+  };
+  struct Side {
+    std::map<int, Reached> reached;
+    std::vector<int> front;
+    std::size_t edges;  ///< of the front
+  };
+  const auto side_from = [&](int node) {
+    return Side{{{node, {{node, -1}, 0}}}, {node}, graph.at(node).size()};
+  };
+  Side sides[2]{side_from(graph.edge(through).i), side_from(graph.edge(through).j)};
+  for (std::size_t seen = 0; !sides[0].front.empty() && !sides[1].front.empty();) {
+    const bool second = sides[1].edges < sides[0].edges;
+    Side &side = sides[second], &other = sides[!second];
+    seen += side.edges;
+    if (seen > reach) return {};
+    std::vector<int> front;
+    std::optional<int> meeting;
+    side.edges = 0;
+    for (int node : side.front)
+      for (const Incident& next : graph.at(node)) {
+        if (next.edge == through || !graph.is_there(next.edge)) continue;
+        const Reached here{{node, next.edge}, side.reached.at(node).distance + 1};
+        if (!side.reached.emplace(next.node, here).second) continue;
+        front.push_back(next.node);
+        side.edges += graph.at(next.node).size();
+        const auto met = other.reached.find(next.node);
+        if (met == other.reached.end()) continue;
+        if (!meeting || met->second.distance < other.reached.at(*meeting).distance) meeting = next.node;
       }
-      queue.push_back(next.node);
-    }
+    side.front = std::move(front);
+    if (!meeting) continue;
+    std::vector<int> loop{through};
+    for (const Side& part : sides)
+      for (Incident back = part.reached.at(*meeting).back; back.edge >= 0;
+           back = part.reached.at(back.node).back)
+        loop.push_back(back.edge);
+    return loop;
+  }
   return {};
 }
 
@@ -109,10 +136,9 @@ std::vector<int> open_loops(Adjacency& graph) {
   };
   std::vector<int> closing = closing_edges();
   if (closing.empty()) return removed;
-  std::map<int, Incident> scratch;
   std::vector<int> uses(graph.edges(), 0);
   for (int e = 0; e < graph.edges(); ++e)
-    for (int used : shortest_loop(graph, e, scratch)) ++uses[used];
+    for (int used : shortest_loop(graph, e)) ++uses[used];
   const auto is_better = [&](int a, int b) {
     return std::pair(graph.edge(a).size(), uses[a]) < std::pair(graph.edge(b).size(), uses[b]);
   };
@@ -120,7 +146,7 @@ std::vector<int> open_loops(Adjacency& graph) {
     bool progress = false;
     for (int e : closing) {
       if (!graph.is_there(e)) continue;
-      const std::vector<int> loop = shortest_loop(graph, e, scratch);
+      const std::vector<int> loop = shortest_loop(graph, e);
       if (loop.empty()) continue;
       const int opened = *std::min_element(loop.begin(), loop.end(), is_better);
       graph.remove(opened);
