@@ -69,7 +69,7 @@ TRIVIUM_INLINE Vector<S, n> transpose_times(const PaddedColumns<S, n>& M, const 
 
 template <class S>
 TRIVIUM_INLINE Padded<S> cross_product(const Padded<S>& a, const Padded<S>& b) {
-  if constexpr (padded_size<S> == 4) {
+  if constexpr (std::is_same_v<S, double> || std::is_same_v<S, float>) {
     using Register [[gnu::vector_size(4 * sizeof(S))]] = S;
     using Places [[gnu::vector_size(4 * sizeof(S))]] = std::conditional_t<sizeof(S) == 8, long long, int>;
     constexpr Places next{1, 2, 0, 3};
@@ -82,7 +82,7 @@ TRIVIUM_INLINE Padded<S> cross_product(const Padded<S>& a, const Padded<S>& b) {
     std::memcpy(product.data(), &turned, sizeof turned);
     return product;
   } else {
-    return a.cross(b);
+    return padded<S>(unpadded<S>(a).cross(unpadded<S>(b)));
   }
 }
 

@@ -54,21 +54,25 @@ struct REpsilon {
                                const Coordinates& q) {
     const auto& axis = chart.sequence.axis;
     const Vector3<S>& rate = q.epsilon_dot;
+    PaddedColumns<S, 3> R = PaddedColumns<S, 3>::Identity(), g;
+    for (int n = 0; n < 3; ++n) {
+      g.col(n) = R.col(axis[n]);
+      turn<S>(R, axis[n], q.epsilon[n]);
+    }
+    const PaddedColumns<S, 3> A = times<S, 3>(R, chart.C), A_T = transposed<S>(A);
+    // each axis is carried by the turns before it
+    const Padded<S> first = rate[0] * g.col(0), second = first + rate[1] * g.col(1);
+    const Padded<S> g_dot_rates =
+        rate[1] * cross_product<S>(first, g.col(1)) + rate[2] * cross_product<S>(second, g.col(2));
     Kinematics k;
     k.r = r;
     k.r_dot = r_dot;
-    PaddedColumns<S, 3> R = PaddedColumns<S, 3>::Identity();
-    for (int n = 0; n < 3; ++n) {
-      k.g.col(n) = unpadded<S>(R.col(axis[n]));
-      turn<S>(R, axis[n], q.epsilon[n]);
-    }
-    k.A = times<S, 3>(R, chart.C).template topRows<3>();
-    // each axis is carried by the turns before it
-    const Vector3<S> first = rate[0] * k.g.col(0), second = first + rate[1] * k.g.col(1);
-    k.omega = second + rate[2] * k.g.col(2);
-    k.g_dot_rates = rate[1] * first.cross(k.g.col(1)) + rate[2] * second.cross(k.g.col(2));
-    k.D = k.A.transpose() * k.g;
-    k.D_dot_rates = k.A.transpose() * k.g_dot_rates;
+    k.A = A.template topRows<3>();
+    k.g = g.template topRows<3>();
+    k.omega = unpadded<S>(second + rate[2] * g.col(2));
+    k.g_dot_rates = unpadded<S>(g_dot_rates);
+    k.D = times<S, 3>(A_T, g).template topRows<3>();
+    k.D_dot_rates = unpadded<S>(times<S, 3>(A_T, g_dot_rates));
     k.omega_bar = k.D * rate;
     return k;
   }
