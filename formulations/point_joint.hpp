@@ -83,9 +83,12 @@ class PointJoint {
 
     int index_of(const Vector3<S>& vector) {
       int k = 0;
-      while (k < size && a_bar[k] != vector) ++k;
+      while (k < size && !are_same(a_bar[k], vector)) ++k;
       if (k == size) a_bar[size++] = vector;
       return k;
+    }
+    static bool are_same(const Vector3<S>& a, const Vector3<S>& b) {
+      return all(a[0] == b[0]) && all(a[1] == b[1]) && all(a[2] == b[2]);
     }
   };
   struct Moved {
