@@ -3,19 +3,20 @@
 /// rows eliminated in closed form, assembled joint by joint and solved along the body-joint graph. One object
 /// per mechanism, planned once; solving again at another state allocates nothing.
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "formulations/equations_of_motion.hpp"
 #include "formulations/graph_solver.hpp"
 #include "formulations/point_joint.hpp"
+#include "formulations/unmet_rows.hpp"
 
 namespace trivium {
 
@@ -52,18 +53,22 @@ class AccelerationSolver {
     for (int b = 0; b < mechanism.nb(); ++b) matrix_.H[b].rr.diagonal().setConstant(mechanism.bodies[b].mass);
     plan_assembly();
   }
+  AccelerationSolver(const AccelerationSolver&) = delete;  // its solver knows where its matrix is
 
   /// Solves at a state. Throws a ModelError that names the body where a link is singular, and the row where
   /// redundant rows contradict each other; all answers are NaN then.
   void solve(std::span<const BodyState<F>> state, const S& t, Refinement refinement = Refinement::once) {
     try {
+      rows_are_settled_ = false;
+      t_ = t;
+      refinement_ = refinement;
       move_bodies(state, t);
       assemble_closings(t);
       solver_.start(matrix_, right_side_);
       eliminate(t);
       solver_.substitute(solution_);
       if (refinement == Refinement::once) refine();
-      check_dropped_rows(t);
+      meet_left_out_rows(t);
     } catch (...) {
       forget();
       throw;
@@ -72,7 +77,8 @@ class AccelerationSolver {
 
   /// One step of iterative refinement.
   void refine() {
-    solver_.correct(matrix_, right_side_, solution_, defect_, step_);
+    refinement_ = Refinement::once;
+    solver_.correct(matrix_, right_side_, solution_, step_, step_);
     measure_and_add_step();
   }
 
@@ -92,7 +98,10 @@ class AccelerationSolver {
     for_each_row([&](int edge, int k, int row) { all[row] = solution_.edge[edge][k]; });
     return all;
   }
-  std::vector<int> dropped_rows() const {
+  /// Which rows depend on others is settled here where the solution left it open; multipliers of rows that do
+  /// not may then change from 0, within what rounding leaves of them.
+  std::vector<int> dropped_rows() {
+    settle_rows();
     std::vector<int> rows;
     for_each_row([&](int edge, int k, int row) {
       if (solver_.is_dropped(edge, k)) rows.push_back(row);
@@ -100,7 +109,7 @@ class AccelerationSolver {
     std::sort(rows.begin(), rows.end());
     return rows;
   }
-  int rank() const { return mechanism_.nc() - static_cast<int>(dropped_rows().size()); }
+  int rank() { return mechanism_.nc() - static_cast<int>(dropped_rows().size()); }
 
   // on demand, one solve per dropped row; not for the timed path
 
@@ -165,27 +174,25 @@ class AccelerationSolver {
     }
   }
 
-  /// Rows that were left out are combinations of the others: their right sides must be the same combinations.
-  void check_dropped_rows(const S& t) {
-    using std::sqrt;
+  /// Rows that were left out are combinations of the others, so that their right sides must be the same
+  /// combinations; or they are none, and are solved for then.
+  void meet_left_out_rows(const S& t) {
     if (ranked_.empty()) return;
-    const S tolerance = larger(S(1e-6), S(3 * sqrt(solver_.dependence())));
-    const S rounding = larger(S(1e-6 * tolerance), S(100 * unit_roundoff<S>()));
-    const auto size_here = [&](int b) { return size_of(solution_.body[b]); };
-    if (!unmet_row(solution_, rounding, size_here)) return;
-    // forces in balance leave accelerations that are rounding, beside what the forces could cause
-    Size whole, turning;
-    for (int b = 0; b < mechanism_.nb(); ++b)  // with levers, what gamma is made of
-      turning.take({S(0), turning_[b].omega.squaredNorm()});
-    whole = turning;
+    const auto size_here = [&](int b) { return size_of_causes(b); };
+    // what refinement leaves of rows that depend on others stays below
+    const S rounding = S(8 * unit_roundoff<S>());
+    if (!solver_.has_thin_rows() && !find_unmet_row(solution_, rounding, S(0), size_here)) return;
+    settle_rows();
+    // least: what velocities of rounding size leave
+    const S tolerance = larger(S(1e-6), S(30 * direction_tolerance<S>())), least = S(1e-12);
+    if (!find_unmet_row(solution_, S(1e-3 * tolerance), least, size_here)) return;
+    PartSize<S> whole, turning;
     for (int b = 0; b < mechanism_.nb(); ++b) {
-      const BodyPart<S>& force = right_side_.body[b];
-      const S moments = matrix_.H[b].xx.diagonal().sum();
-      const Size of_force = size_of(force);
-      whole.take(size_here(b));
-      whole.take({of_force.r / mechanism_.bodies[b].mass, moments > S(0) ? S(of_force.x / moments) : S(0)});
+      whole.take(size_of_causes(b));
+      turning.take(size_of_turning(b));
     }
-    if (const auto row = unmet_row(solution_, tolerance, [&](int) { return whole; })) throw_unmet(*row, t);
+    if (const auto row = find_unmet_row(solution_, tolerance, least, [&](int) { return whole; }))
+      throw_unmet(*row, t);
     // how much of it is rounding of the forces shows without them
     for (BodyPart<S>& force : right_side_.body) force = {};
     solver_.solve(right_side_, step_);
@@ -194,63 +201,55 @@ class AccelerationSolver {
     for (int b = 0; b < mechanism_.nb(); ++b) {
       step_.body[b] += defect_.body[b];
       push_body(b);
-      whole.take(size_of(step_.body[b]));
+      whole.take(PartSize<S>::of(step_.body[b]));
     }
-    if (const auto row = unmet_row(step_, tolerance, [&](int) { return whole; })) throw_unmet(*row, t);
+    if (const auto row = find_unmet_row(step_, tolerance, least, [&](int) { return whole; }))
+      throw_unmet(*row, t);
   }
-  /// The largest number of each part.
-  struct Size {
-    S r{0}, x{0};
-    void take(const Size& other) {
-      r = larger(r, other.r);
-      x = larger(x, other.x);
-    }
-  };
-  static Size size_of(const BodyPart<S>& part) {
-    using std::abs;
-    Size size;
-    for (int k = 0; k < 3; ++k) size.take({S(abs(part.r[k])), S(abs(part.x[k]))});
+  template <class SizeOfBody>
+  std::optional<EdgeRow> find_unmet_row(const GraphVector<S>& solution, const S& tolerance, const S& least,
+                                        const SizeOfBody& size_of_body) const {
+    return trivium::find_unmet_row<S>(solver_, ranked_, matrix_, right_side_, solution, tolerance, least,
+                                      size_of_body);
+  }
+  /// Of a body's accelerations, and of what its forces and its turning could cause: forces in balance leave
+  /// accelerations that are rounding.
+  PartSize<S> size_of_causes(int b) const {
+    const S moments = matrix_.H[b].xx.diagonal().sum();
+    const auto force = PartSize<S>::of(right_side_.body[b]);
+    auto size = PartSize<S>::of(solution_.body[b]);
+    size.take({S(force.r / mechanism_.bodies[b].mass), select(moments > S(0), S(force.x / moments), S(0))});
+    size.take(size_of_turning(b));
     return size;
   }
-  struct Row {
-    int edge, k;
-  };
-  /// The first row that was left out and that the solution misses by more than this share of what it is made
-  /// of: gamma, and accelerations of a size by body. What velocities of rounding size leave, below 1e-12, is
-  /// none.
-  template <class SizeOf>
-  std::optional<Row> unmet_row(const GraphVector<S>& solution, const S& tolerance,
-                               const SizeOf& size_of_body) const {
-    using std::abs;
-    for (const int e : ranked_) {
-      const GraphEdge& edge = solver_.plan().graph.edges[e];
-      const EdgeRows<S>& rows = matrix_.rows[solver_.plan().rows_slot[e]];
-      for (int k = 0; k < edge.size(); ++k) {
-        if (!solver_.is_dropped(e, k)) continue;
-        S missing = right_side_.edge[e][k], made_of = abs(missing);
-        const auto take = [&](const BodyColumns<S>& C, int b) {
-          if (b == mechanism_.ground()) return;
-          const BodyPart<S>& a = solution.body[b];
-          const Size size = size_of_body(b);
-          missing -= C.r.col(k).dot(a.r) + C.x.col(k).dot(a.x);
-          made_of += C.r.col(k).cwiseAbs().sum() * size.r + C.x.col(k).cwiseAbs().sum() * size.x;
-        };
-        take(rows.C_i, edge.i);
-        take(rows.C_j, edge.j);
-        if (!(abs(missing) <= tolerance * made_of + S(1e-12))) return Row{e, k};
-      }
+  /// With levers, what gamma is made of.
+  PartSize<S> size_of_turning(int b) const { return {S(0), turning_[b].omega.squaredNorm()}; }
+  /// Tells rows that depend on others from those that nearly do, and solves for these as well; once a state.
+  void settle_rows() {
+    if (std::exchange(rows_are_settled_, true)) return;
+    try {
+      if (!solver_.reinstate_rows()) return;
+    } catch (const NearlyDependentRows& e) {
+      throw ModelError(fmt::format(
+          "row \"{}\" at t = {}: it is one of more than {} that depend on others nearly, but not quite, as "
+          "where positions miss their constraints by a little: assemble them first, or solve the printed "
+          "system",
+          row_name(e.first_too_many), static_cast<double>(t_), solver_.most_reinstated));
     }
-    return {};
+    solver_.solve(right_side_, solution_);
+    if (refinement_ == Refinement::once) refine();
   }
-  [[noreturn]] void throw_unmet(const Row& row, const S& t) const {
+  const std::string& row_name(const EdgeRow& row) const {
+    return mechanism_.row_names[solver_.plan().graph.edges[row.edge].rows[row.k]];
+  }
+  [[noreturn]] void throw_unmet(const EdgeRow& row, const S& t) const {
     require_numbers(t);
-    const int k = solver_.plan().graph.edges[row.edge].rows[row.k];
-    throw ModelError(fmt::format(
-        "row \"{}\" at t = {}: it depends on other rows, to the precision of this Scalar, and asks for "
-        "another "
-        "acceleration than they do. Either none satisfies all: remove a row, or make their functions of time "
-        "agree; or the masses lie too far apart to tell: take a wider Scalar, or solve the printed system",
-        mechanism_.row_names[k], static_cast<double>(t)));
+    throw ModelError(
+        fmt::format("row \"{}\" at t = {}: it depends on other rows and asks for another acceleration than "
+                    "they do. Either none satisfies all: remove a row, or make their functions of time "
+                    "agree; or what is left of it beside them is rounding: take a wider Scalar, or solve the "
+                    "printed system",
+                    row_name(row), static_cast<double>(t)));
   }
   /// Throws a ModelError that names the body whose state is not a number.
   void require_numbers(const S& t) const {
@@ -373,7 +372,10 @@ class AccelerationSolver {
     };
     const double forces = ratio(lambda_moved.force, lambda_size.force),
                  moments = ratio(lambda_moved.moment, lambda_size.moment);
-    corrections_ = {ratio(moved, size), std::isnan(moments) ? moments : std::max(forces, moments)};
+    // beside nothing, all is correction
+    const auto share = [](double x) { return x > 1 ? 1.0 : x; };
+    corrections_ = {share(ratio(moved, size)),
+                    share(std::isnan(moments) ? moments : std::max(forces, moments))};
   }
 
   /// Sums of squares of what single multipliers do to a body.
@@ -420,101 +422,13 @@ class AccelerationSolver {
   std::vector<ClosingJoint> closings_;
   std::vector<int> others_;  ///< edges that are not point joints
   std::vector<int> ranked_;  ///< edges whose rows may be left out: all but the point joints of the tree
+  // of the last state
+  S t_{0};
+  Refinement refinement_ = Refinement::once;
+  bool rows_are_settled_ = false;  ///< those left out all depend on others
   Corrections corrections_;
 };
 
-template <Formulation F>
-MatrixX<typename F::Scalar> AccelerationSolver<F>::idle_combinations() {
-  const std::vector<int> dropped = dropped_rows();
-  MatrixX<S> N = MatrixX<S>::Zero(mechanism_.nc(), static_cast<Eigen::Index>(dropped.size()));
-  const auto& edges = solver_.plan().graph.edges;
-  GraphVector<S> unit(solver_.plan().graph), combination(unit);
-  for_each_row([&](int edge, int k, int row) {
-    if (!solver_.is_dropped(edge, k)) return;
-    const auto n = std::lower_bound(dropped.begin(), dropped.end(), row) - dropped.begin();
-    // what the row does to its bodies, done by the others
-    std::fill(unit.body.begin(), unit.body.end(), BodyPart<S>{});
-    const EdgeRows<S>& rows = matrix_.rows[solver_.plan().rows_slot[edge]];
-    unit.body[edges[edge].i] += BodyPart<S>{-rows.C_i.r.col(k), -rows.C_i.x.col(k)};
-    unit.body[edges[edge].j] += BodyPart<S>{-rows.C_j.r.col(k), -rows.C_j.x.col(k)};
-    solver_.solve(unit, combination);
-    for_each_row([&](int other, int m, int other_row) { N(other_row, n) = combination.edge[other][m]; });
-    N(row, n) = S(1);
-  });
-  return N;
-}
-
-template <Formulation F>
-template <class Norm2>
-VectorX<typename F::Scalar> AccelerationSolver<F>::row_sizes(const Norm2& norm2) const {
-  const EliminationPlan& plan = solver_.plan();
-  VectorX<S> E2 = VectorX<S>::Zero(mechanism_.nc());
-  const auto add = [&](int body, int row, const Padded<S>& r, const Padded<S>& x) {
-    if (body != plan.graph.bodies) E2[row] += norm2(body, unpadded<S>(r), unpadded<S>(x));
-  };
-  for (const LinkJoint& joint : links_) {
-    const EliminationPlan::Link& link = plan.links[joint.link];
-    const PointRows<S>& rows = matrix_.point[joint.link];
-    const std::vector<int>& row = plan.graph.edges[joint.edge].rows;
-    for (int k = 0; k < static_cast<int>(row.size()); ++k) {
-      const bool is_point = k < 3;
-      const Padded<S> r = is_point ? padded<S>(Vector3<S>::Unit(k)) : Padded<S>(Padded<S>::Zero());
-      add(link.body, row[k], r, is_point ? rows.L_child.col(k) : rows.W_child.col(k - 3));
-      add(link.parent, row[k], r, is_point ? rows.L_parent.col(k) : rows.W_parent.col(k - 3));
-    }
-  }
-  for (std::size_t e = 0; e < plan.graph.edges.size(); ++e) {
-    if (plan.rows_slot[e] < 0) continue;
-    const GraphEdge& edge = plan.graph.edges[e];
-    const EdgeRows<S>& rows = matrix_.rows[plan.rows_slot[e]];
-    for (int k = 0; k < edge.size(); ++k) {
-      add(edge.i, edge.rows[k], rows.C_i.r.col(k), rows.C_i.x.col(k));
-      add(edge.j, edge.rows[k], rows.C_j.r.col(k), rows.C_j.x.col(k));
-    }
-  }
-  return E2;
-}
-
-template <Formulation F>
-std::vector<bool> AccelerationSolver<F>::unique() {
-  std::vector<bool> flags(mechanism_.nc(), true);
-  const MatrixX<S> N = idle_combinations();
-  if (N.cols() == 0) return flags;
-  // a combination is judged row by row by what each could do to its bodies
-  const VectorX<S> E2 = row_sizes([&](int b, const Vector3<S>& r, const Vector3<S>& x) {
-    const S moments = matrix_.H[b].xx(0, 0) + matrix_.H[b].xx(1, 1) + matrix_.H[b].xx(2, 2);
-    const S by_moment = moments > S(0) ? S(x.squaredNorm() / moments) : S(0);
-    return S(r.squaredNorm() / mechanism_.bodies[b].mass + by_moment);
-  });
-  for (Eigen::Index n = 0; n < N.cols(); ++n) {
-    S largest(0);
-    for (int row = 0; row < mechanism_.nc(); ++row) {
-      const S size = N(row, n) * N(row, n) * E2[row];
-      largest = select(size > largest, size, largest);
-    }
-    for (int row = 0; row < mechanism_.nc(); ++row)
-      if (N(row, n) * N(row, n) * E2[row] > S(1e-12) * largest) flags[row] = false;
-  }
-  return flags;
-}
-
-template <Formulation F>
-VectorX<typename F::Scalar> AccelerationSolver<F>::minimum_norm_lambda() {
-  VectorX<S> all = lambda();
-  const MatrixX<S> N = idle_combinations();
-  if (N.cols() == 0) return all;
-  const VectorX<S> E2 = row_sizes([&](int b, const Vector3<S>& r, const Vector3<S>& x) {
-    const Matrix3<S> J = matrix_.H[b].xx.template topRows<3>();
-    const S moments = J.trace() / 3;
-    if (!(J.determinant() > unit_roundoff<S>() * moments * moments * moments))
-      throw ModelError(
-          fmt::format("body \"{}\" has no inertia about an axis, so that its share in E is not "
-                      "defined: ask the printed system for the minimum norm",
-                      mechanism_.body_names[b]));
-    return S(r.squaredNorm() / mechanism_.bodies[b].mass + x.dot(J.inverse() * x));
-  });
-  const MatrixX<S> gram = N.transpose() * E2.asDiagonal() * N;
-  return all - N * gram.ldlt().solve(N.transpose() * E2.cwiseProduct(all));
-}
-
 }  // namespace trivium
+
+#include "formulations/unique_multipliers_impl.hpp"

@@ -35,7 +35,7 @@ bool turns(const GraphJoint& driver, const GraphJoint& revolute) {
 BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joints) {
   BodyJointGraph graph;
   graph.bodies = bodies;
-  std::map<std::pair<int, int>, int> basic_edge;
+  std::map<std::pair<int, int>, int> basic_edge, point_edge;
   std::map<std::pair<int, int>, std::pair<int, const GraphJoint*>> revolute_edge;
   const auto add_edge = [&](const BodyPair& pair, bool is_point) {
     graph.edges.push_back({pair, {}, is_point, true});
@@ -59,6 +59,7 @@ BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joint
     } else {
       const bool is_point = holds_a_point(joint.type);
       const int edge = add_edge(joint, is_point);
+      if (is_point) point_edge.emplace(pair, edge);
       if (joint.type == ConstraintType::revolute) revolute_edge.emplace(pair, std::pair(edge, &joint));
       take_rows(edge, joint);
     }
@@ -70,6 +71,18 @@ BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joint
                        turns(*driver, *found->second.second);
     take_rows(joins ? found->second.first : add_edge(*driver, false), *driver);
   }
+  // basic rows may hold what a point joint beside them leaves without inertia
+  for (const auto& [pair, basic] : basic_edge) {
+    const auto found = point_edge.find(pair);
+    if (found == point_edge.end()) continue;
+    GraphEdge &joint = graph.edges[found->second], &rows = graph.edges[basic];
+    if (joint.size() + rows.size() > GraphEdge::most_rows) continue;
+    joint.rows.insert(joint.rows.end(), rows.rows.begin(), rows.rows.end());
+    joint.is_point = false;
+    joint.is_relative = rows.is_relative;
+    rows.rows.clear();
+  }
+  std::erase_if(graph.edges, [](const GraphEdge& edge) { return edge.rows.empty(); });
   return graph;
 }
 

@@ -37,7 +37,8 @@ struct GraphJoint : BodyPair {
 };
 
 /// A joint is an edge; a rotation_driver joins the edge of the revolute whose axis it turns; up to six basic
-/// constraints between the same two bodies are one edge.
+/// constraints between the same two bodies are one edge, with the point joint beside them where that leaves
+/// six rows at most.
 BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joints);
 
 template <class Scalar>

@@ -13,8 +13,8 @@ namespace trivium {
 template <class S>
 class GeneralLink {
  public:
-  /// Rows that depend on the ones before them have multiplier 0 and are marked in `dropped`; binds_the_parent
-  /// where such a row would still bind the parent's own motion.
+  /// Rows that on this body depend on the ones before them, or nearly so, have multiplier 0 and are marked in
+  /// `dropped`.
   Elimination factor(const BodyBlock<S>& block, const LinkRows<S>& link, BodyBlock<S>* parent,
                      std::array<bool, 6>& dropped) {
     Matrix6<S> M;
@@ -22,10 +22,10 @@ class GeneralLink {
     M.template topRightCorner<3, 3>() = block.rx.template topRows<3>();
     M.template bottomLeftCorner<3, 3>() = block.rx.template topRows<3>().transpose();
     M.template bottomRightCorner<3, 3>() = block.xx.template topRows<3>();
-    if (!solve_rows(M, link, parent != nullptr, dropped)) return Elimination::binds_the_parent;
+    solve_rows(M, link, dropped);
     const Vector6<S> size = M.diagonal();
     // what is rounding beside the other moments has no size
-    const S least = S(1e-8) * size.template tail<3>().maxCoeff();
+    const S least = S(1e-8) * largest_of(size.template tail<3>());
     for (int k = 0; k < 6; ++k)
       inverse_size_[k] = select(size[k] > (k < 3 ? S(0) : least), S(1 / size[k]), S(0));
     U_ = M * H_;
@@ -38,6 +38,9 @@ class GeneralLink {
     parent->xx.template topRows<3>() += left.template bottomRightCorner<3, 3>();
     return Elimination::done;
   }
+
+  /// Whether more than rounding is left of a row that was left out.
+  bool left_thin_rows() const { return left_thin_rows_; }
 
   void factor(const BodyColumns<S>& columns, int n, const LinkRows<S>&, LinkColumn<S>& out,
               ColumnSizes<S>& size, BodyColumns<S>* parent) const {
@@ -103,10 +106,19 @@ class GeneralLink {
     return BodyPart<S>{c.rest_r.col(k), c.rest_x.col(k)}.six();
   }
 
+  /// Lane by lane, unlike Eigen's own.
+  static S largest_of(const Vector3<S>& v) { return larger(larger(v[0], v[1]), v[2]); }
+
+  /// The share of a row beside those before it up to which it is left out: what it does to the parent is the
+  /// square of its inverse, which above this leaves the parent's other motions half of their digits.
+  static S thin_row() {
+    using std::sqrt;
+    return sqrt(sqrt(larger(unit_roundoff<S>(), S(1e-32))));
+  }
+
   /// Gauss-Jordan on [Phi | P | I] with the largest pivot, columns weighed by the body's own inertia: a
   /// motion without inertia is solved for first.
-  bool solve_rows(const Matrix6<S>& M, const LinkRows<S>& link, bool has_parent,
-                  std::array<bool, 6>& dropped) {
+  void solve_rows(const Matrix6<S>& M, const LinkRows<S>& link, std::array<bool, 6>& dropped) {
     using std::abs, std::sqrt;
     const int rows = link.count;
     const Matrix6<S> C = link.C.six(), C_parent = link.C_parent.six();
@@ -114,8 +126,14 @@ class GeneralLink {
     G.template leftCols<6>() = C.transpose();
     G.template middleCols<6>(6) = C_parent.transpose();
     G.template rightCols<6>().setIdentity();
-    const S masses = M.template topLeftCorner<3, 3>().diagonal().maxCoeff();
-    const S moments = M.template bottomRightCorner<3, 3>().diagonal().maxCoeff();
+    // a moment far below the mass at the rows' own levers would make roundings look like rows
+    S lever2(0);
+    for (int k = 0; k < rows; ++k) {
+      const S r2 = link.C.r.col(k).squaredNorm(), x2 = link.C.x.col(k).squaredNorm();
+      lever2 = larger(lever2, select(r2 > S(0), S(x2 / r2), S(0)));
+    }
+    const S masses = largest_of(M.diagonal().template head<3>());
+    const S moments = larger(largest_of(M.diagonal().template tail<3>()), S(masses * lever2));
     Vector6<S> weight;
     for (int k = 0; k < 6; ++k) {
       const S& largest = k < 3 ? masses : moments;
@@ -124,12 +142,11 @@ class GeneralLink {
     }
     // rows are judged against what they are made of
     Matrix6<S> made_of = C.transpose().cwiseAbs();
-    Vector6<S> parent_size = C_parent.cwiseAbs().colwise().maxCoeff().transpose();
     std::array<int, 6> pivot_of_row;
     std::array<bool, 6> is_basic{};
-    const S tolerance = direction_tolerance<S>();
+    const S tolerance = thin_row();
     dropped.fill(false);
-    bool good = true;
+    left_thin_rows_ = false;
     // row by row, so that the row left out is the one that depends on those before it
     for (int r = 0; r < rows; ++r) {
       int best = -1;
@@ -147,8 +164,7 @@ class GeneralLink {
       const S least_pull = tolerance * size;
       dropped[r] = best < 0 || largest <= least_pull;
       if (dropped[r]) {
-        for (int k = 0; k < 6 && has_parent; ++k)
-          good = good && abs(G(r, 6 + k)) <= tolerance * parent_size[r];
+        left_thin_rows_ = left_thin_rows_ || any(largest > S(100 * unit_roundoff<S>()) * size);
         G.row(r).setZero();
         continue;
       }
@@ -158,13 +174,11 @@ class GeneralLink {
       const S inverse = 1 / G(r, best);
       G.row(r) *= inverse;
       made_of.row(r) *= abs(inverse);
-      parent_size[r] *= abs(inverse);
       for (int other = 0; other < rows; ++other) {
         if (other == r || (other < r && dropped[other])) continue;
         const S factor = G(other, best);
         G.row(other) -= factor * G.row(r);
         made_of.row(other) += abs(factor) * made_of.row(r);
-        parent_size[other] += abs(factor) * parent_size[r];
       }
     }
     Y_.setZero();
@@ -184,7 +198,6 @@ class GeneralLink {
         if (!dropped[r]) H_(pivot_of_row[r], n) = -G(r, k);
       ++n;
     }
-    return good;
   }
 
   /// D^-1 by L D L^T; false where a pivot is the rounding of what the diagonal is made of.
@@ -212,6 +225,7 @@ class GeneralLink {
     return good;
   }
 
+  bool left_thin_rows_ = false;
   Matrix6<S> Y_, V_, rest_;
   Vector6<S> inverse_size_;  ///< of the block's diagonal; 0 where that is
   Motion H_, U_;

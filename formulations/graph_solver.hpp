@@ -3,7 +3,11 @@
 /// plan, no allocation and no search. Cost and memory are linear in the bodies of a tree, and wherever loops
 /// are short.
 
+#include <algorithm>
 #include <array>
+#include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -17,8 +21,7 @@
 namespace trivium {
 
 /// A body that cannot be eliminated with its link: the joint to its parent leaves a motion without inertia
-/// free, has dependent rows of orientation, or binds the parent's absolute motion. The system may still be
-/// regular.
+/// free, or has dependent rows of orientation. The system may still be regular.
 class SingularLink : public ModelError {
  public:
   SingularLink(int body, const std::string& why) : ModelError(why), body_(body) {}
@@ -28,20 +31,35 @@ class SingularLink : public ModelError {
   int body_;
 };
 
+/// Row k of an edge.
+struct EdgeRow {
+  int edge, k;
+};
+
+/// More rows than can be told apart one by one depend on others nearly, but not quite.
+class NearlyDependentRows : public ModelError {
+ public:
+  explicit NearlyDependentRows(const EdgeRow& first)
+      : ModelError("too many rows depend on others nearly, but not quite"), first_too_many(first) {}
+  const EdgeRow first_too_many;
+};
+
 template <class S>
 class GraphSolver {
  public:
   explicit GraphSolver(EliminationPlan plan);
+  ~GraphSolver();
 
   const EliminationPlan& plan() const { return plan_; }
 
   int steps() const { return static_cast<int>(plan_.steps.size()); }
 
-  /// Throws SingularLink.
+  /// Rows left out are reinstated where more than rounding is left of some, or a joint of the tree has any.
+  /// Throws SingularLink and NearlyDependentRows.
   void factor(const GraphMatrix<S>& matrix);
 
-  /// The solution for a right side. Rows that depend on others have multiplier 0; what their right sides say
-  /// is not asked.
+  /// The solution for a right side. Rows that were left out have multiplier 0; what their right sides say is
+  /// not asked.
   void solve(const GraphVector<S>& right_side, GraphVector<S>& solution);
 
   // factor and solve at once: start, every step in turn, substitute. Before its step, a link's own rows may
@@ -52,11 +70,21 @@ class GraphSolver {
   void eliminate(int step, const GraphVector<S>& right_side);
   void substitute(GraphVector<S>& solution);
 
-  /// Whether row k of an edge was left out because it depends on others.
+  /// Whether row k of an edge was left out.
   bool is_dropped(int edge, int k) const { return dropped_[edge][k]; }
-  /// A row of a loop is left out where the square of its sine to the others, in the metric of H, is at most
-  /// this.
-  static S dependence() { return larger(S(1000 * unit_roundoff<S>()), S(1e-16)); }
+  /// The elimination sees squares of sines between rows, and leaves out every row that may depend on others
+  /// to rounding. Here those of which more than direction_tolerance is left beside the others, in shifts and
+  /// turns, are found and bordered to the factors: they count from then on. Returns whether there are any.
+  /// Costs as much as the factors and a solution where there is none, and some solutions more times the
+  /// logarithm of the rows left out for each; room is allocated at the first call and where they are more
+  /// than ever before. Throws NearlyDependentRows beyond most_reinstated.
+  bool reinstate_rows();
+  /// The square of the lever by which turns of a body compare with shifts: known after reinstate_rows where
+  /// rows were left out.
+  S lever2(int body) const;
+  /// Whether rows were left out of which, as far as the elimination sees it, more than rounding is left.
+  bool has_thin_rows() const { return has_thin_rows_; }
+  static constexpr int most_reinstated = 100;
 
   /// One step of iterative refinement: what `solution` still needs, into `correction`. What it leaves of the
   /// right side is formed in `defect` link by link, just before it is passed on; the two may be one object.
@@ -77,7 +105,21 @@ class GraphSolver {
     int index;         ///< among the links of its kind
     int first_column;  ///< in link_column_
     int rows;
+    int edge;
   };
+  /// A row bordered to the factors: its response is the solution, by the rows before it, to a force of -1
+  /// along it and its own multiplier 1.
+  struct Border {
+    EdgeRow row;
+    S stiffness;  ///< by how much the response moves along the row
+    GraphVector<S> response;
+    S gamma;  ///< the right side at hand
+  };
+  /// A force along rows, the response to it, and what a refinement would still change there.
+  struct Probe {
+    GraphVector<S> load, response, rest;
+  };
+  class Geometry;
   struct ClosingFactor {
     Matrix6<S> L;         ///< unit lower triangle of its pivoted block; columns of dropped rows are zero
     Vector6<S> inverse;   ///< of the pivots; 0 for dropped rows
@@ -109,7 +151,28 @@ class GraphSolver {
   void forward_closing(int c, std::vector<BodyPart<S>>& carried);
   void backward_closing(int c, GraphVector<S>& solution);
   void backward_link(int index, GraphVector<S>& solution);
+
+  /// Substitutes, and meets the rows that are bordered.
+  void finish(const GraphVector<S>& right_side, GraphVector<S>& solution);
+  static bool is_any(const std::array<bool, 6>& rows) {
+    return std::any_of(rows.begin(), rows.end(), [](bool row) { return row; });
+  }
+  /// False, and nothing done, where what is left of the row is rounding.
+  bool border(const EdgeRow& row);
+  Probe& cleared_probe();
+  void refine(Probe& probe);
+  /// A row on its edge's bodies i and j; zero on the ground.
+  std::array<BodyPart<S>, 2> on_bodies(const EdgeRow& row) const;
+  void add_row(const EdgeRow& row, const S& weight, GraphVector<S>& force) const;
+  /// a^T H a.
+  S energy(const GraphVector<S>& a) const;
   [[noreturn]] static void throw_singular(const EliminationPlan::Link& link, Elimination result);
+
+  /// The pivot, as a share of what it was before other rows went, up to which a row is left out. Above it one
+  /// refinement makes up for the pivot's own rounding; and no row that misplaced points alone make
+  /// independent comes near it, unless its motion has next to no inertia.
+  const S doubtful_pivot_;
+  bool has_thin_rows_ = false;
 
   EliminationPlan plan_;
   std::vector<Place> place_;
@@ -123,6 +186,13 @@ class GraphSolver {
   std::vector<ClosingFactor> closing_;
   std::vector<BodyPart<S>> carried_;
   std::vector<std::array<bool, 6>> dropped_;
+  // rows told apart
+  std::vector<Border> borders_;  ///< the first `bordered_`
+  int bordered_ = 0;
+  std::vector<EdgeRow> left_out_;
+  // made when first needed
+  std::optional<Probe> probe_;
+  std::unique_ptr<Geometry> geometry_;
   BodyColumns<S> no_columns_;
   // the rows of a body that hangs on nothing
   const Vector6<S> none_ = Vector6<S>::Zero();

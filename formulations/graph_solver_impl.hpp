@@ -2,14 +2,17 @@
 /// The one definition behind the GraphSolver instantiations, for those of a Scalar that has none.
 
 #include <algorithm>
+#include <cmath>
 
 #include "formulations/graph_solver.hpp"
+#include "formulations/left_out_rows_impl.hpp"
 
 namespace trivium {
 
 template <class S>
 GraphSolver<S>::GraphSolver(EliminationPlan plan)
-    : plan_(std::move(plan)),
+    : doubtful_pivot_(larger(S(1000 * unit_roundoff<S>()), S(1e-8))),
+      plan_(std::move(plan)),
       block_(plan_.graph.bodies),
       column_(plan_.column_slots),
       coupling_(plan_.coupling_slots),
@@ -21,7 +24,7 @@ GraphSolver<S>::GraphSolver(EliminationPlan plan)
   for (const EliminationPlan::Link& link : plan_.links) {
     const int kind = plan_.is_point_link(link) ? plan_.graph.edges[link.edge].size() - 3 : general;
     place_.push_back(
-        {kind, count[kind]++, columns, link.edge >= 0 ? plan_.graph.edges[link.edge].size() : 0});
+        {kind, count[kind]++, columns, link.edge >= 0 ? plan_.graph.edges[link.edge].size() : 0, link.edge});
     columns += static_cast<int>(link.columns.size());
   }
   link_column_.resize(columns);
@@ -31,6 +34,9 @@ GraphSolver<S>::GraphSolver(EliminationPlan plan)
   std::get<3>(links_).resize(count[3]);
   std::get<4>(links_).resize(count[4]);
 }
+
+template <class S>
+GraphSolver<S>::~GraphSolver() = default;
 
 template <class S>
 template <class Visit>
@@ -63,13 +69,17 @@ template <class S>
 void GraphSolver<S>::factor(const GraphMatrix<S>& matrix) {
   start_factors(matrix);
   for (const EliminationPlan::Step& step : plan_.steps) factor_step(step);
+  const auto leaves_out = [&](const Place& place) {
+    return place.kind == general && place.edge >= 0 && is_any(dropped_[place.edge]);
+  };
+  if (has_thin_rows_ || std::any_of(place_.begin(), place_.end(), leaves_out)) reinstate_rows();
 }
 
 template <class S>
 void GraphSolver<S>::solve(const GraphVector<S>& right_side, GraphVector<S>& solution) {
   start_solution(right_side);
   for (const EliminationPlan::Step& step : plan_.steps) forward_step(step, right_side);
-  substitute(solution);
+  finish(right_side, solution);
 }
 
 template <class S>
@@ -111,7 +121,7 @@ void GraphSolver<S>::correct(const GraphMatrix<S>& matrix, const GraphVector<S>&
     pass_up(step.link, defect.body[link.body], defect,
             has_parent(link) ? &defect.body[link.parent] : nullptr);
   }
-  substitute(correction);
+  finish(defect, correction);
 }
 
 template <class S>
@@ -177,6 +187,8 @@ void GraphSolver<S>::edge_defect(const GraphMatrix<S>& matrix, int e, const Grap
 template <class S>
 void GraphSolver<S>::start_factors(const GraphMatrix<S>& matrix) {
   matrix_ = &matrix;
+  bordered_ = 0;
+  has_thin_rows_ = false;
   for (const EliminationPlan::Link& link : plan_.links)
     for (const EliminationPlan::Column& column : link.columns) column_[column.slot] = {};
   for (Matrix6<S>& block : coupling_) block.setZero();
@@ -221,6 +233,8 @@ inline void GraphSolver<S>::factor_link(int index) {
                        has_parent(link) ? &block_[link.parent] : nullptr, dropped);
     if (result != Elimination::done) throw_singular(link, result);
     if (link.edge >= 0) dropped_[link.edge] = dropped;
+    if constexpr (std::is_same_v<std::decay_t<decltype(factors)>, GeneralLink<S>>)
+      has_thin_rows_ = has_thin_rows_ || factors.left_thin_rows();
     LinkColumn<S>* const columns = link_column_.data() + place_[index].first_column;
     for (std::size_t n = 0; n < link.columns.size(); ++n) {
       const EliminationPlan::Column& column = link.columns[n];
@@ -247,10 +261,13 @@ void GraphSolver<S>::factor_closing(int c) {
   std::array<bool, 6>& dropped = dropped_[closing.edge];
   const bool on_body = closing.column_slot >= 0;
   if (on_body) f.C = column_[closing.column_slot];
-  const S cancelled = dependence(), defect = larger(S(cancelled * cancelled / S(100)), S(1e-16));
+  const S defect = direction_tolerance<S>() * direction_tolerance<S>();
   for (int k = 0; k < n; ++k) {
     const S pivot = block(k, k);
-    dropped[k] = pivot <= cancelled * f.own[k] + defect * f.size.product[k];
+    const S cancelled = defect * f.size.product[k];
+    dropped[k] = pivot <= doubtful_pivot_ * f.own[k] + cancelled;
+    const S rounding = S(30 * unit_roundoff<S>()) * (f.own[k] + f.size.product[k]);
+    has_thin_rows_ = has_thin_rows_ || (dropped[k] && any(pivot > rounding));
     f.inverse[k] = dropped[k] ? S(0) : S(1 / pivot);
     for (int r = k + 1; r < n; ++r) {
       const S l = block(k, r) * f.inverse[k];
@@ -378,10 +395,8 @@ template <class S>
   switch (result) {
     case Elimination::no_inertia:
       throw SingularLink(link.body, "the joint to its parent leaves a motion without inertia free");
-    case Elimination::dependent_rows:
-      throw SingularLink(link.body, "the orientation rows of the joint to its parent depend on each other");
     default:
-      throw SingularLink(link.body, "its rows depend on each other and bind the parent's own motion");
+      throw SingularLink(link.body, "the orientation rows of the joint to its parent depend on each other");
   }
 }
 

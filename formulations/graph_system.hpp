@@ -111,7 +111,7 @@ struct LinkRows {
   int count;
 };
 
-enum class Elimination { done, no_inertia, dependent_rows, binds_the_parent };
+enum class Elimination { done, no_inertia, dependent_rows };
 
 /// Rows of a joint whose directions are dependent to within this sine count as dependent.
 template <class S>
