@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "bodies/testing.hpp"
 #include "formulations/acceleration_solver.hpp"
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"
@@ -79,6 +80,13 @@ TEST(Allocations, ATreeSolvedAgainMakesNone) { expect_none(scenes::chain(10)); }
 TEST(Allocations, LoopsSolvedAgainMakeNone) {
   expect_none(scenes::ladder(3));
   expect_none(scenes::ring(6));
+}
+TEST(Allocations, RowsThatAreLookedAtOneByOneMakeNone) {
+  expect_none(test::random_scene(3, {.bodies = 3, .closings = 1, .near_rows = 1e-6}));
+  scenes::Scene drifted = scenes::ladder(3);
+  test::Random random(1);
+  for (scenes::Constraint& c : drifted.constraints) (*c.j.axis)[0] += 1e-10 * random.uniform();
+  expect_none(drifted);
 }
 TEST(Allocations, DriversAndEffectsMakeNone) {
   for (std::uint64_t seed = 0; seed < 12; ++seed) {

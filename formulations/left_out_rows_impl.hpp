@@ -39,7 +39,11 @@ template <class S>
 class GraphSolver<S>::Geometry {
  public:
   explicit Geometry(const EliminationPlan& plan)
-      : matrix_(plan), solver_(plan), assembly_(plan.graph.bodies), lever2_(plan.graph.bodies) {
+      : matrix_(plan),
+        solver_(plan),
+        assembly_(plan.graph.bodies),
+        lever2_(plan.graph.bodies),
+        holding_(lever2_) {
     std::iota(assembly_.begin(), assembly_.end(), 0);
     const auto first = [&](int body) {
       while (assembly_[body] != body) body = assembly_[body] = assembly_[assembly_[body]];
@@ -120,12 +124,12 @@ class GraphSolver<S>::Geometry {
   /// Means over rows of the squares of their levers.
   void measure_levers() {
     const EliminationPlan& plan = solver_.plan_;
-    std::vector<S> rows(lever2_.size(), S(0));
     std::fill(lever2_.begin(), lever2_.end(), S(0));
+    std::fill(holding_.begin(), holding_.end(), S(0));
     const auto take = [&](int body, const S& r2, const S& x2) {
       if (body == plan.graph.bodies) return;
       lever2_[assembly_[body]] += select(r2 > S(0), S(x2 / r2), S(0));
-      rows[assembly_[body]] += select(r2 > S(0), S(1), S(0));
+      holding_[assembly_[body]] += select(r2 > S(0), S(1), S(0));
     };
     for (std::size_t n = 0; n < plan.links.size(); ++n) {
       if (!plan.is_point_link(plan.links[n])) continue;
@@ -141,14 +145,14 @@ class GraphSolver<S>::Geometry {
         take(edge.j, columns.C_j.r.col(k).squaredNorm(), columns.C_j.x.col(k).squaredNorm());
       }
     }
-    for (std::size_t a = 0; a < rows.size(); ++a)
-      lever2_[a] = select(lever2_[a] > S(0), S(lever2_[a] / rows[a]), S(1));
+    for (std::size_t a = 0; a < lever2_.size(); ++a)
+      lever2_[a] = select(lever2_[a] > S(0), S(lever2_[a] / holding_[a]), S(1));
   }
 
   GraphMatrix<S> matrix_;
   GraphSolver solver_;
-  std::vector<int> assembly_;  ///< by body: the first body of its assembly
-  std::vector<S> lever2_;      ///< by assembly
+  std::vector<int> assembly_;        ///< by body: the first body of its assembly
+  std::vector<S> lever2_, holding_;  ///< by assembly: the mean, and how many rows hold points
   std::vector<EdgeRow> doubtful_, found_;
 };
 
