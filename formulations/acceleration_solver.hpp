@@ -62,13 +62,13 @@ class AccelerationSolver {
       rows_are_settled_ = false;
       t_ = t;
       refinement_ = refinement;
-      move_bodies(state, t);
-      assemble_closings(t);
+      move_bodies(state);
+      assemble_closings();
       solver_.start(matrix_, right_side_);
-      eliminate(t);
+      eliminate();
       solver_.substitute(solution_);
       if (refinement == Refinement::once) refine();
-      meet_left_out_rows(t);
+      meet_left_out_rows();
     } catch (...) {
       forget();
       throw;
@@ -157,26 +157,25 @@ class AccelerationSolver {
   }
 
   /// Link by link, each joint evaluated just before its step.
-  void eliminate(const S& t) {
+  void eliminate() {
     auto joint = links_.begin();
     try {
       for (int step = 0; step < solver_.steps(); ++step) {
-        if (joint != links_.end() && joint->link == solver_.plan().steps[step].link)
-          assemble_link(*joint++, t);
+        if (joint != links_.end() && joint->link == solver_.plan().steps[step].link) assemble_link(*joint++);
         solver_.eliminate(step, right_side_);
       }
     } catch (const SingularLink& e) {
-      require_numbers(t);
+      require_numbers();
       throw ModelError(
           fmt::format("body \"{}\" at t = {}: {}; its links cannot be eliminated one by one: solve the "
                       "printed system instead",
-                      mechanism_.body_names[e.body()], static_cast<double>(t), e.what()));
+                      mechanism_.body_names[e.body()], static_cast<double>(t_), e.what()));
     }
   }
 
   /// Rows that were left out are combinations of the others, so that their right sides must be the same
   /// combinations; or they are none, and are solved for then.
-  void meet_left_out_rows(const S& t) {
+  void meet_left_out_rows() {
     if (ranked_.empty()) return;
     const auto size_here = [&](int b) { return size_of_causes(b); };
     // what refinement leaves of rows that depend on others stays below
@@ -192,7 +191,7 @@ class AccelerationSolver {
       turning.take(size_of_turning(b));
     }
     if (const auto row = find_unmet_row(solution_, tolerance, least, [&](int) { return whole; }))
-      throw_unmet(*row, t);
+      throw_unmet(*row);
     // how much of it is rounding of the forces shows without them
     for (BodyPart<S>& force : right_side_.body) force = {};
     solver_.solve(right_side_, step_);
@@ -204,7 +203,7 @@ class AccelerationSolver {
       whole.take(PartSize<S>::of(step_.body[b]));
     }
     if (const auto row = find_unmet_row(step_, tolerance, least, [&](int) { return whole; }))
-      throw_unmet(*row, t);
+      throw_unmet(*row);
   }
   template <class SizeOfBody>
   std::optional<EdgeRow> find_unmet_row(const GraphVector<S>& solution, const S& tolerance, const S& least,
@@ -242,23 +241,23 @@ class AccelerationSolver {
   const std::string& row_name(const EdgeRow& row) const {
     return mechanism_.row_names[solver_.plan().graph.edges[row.edge].rows[row.k]];
   }
-  [[noreturn]] void throw_unmet(const EdgeRow& row, const S& t) const {
-    require_numbers(t);
+  [[noreturn]] void throw_unmet(const EdgeRow& row) const {
+    require_numbers();
     throw ModelError(
         fmt::format("row \"{}\" at t = {}: it depends on other rows and asks for another acceleration than "
                     "they do. Either none satisfies all: remove a row, or make their functions of time "
                     "agree; or what is left of it beside them is rounding: take a wider Scalar, or solve the "
                     "printed system",
-                    row_name(row), static_cast<double>(t)));
+                    row_name(row), static_cast<double>(t_)));
   }
   /// Throws a ModelError that names the body whose state is not a number.
-  void require_numbers(const S& t) const {
+  void require_numbers() const {
     using std::isfinite;
     for (int b = 0; b < mechanism_.nb(); ++b)
       if (!isfinite(
               S(turning_[b].A.sum() + turning_[b].omega.sum() + body_[b].r.sum() + body_[b].r_dot.sum())))
         throw ModelError(fmt::format("body \"{}\" at t = {}: its state is not finite",
-                                     mechanism_.body_names[b], static_cast<double>(t)));
+                                     mechanism_.body_names[b], static_cast<double>(t_)));
   }
   /// No answer of another state may be taken for one of this.
   void forget() {
@@ -271,16 +270,16 @@ class AccelerationSolver {
     corrections_ = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   }
 
-  void move_bodies(std::span<const BodyState<F>> state, const S& t) {
+  void move_bodies(std::span<const BodyState<F>> state) {
     const bool effects_see_motion = mechanism_.effects.see_motion();
-    if (!effects_see_motion) apply_effects(t);
+    if (!effects_see_motion) apply_effects();
     for (int b = 0; b < mechanism_.nb(); ++b) {
       move_body(b, state[b]);
       if (!effects_see_motion) push_body(b);
     }
     if (!effects_see_motion) return;
     std::copy(body_.begin(), body_.end(), motion_.begin());
-    apply_effects(t);
+    apply_effects();
     for (int b = 0; b < mechanism_.nb(); ++b) push_body(b);
   }
   [[gnu::flatten]] void move_body(int b, const BodyState<F>& state) {
@@ -294,42 +293,42 @@ class AccelerationSolver {
     right_side_.body[b] = {padded<S>(wrench.F), padded<S>(force)};
   }
 
-  void assemble_closings(const S& t) {
-    for (const ClosingJoint& closing : closings_) assemble_closing(closing, t);
-    for (const int edge : others_) assemble_rows(edge, t);
+  void assemble_closings() {
+    for (const ClosingJoint& closing : closings_) assemble_closing(closing);
+    for (const int edge : others_) assemble_rows(edge);
   }
 
-  void apply_effects(const S& t) {
+  void apply_effects() {
     for (Wrench<S>& w : wrenches_) w = {};
-    mechanism_.effects.apply(EffectView<S>{mechanism_.bodies, motion_, t}, wrenches_);
+    mechanism_.effects.apply(EffectView<S>{mechanism_.bodies, motion_, t_}, wrenches_);
   }
 
-  void assemble_link(const LinkJoint& link, const S& t) {
+  void assemble_link(const LinkJoint& link) {
     PointRows<S>& rows = matrix_.point[link.link];
     Vector6<S>& gamma = right_side_.edge[link.edge];
     if (link.child_is_j)
-      link.joint.evaluate(turning_, body_, t, rows.L_parent, rows.L_child, rows.W_parent, rows.W_child,
+      link.joint.evaluate(turning_, body_, t_, rows.L_parent, rows.L_child, rows.W_parent, rows.W_child,
                           gamma);
     else
-      link.joint.evaluate(turning_, body_, t, rows.L_child, rows.L_parent, rows.W_child, rows.W_parent,
+      link.joint.evaluate(turning_, body_, t_, rows.L_child, rows.L_parent, rows.W_child, rows.W_parent,
                           gamma);
   }
 
-  void assemble_closing(const ClosingJoint& closing, const S& t) {
+  void assemble_closing(const ClosingJoint& closing) {
     EdgeRows<S>& rows = matrix_.rows[solver_.plan().rows_slot[closing.edge]];
-    closing.joint.evaluate(turning_, body_, t, rows.C_i.x.template leftCols<3>(),
+    closing.joint.evaluate(turning_, body_, t_, rows.C_i.x.template leftCols<3>(),
                            rows.C_j.x.template leftCols<3>(), rows.C_i.x.template rightCols<3>(),
                            rows.C_j.x.template rightCols<3>(), right_side_.edge[closing.edge]);
     rows.C_i.x.template leftCols<3>() *= S(-1);
   }
 
-  void assemble_rows(int e, const S& t) {
+  void assemble_rows(int e) {
     const GraphEdge& edge = solver_.plan().graph.edges[e];
     EdgeRows<S>& rows = matrix_.rows[solver_.plan().rows_slot[e]];
     for (int k = 0; k < edge.size(); ++k) {
       const auto& constraint = mechanism_.rows[edge.rows[k]];
       const BodyPair pair = bodies_of(constraint);
-      const auto row = evaluate_row(constraint, body_[pair.i], body_[pair.j], t);
+      const auto row = evaluate_row(constraint, body_[pair.i], body_[pair.j], t_);
       const auto place = [&](BodyColumns<S>& C, const auto& r, const auto& x) {
         C.r.col(k) = padded<S>(r.transpose());
         C.x.col(k) = padded<S>(x.transpose());

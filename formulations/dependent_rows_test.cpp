@@ -57,12 +57,7 @@ void expect_solution_of_quad(const scenes::Scene& scene, double tolerance, const
   solver.solve(to_coordinates<Structured>(mechanism, make_state<S>(scene), {}), S(0));
   EXPECT_EQ(solver.rank(), printed.rows.rank) << what;
   EXPECT_EQ(solver.unique(), printed.rows.unique) << what;
-  PhysicalSolution<Quad> solution;
-  for (int b = 0; b < mechanism.nb(); ++b) {
-    solution.r_ddot.push_back(scalar_cast<Quad>(solver.r_ddot(b)));
-    solution.omega_bar_dot.push_back(scalar_cast<Quad>(solver.omega_bar_dot(b)));
-  }
-  solution.lambda = scalar_cast<Quad>(solver.lambda());
+  const auto solution = test::solution_of<Quad>(mechanism, solver);
   const PhysicalSolution<Quad>& exact = printed.formulations.front().solution;
   EXPECT_LE(acceleration_distance(printed.rows, solution, exact).all, tolerance) << what;
   EXPECT_LE(lambda_distance(printed.rows, solution.lambda, exact.lambda), tolerance) << what;

@@ -72,6 +72,11 @@ class GraphSolver {
 
   /// Whether row k of an edge was left out.
   bool is_dropped(int edge, int k) const { return dropped_[edge][k]; }
+  /// Whether any row of it was.
+  bool leaves_out(int edge) const {
+    const auto& rows = dropped_[edge];
+    return std::find(rows.begin(), rows.end(), true) != rows.end();
+  }
   /// The elimination sees squares of sines between rows, and leaves out every row that may depend on others
   /// to rounding. Here those of which more than direction_tolerance is left beside the others, in shifts and
   /// turns, are found and bordered to the factors: they count from then on. Returns whether there are any.
@@ -85,6 +90,8 @@ class GraphSolver {
   /// Whether rows were left out of which, as far as the elimination sees it, more than rounding is left.
   bool has_thin_rows() const { return has_thin_rows_; }
   static constexpr int most_reinstated = 100;
+  /// Adds what this multiplier of a row does to its bodies; of an edge that is no point joint of the tree.
+  void add_row(const EdgeRow& row, const S& multiplier, GraphVector<S>& force) const;
 
   /// One step of iterative refinement: what `solution` still needs, into `correction`. What it leaves of the
   /// right side is formed in `defect` link by link, just before it is passed on; the two may be one object.
@@ -105,7 +112,6 @@ class GraphSolver {
     int index;         ///< among the links of its kind
     int first_column;  ///< in link_column_
     int rows;
-    int edge;
   };
   /// A row bordered to the factors: its response is the solution, by the rows before it, to a force of -1
   /// along it and its own multiplier 1.
@@ -154,16 +160,12 @@ class GraphSolver {
 
   /// Substitutes, and meets the rows that are bordered.
   void finish(const GraphVector<S>& right_side, GraphVector<S>& solution);
-  static bool is_any(const std::array<bool, 6>& rows) {
-    return std::any_of(rows.begin(), rows.end(), [](bool row) { return row; });
-  }
   /// False, and nothing done, where what is left of the row is rounding.
   bool border(const EdgeRow& row);
   Probe& cleared_probe();
   void refine(Probe& probe);
   /// A row on its edge's bodies i and j; zero on the ground.
   std::array<BodyPart<S>, 2> on_bodies(const EdgeRow& row) const;
-  void add_row(const EdgeRow& row, const S& weight, GraphVector<S>& force) const;
   /// a^T H a.
   S energy(const GraphVector<S>& a) const;
   [[noreturn]] static void throw_singular(const EliminationPlan::Link& link, Elimination result);

@@ -24,7 +24,7 @@ GraphSolver<S>::GraphSolver(EliminationPlan plan)
   for (const EliminationPlan::Link& link : plan_.links) {
     const int kind = plan_.is_point_link(link) ? plan_.graph.edges[link.edge].size() - 3 : general;
     place_.push_back(
-        {kind, count[kind]++, columns, link.edge >= 0 ? plan_.graph.edges[link.edge].size() : 0, link.edge});
+        {kind, count[kind]++, columns, link.edge >= 0 ? plan_.graph.edges[link.edge].size() : 0});
     columns += static_cast<int>(link.columns.size());
   }
   link_column_.resize(columns);
@@ -69,10 +69,11 @@ template <class S>
 void GraphSolver<S>::factor(const GraphMatrix<S>& matrix) {
   start_factors(matrix);
   for (const EliminationPlan::Step& step : plan_.steps) factor_step(step);
-  const auto leaves_out = [&](const Place& place) {
-    return place.kind == general && place.edge >= 0 && is_any(dropped_[place.edge]);
+  const auto joint_leaves_out = [&](const EliminationPlan::Link& link) {
+    return link.edge >= 0 && !plan_.is_point_link(link) && leaves_out(link.edge);
   };
-  if (has_thin_rows_ || std::any_of(place_.begin(), place_.end(), leaves_out)) reinstate_rows();
+  if (has_thin_rows_ || std::any_of(plan_.links.begin(), plan_.links.end(), joint_leaves_out))
+    reinstate_rows();
 }
 
 template <class S>
@@ -392,12 +393,9 @@ inline void GraphSolver<S>::backward_link(int index, GraphVector<S>& solution) {
 
 template <class S>
 [[noreturn]] void GraphSolver<S>::throw_singular(const EliminationPlan::Link& link, Elimination result) {
-  switch (result) {
-    case Elimination::no_inertia:
-      throw SingularLink(link.body, "the joint to its parent leaves a motion without inertia free");
-    default:
-      throw SingularLink(link.body, "the orientation rows of the joint to its parent depend on each other");
-  }
+  throw SingularLink(link.body, result == Elimination::no_inertia
+                                    ? "the joint to its parent leaves a motion without inertia free"
+                                    : "the orientation rows of the joint to its parent depend on each other");
 }
 
 }  // namespace trivium

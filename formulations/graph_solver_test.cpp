@@ -43,8 +43,7 @@ class RandomSystem {
     GraphVector<double> defect(plan_.graph), step(plan_.graph);
     for (int n = 0; n < refinements; ++n) {
       solver.correct(matrix, right_side, solution, defect, step);
-      for (std::size_t b = 0; b < step.body.size(); ++b) solution.body[b] += step.body[b];
-      for (std::size_t e = 0; e < step.edge.size(); ++e) solution.edge[e] += step.edge[e];
+      solution.add(1, step);
     }
     VectorX<double> x(right.size());
     for (int b = 0; b < plan_.graph.bodies; ++b) x.segment<6>(6 * b) = solution.body[b].six();

@@ -100,6 +100,14 @@ struct GraphVector {
 
   explicit GraphVector(const BodyJointGraph& graph)
       : body(graph.bodies + 1), edge(graph.edges.size(), Vector6<S>::Zero()) {}
+
+  void add(const S& factor, const GraphVector& other) {
+    for (std::size_t b = 0; b < body.size(); ++b) {
+      body[b].r += factor * other.body[b].r;
+      body[b].x += factor * other.body[b].x;
+    }
+    for (std::size_t e = 0; e < edge.size(); ++e) edge[e] += factor * other.edge[e];
+  }
 };
 
 /// The rows of a link as its elimination sees them: those of the one kind or of the other.

@@ -106,7 +106,9 @@ class GraphSolver<S>::Geometry {
       solver_.add_row(row, select(size > S(0), S(weight / sqrt(size)), S(0)), probe.load);
     }
     solver_.solve(probe.load, probe.response);
-    if (!all(solver_.energy(probe.response) <= square(direction_tolerance<S>() / 30))) solver_.refine(probe);
+    const S rough = solver_.energy(probe.response);
+    if (all(rough <= square(direction_tolerance<S>() / 30))) return rough;
+    solver_.refine(probe);
     return solver_.energy(probe.response);
   }
   static S square(const S& x) { return x * x; }
@@ -194,8 +196,7 @@ typename GraphSolver<S>::Probe& GraphSolver<S>::cleared_probe() {
 template <class S>
 void GraphSolver<S>::refine(Probe& probe) {
   correct(*matrix_, probe.load, probe.response, probe.rest, probe.rest);
-  for (std::size_t b = 0; b < probe.rest.body.size(); ++b) probe.response.body[b] += probe.rest.body[b];
-  for (std::size_t e = 0; e < probe.rest.edge.size(); ++e) probe.response.edge[e] += probe.rest.edge[e];
+  probe.response.add(S(1), probe.rest);
 }
 
 template <class S>
@@ -209,11 +210,11 @@ std::array<BodyPart<S>, 2> GraphSolver<S>::on_bodies(const EdgeRow& row) const {
 }
 
 template <class S>
-void GraphSolver<S>::add_row(const EdgeRow& row, const S& weight, GraphVector<S>& force) const {
+void GraphSolver<S>::add_row(const EdgeRow& row, const S& multiplier, GraphVector<S>& force) const {
   const GraphEdge& edge = plan_.graph.edges[row.edge];
   const auto [on_i, on_j] = on_bodies(row);
-  force.body[edge.i] += BodyPart<S>{weight * on_i.r, weight * on_i.x};
-  force.body[edge.j] += BodyPart<S>{weight * on_j.r, weight * on_j.x};
+  force.body[edge.i] += BodyPart<S>{multiplier * on_i.r, multiplier * on_i.x};
+  force.body[edge.j] += BodyPart<S>{multiplier * on_j.r, multiplier * on_j.x};
 }
 
 template <class S>
@@ -228,12 +229,7 @@ void GraphSolver<S>::finish(const GraphVector<S>& right_side, GraphVector<S>& so
     const BodyPart<S>&a_i = solution.body[edge.i], &a_j = solution.body[edge.j];
     const S missing =
         border.gamma - on_i.r.dot(a_i.r) - on_i.x.dot(a_i.x) - on_j.r.dot(a_j.r) - on_j.x.dot(a_j.x);
-    const S push = missing / border.stiffness;
-    for (std::size_t b = 0; b < solution.body.size(); ++b) {
-      solution.body[b].r += push * border.response.body[b].r;
-      solution.body[b].x += push * border.response.body[b].x;
-    }
-    for (std::size_t e = 0; e < solution.edge.size(); ++e) solution.edge[e] += push * border.response.edge[e];
+    solution.add(missing / border.stiffness, border.response);
   }
 }
 

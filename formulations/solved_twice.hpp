@@ -14,6 +14,19 @@
 
 namespace trivium::test {
 
+/// What a solver found, in To.
+template <class To, class F>
+PhysicalSolution<To> solution_of(const Mechanism<typename F::Scalar>& mechanism,
+                                 const AccelerationSolver<F>& solver) {
+  PhysicalSolution<To> solution;
+  for (int b = 0; b < mechanism.nb(); ++b) {
+    solution.r_ddot.push_back(scalar_cast<To>(solver.r_ddot(b)));
+    solution.omega_bar_dot.push_back(scalar_cast<To>(solver.omega_bar_dot(b)));
+  }
+  solution.lambda = scalar_cast<To>(solver.lambda());
+  return solution;
+}
+
 template <class F>
 struct SolvedTwice {
   using S = typename F::Scalar;
@@ -33,11 +46,7 @@ struct SolvedTwice {
         structured(mechanism),
         by_print(printed.formulations.front().solution) {
     structured.solve(bodies, state.t);
-    for (int b = 0; b < mechanism.nb(); ++b) {
-      by_graph.r_ddot.push_back(structured.r_ddot(b));
-      by_graph.omega_bar_dot.push_back(structured.omega_bar_dot(b));
-    }
-    by_graph.lambda = structured.lambda();
+    by_graph = solution_of<S>(mechanism, structured);
   }
 
   double accelerations_apart() const { return acceleration_distance(printed.rows, by_graph, by_print).all; }

@@ -14,16 +14,13 @@ template <Formulation F>
 MatrixX<typename F::Scalar> AccelerationSolver<F>::idle_combinations() {
   const std::vector<int> dropped = dropped_rows();
   MatrixX<S> N = MatrixX<S>::Zero(mechanism_.nc(), static_cast<Eigen::Index>(dropped.size()));
-  const auto& edges = solver_.plan().graph.edges;
   GraphVector<S> unit(solver_.plan().graph), combination(unit);
   for_each_row([&](int edge, int k, int row) {
     if (!solver_.is_dropped(edge, k)) return;
     const auto n = std::lower_bound(dropped.begin(), dropped.end(), row) - dropped.begin();
     // what the row does to its bodies, done by the others
     std::fill(unit.body.begin(), unit.body.end(), BodyPart<S>{});
-    const EdgeRows<S>& rows = matrix_.rows[solver_.plan().rows_slot[edge]];
-    unit.body[edges[edge].i] += BodyPart<S>{-rows.C_i.r.col(k), -rows.C_i.x.col(k)};
-    unit.body[edges[edge].j] += BodyPart<S>{-rows.C_j.r.col(k), -rows.C_j.x.col(k)};
+    solver_.add_row({edge, k}, S(-1), unit);
     solver_.solve(unit, combination);
     for_each_row([&](int other, int m, int other_row) { N(other_row, n) = combination.edge[other][m]; });
     N(row, n) = S(1);

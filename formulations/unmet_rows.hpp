@@ -36,20 +36,22 @@ std::optional<EdgeRow> find_unmet_row(const GraphSolver<S>& solver, std::span<co
   using std::abs;
   const EliminationPlan& plan = solver.plan();
   for (const int e : edges) {
+    if (!solver.leaves_out(e)) continue;
     const GraphEdge& edge = plan.graph.edges[e];
     const EdgeRows<S>& rows = matrix.rows[plan.rows_slot[e]];
+    const auto size_of = [&](int b) { return b == plan.graph.bodies ? PartSize<S>{} : size_of_body(b); };
+    const PartSize<S> size_i = size_of(edge.i), size_j = size_of(edge.j);
     for (int k = 0; k < edge.size(); ++k) {
       if (!solver.is_dropped(e, k)) continue;
       S missing = right_side.edge[e][k], made_of = abs(missing);
-      const auto take = [&](const BodyColumns<S>& C, int b) {
+      const auto take = [&](const BodyColumns<S>& C, int b, const PartSize<S>& size) {
         if (b == plan.graph.bodies) return;
         const BodyPart<S>& a = solution.body[b];
-        const PartSize<S> size = size_of_body(b);
         missing -= C.r.col(k).dot(a.r) + C.x.col(k).dot(a.x);
         made_of += C.r.col(k).cwiseAbs().sum() * size.r + C.x.col(k).cwiseAbs().sum() * size.x;
       };
-      take(rows.C_i, edge.i);
-      take(rows.C_j, edge.j);
+      take(rows.C_i, edge.i, size_i);
+      take(rows.C_j, edge.j, size_j);
       if (!all(abs(missing) <= tolerance * made_of + least)) return EdgeRow{e, k};
     }
   }
