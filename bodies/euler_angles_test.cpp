@@ -17,6 +17,16 @@ S pi() {
   return acos(S(-1));
 }
 
+TEST(EulerSequences, AreTheirAxesAsConstants) {
+  for (const auto name : euler_sequence_names) {
+    const EulerSequence sequence = *parse_euler_sequence(name);
+    const EulerSequence constants = with_axes(sequence, []<int i, int j, int k>(Axes<i, j, k>) {
+      return EulerSequence{{i, j, k}};
+    });
+    EXPECT_EQ(constants, sequence) << name;
+  }
+}
+
 TYPED_TEST(EulerAngles, RotationIsTheProductOfThreeTurnsInTheStatedOrder) {
   using S = TypeParam;
   // 3-1-3, written out (Haug 9.3.41): the third column depends on the first two angles alone

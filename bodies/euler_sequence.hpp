@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace trivium {
 
@@ -22,6 +23,28 @@ struct EulerSequence {
   }
   bool operator==(const EulerSequence&) const = default;
 };
+
+template <int i, int j, int k>
+using Axes = std::integer_sequence<int, i, j, k>;
+
+/// use(Axes<i, j, k>{}): the axes as constants, for code that would look columns up by them.
+template <class Use>
+auto with_axes(const EulerSequence& sequence, const Use& use) {
+  const auto from = [&]<int i>(std::integral_constant<int, i>) {
+    constexpr int next = (i + 1) % 3, last = (i + 2) % 3;
+    if (sequence.axis[1] == next)
+      return sequence.is_symmetric() ? use(Axes<i, next, i>{}) : use(Axes<i, next, last>{});
+    return sequence.is_symmetric() ? use(Axes<i, last, i>{}) : use(Axes<i, last, next>{});
+  };
+  switch (sequence.axis[0]) {
+    case 0:
+      return from(std::integral_constant<int, 0>{});
+    case 1:
+      return from(std::integral_constant<int, 1>{});
+    default:
+      return from(std::integral_constant<int, 2>{});
+  }
+}
 
 inline constexpr std::array<std::string_view, 12> euler_sequence_names{
     "121", "131", "212", "232", "313", "323", "123", "132", "213", "231", "312", "321"};

@@ -67,6 +67,7 @@ concept Formulation = BodyKinematics<typename F::Kinematics> &&
   requires BodyKinematics<typename F::Reduced>;
   { F::turning(reduced) } -> std::same_as<Turning<typename F::Scalar>>;
   requires F::Reduced::rotational_unknowns == 3;
+  { F::reduced_mass_is_constant } -> std::convertible_to<bool>;
   { F::reduced_mass_block(body, J_bar) } -> std::convertible_to<Matrix3<typename F::Scalar>>;
   { F::reduced_force(body, J_bar, v) } -> std::convertible_to<Vector3<typename F::Scalar>>;
   { F::from_reduced(body, v) } -> std::convertible_to<typename F::Unknown>;

@@ -52,29 +52,9 @@ struct REpsilon {
   };
   static Kinematics kinematics(const Chart& chart, const Vector3<S>& r, const Vector3<S>& r_dot,
                                const Coordinates& q) {
-    const auto& axis = chart.sequence.axis;
-    const Vector3<S>& rate = q.epsilon_dot;
-    PaddedColumns<S, 3> R = PaddedColumns<S, 3>::Identity(), g;
-    for (int n = 0; n < 3; ++n) {
-      g.col(n) = R.col(axis[n]);
-      turn<S>(R, axis[n], q.epsilon[n]);
-    }
-    const PaddedColumns<S, 3> A = times<S, 3>(R, chart.C), A_T = transposed<S>(A);
-    // each axis is carried by the turns before it
-    const Padded<S> first = rate[0] * g.col(0), second = first + rate[1] * g.col(1);
-    const Padded<S> g_dot_rates =
-        rate[1] * cross_product<S>(first, g.col(1)) + rate[2] * cross_product<S>(second, g.col(2));
-    Kinematics k;
-    k.r = r;
-    k.r_dot = r_dot;
-    k.A = A.template topRows<3>();
-    k.g = g.template topRows<3>();
-    k.omega = unpadded<S>(second + rate[2] * g.col(2));
-    k.g_dot_rates = unpadded<S>(g_dot_rates);
-    k.D = times<S, 3>(A_T, g).template topRows<3>();
-    k.D_dot_rates = unpadded<S>(times<S, 3>(A_T, g_dot_rates));
-    k.omega_bar = k.D * rate;
-    return k;
+    return with_axes(chart.sequence, [&]<int i, int j, int k>(Axes<i, j, k>) {
+      return kinematics_about<i, j, k>(chart, r, r_dot, q);
+    });
   }
 
   // mass block: J^epsilon = D^T Jbar D
@@ -96,6 +76,7 @@ struct REpsilon {
 
   // internal row eliminated: there is none
   using Reduced = Kinematics;
+  static constexpr bool reduced_mass_is_constant = false;
   static Turning<S> turning(const Reduced& k) { return {k.A, k.g, k.omega, k.g_dot_rates}; }
   static Matrix3<S> reduced_mass_block(const Kinematics& k, const Matrix3<S>& J_bar) {
     return mass_block(k, J_bar);
@@ -132,6 +113,36 @@ struct REpsilon {
   }
   static Vector4<S> to_euler_parameters(const Chart& chart, const Coordinates& q) {
     return euler_parameters<S>(euler_rotation(chart.sequence, q.epsilon) * chart.C);
+  }
+
+ private:
+  template <int first_axis, int second_axis, int third_axis>
+  static Kinematics kinematics_about(const Chart& chart, const Vector3<S>& r, const Vector3<S>& r_dot,
+                                     const Coordinates& q) {
+    const Vector3<S>& rate = q.epsilon_dot;
+    PaddedColumns<S, 3> R = PaddedColumns<S, 3>::Identity(), g;
+    g.col(0) = R.col(first_axis);
+    turn<S>(R, first_axis, q.epsilon[0]);
+    g.col(1) = R.col(second_axis);
+    turn<S>(R, second_axis, q.epsilon[1]);
+    g.col(2) = R.col(third_axis);
+    turn<S>(R, third_axis, q.epsilon[2]);
+    const PaddedColumns<S, 3> A = times<S, 3>(R, chart.C), A_T = transposed<S>(A);
+    // each axis is carried by the turns before it
+    const Padded<S> first = rate[0] * g.col(0), second = first + rate[1] * g.col(1);
+    const Padded<S> g_dot_rates =
+        rate[1] * cross_product<S>(first, g.col(1)) + rate[2] * cross_product<S>(second, g.col(2));
+    Kinematics k;
+    k.r = r;
+    k.r_dot = r_dot;
+    k.A = A.template topRows<3>();
+    k.g = g.template topRows<3>();
+    k.omega = unpadded<S>(second + rate[2] * g.col(2));
+    k.g_dot_rates = unpadded<S>(g_dot_rates);
+    k.D = times<S, 3>(A_T, g).template topRows<3>();
+    k.D_dot_rates = unpadded<S>(times<S, 3>(A_T, g_dot_rates));
+    k.omega_bar = k.D * rate;
+    return k;
   }
 };
 

@@ -100,6 +100,7 @@ struct RP {
       return v.a_bar.cross(Vector3<S>(this->A.transpose() * w)).transpose();
     }
   };
+  static constexpr bool reduced_mass_is_constant = true;
   static Turning<S> turning(const Reduced& k) { return {k.A, k.A, k.A * k.omega_bar, Vector3<S>::Zero()}; }
   static Matrix3<S> reduced_mass_block(const Kinematics&, const Matrix3<S>& J_bar) { return J_bar; }
   /// 1/2 G tau_hat = n_bar - tilde(omega_bar) Jbar omega_bar.
