@@ -21,9 +21,60 @@ using Padded = Vector<S, padded_size<S>>;
 template <class S, int n>
 using PaddedColumns = Matrix<S, padded_size<S>, n>;
 
+/// The four places as one register, for doubles and floats. Numbers stored one by one cannot be loaded as one
+/// register before all stores are through, a dozen cycles each time; so vectors are put together here.
+template <class S>
+struct Register {
+  static constexpr bool exists = std::is_same_v<S, double> || std::is_same_v<S, float>;
+  using Number = std::conditional_t<exists, S, double>;
+  using Places [[gnu::vector_size(4 * sizeof(Number))]] =
+      std::conditional_t<sizeof(Number) == 8, long long, int>;
+
+  Number places [[gnu::vector_size(4 * sizeof(Number))]];
+
+  TRIVIUM_INLINE static Register of(const Padded<S>& v) {
+    Register loaded;
+    std::memcpy(&loaded.places, v.data(), sizeof loaded.places);
+    return loaded;
+  }
+  TRIVIUM_INLINE Padded<S> padded() const {
+    Padded<S> stored;
+    std::memcpy(stored.data(), &places, sizeof places);
+    return stored;
+  }
+
+  // every other place, and the halves, of two registers
+  TRIVIUM_INLINE static Register even(const Register& a, const Register& b) {
+    return {__builtin_shuffle(a.places, b.places, Places{0, 4, 2, 6})};
+  }
+  TRIVIUM_INLINE static Register odd(const Register& a, const Register& b) {
+    return {__builtin_shuffle(a.places, b.places, Places{1, 5, 3, 7})};
+  }
+  TRIVIUM_INLINE static Register front(const Register& a, const Register& b) {
+    return {__builtin_shuffle(a.places, b.places, Places{0, 1, 4, 5})};
+  }
+  TRIVIUM_INLINE static Register back(const Register& a, const Register& b) {
+    return {__builtin_shuffle(a.places, b.places, Places{2, 3, 6, 7})};
+  }
+  /// (y, z, x)
+  TRIVIUM_INLINE Register turned() const { return {__builtin_shuffle(places, Places{1, 2, 0, 3})}; }
+
+  TRIVIUM_INLINE friend Register operator+(const Register& a, const Register& b) {
+    return {a.places + b.places};
+  }
+  TRIVIUM_INLINE friend Register operator-(const Register& a, const Register& b) {
+    return {a.places - b.places};
+  }
+  TRIVIUM_INLINE friend Register operator*(const Register& a, const Register& b) {
+    return {a.places * b.places};
+  }
+};
+
 template <class S>
 TRIVIUM_INLINE Padded<S> padded(const Vector3<S>& v) {
-  if constexpr (padded_size<S> == 4)
+  if constexpr (Register<S>::exists)
+    return Register<S>{{v.x(), v.y(), v.z(), S(0)}}.padded();
+  else if constexpr (padded_size<S> == 4)
     return {v.x(), v.y(), v.z(), S(0)};
   else
     return v;
@@ -31,6 +82,13 @@ TRIVIUM_INLINE Padded<S> padded(const Vector3<S>& v) {
 template <class S>
 TRIVIUM_INLINE Vector3<S> unpadded(const Padded<S>& v) {
   return v.template head<3>();
+}
+
+template <class S>
+TRIVIUM_INLINE PaddedColumns<S, 3> padded_columns(const Matrix3<S>& M) {
+  PaddedColumns<S, 3> columns;
+  for (int k = 0; k < 3; ++k) columns.col(k) = padded<S>(M.col(k));
+  return columns;
 }
 
 /// M N, of N the first n rows.
@@ -61,26 +119,36 @@ TRIVIUM_INLINE PaddedColumns<S, 3> times_transpose(const PaddedColumns<S, n>& M,
 /// M^T v.
 template <class S, int n>
 TRIVIUM_INLINE Vector<S, n> transpose_times(const PaddedColumns<S, n>& M, const Padded<S>& v) {
+  using R = Register<S>;
   Vector<S, n> product;
-  if constexpr (n > 0)
+  if constexpr (n == 2 && R::exists) {
+    const R w = R::of(v), a = R::of(M.col(0)) * w, b = R::of(M.col(1)) * w;
+    const Padded<S> ab = (R::even(a, b) + R::odd(a, b)).padded();
+    product = ab.template head<2>() + ab.template tail<2>();
+  } else if constexpr (n > 0) {
     for (int k = 0; k < n; ++k) product[k] = M.col(k).dot(v);
+  }
   return product;
+}
+/// The same in a register.
+template <class S>
+TRIVIUM_INLINE Padded<S> padded_transpose_times(const PaddedColumns<S, 3>& M, const Padded<S>& v) {
+  using R = Register<S>;
+  if constexpr (R::exists) {
+    const R w = R::of(v), a = R::of(M.col(0)) * w, b = R::of(M.col(1)) * w, c = R::of(M.col(2)) * w, none{};
+    const R ab = R::even(a, b) + R::odd(a, b), c0 = R::even(c, none) + R::odd(c, none);
+    return (R::front(ab, c0) + R::back(ab, c0)).padded();
+  } else {
+    return padded<S>(transpose_times<S, 3>(M, v));
+  }
 }
 
 template <class S>
 TRIVIUM_INLINE Padded<S> cross_product(const Padded<S>& a, const Padded<S>& b) {
-  if constexpr (std::is_same_v<S, double> || std::is_same_v<S, float>) {
-    using Register [[gnu::vector_size(4 * sizeof(S))]] = S;
-    using Places [[gnu::vector_size(4 * sizeof(S))]] = std::conditional_t<sizeof(S) == 8, long long, int>;
-    constexpr Places next{1, 2, 0, 3};
-    Register x, y;
-    std::memcpy(&x, a.data(), sizeof x);
-    std::memcpy(&y, b.data(), sizeof y);
-    const Register z = x * __builtin_shuffle(y, next) - __builtin_shuffle(x, next) * y;
-    const Register turned = __builtin_shuffle(z, next);
-    Padded<S> product;
-    std::memcpy(product.data(), &turned, sizeof turned);
-    return product;
+  using R = Register<S>;
+  if constexpr (R::exists) {
+    const R x = R::of(a), y = R::of(b);
+    return (x * y.turned() - x.turned() * y).turned().padded();
   } else {
     return padded<S>(unpadded<S>(a).cross(unpadded<S>(b)));
   }
@@ -99,8 +167,17 @@ TRIVIUM_INLINE void turn(PaddedColumns<S, 3>& M, int k, const S& angle) {
 
 template <class S>
 TRIVIUM_INLINE PaddedColumns<S, 3> transposed(const PaddedColumns<S, 3>& M) {
+  using R = Register<S>;
   PaddedColumns<S, 3> T;
-  for (int k = 0; k < 3; ++k) T.col(k) = padded<S>(M.template topRows<3>().row(k).transpose());
+  if constexpr (R::exists) {
+    const R a = R::of(M.col(0)), b = R::of(M.col(1)), c = R::of(M.col(2)), none{};
+    const R ab = R::even(a, b), c0 = R::even(c, none);
+    T.col(0) = R::front(ab, c0).padded();
+    T.col(1) = R::front(R::odd(a, b), R::odd(c, none)).padded();
+    T.col(2) = R::back(ab, c0).padded();
+  } else {
+    for (int k = 0; k < 3; ++k) T.col(k) = padded<S>(M.template topRows<3>().row(k).transpose());
+  }
   return T;
 }
 

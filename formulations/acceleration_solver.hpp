@@ -50,7 +50,10 @@ class AccelerationSolver {
     body_.back() = Body{body_kinematics(std::vector<BodyState<F>>{}).back()};
     turning_.resize(mechanism.nb() + 1);
     turning_.back() = F::turning(body_.back());
-    for (int b = 0; b < mechanism.nb(); ++b) matrix_.H[b].rr.diagonal().setConstant(mechanism.bodies[b].mass);
+    for (int b = 0; b < mechanism.nb(); ++b) {
+      matrix_.H[b].rr.diagonal().setConstant(mechanism.bodies[b].mass);
+      if constexpr (F::reduced_mass_is_constant) set_mass_block(b);
+    }
     plan_assembly();
   }
   AccelerationSolver(const AccelerationSolver&) = delete;  // its solver knows where its matrix is
@@ -285,7 +288,10 @@ class AccelerationSolver {
   [[gnu::flatten]] void move_body(int b, const BodyState<F>& state) {
     body_[b] = Body{F::kinematics(state.chart, state.r, state.r_dot, state.q)};
     turning_[b] = F::turning(body_[b]);
-    matrix_.H[b].xx.template topRows<3>() = F::reduced_mass_block(body_[b], mechanism_.bodies[b].inertia);
+    if constexpr (!F::reduced_mass_is_constant) set_mass_block(b);
+  }
+  void set_mass_block(int b) {
+    matrix_.H[b].xx = padded_columns<S>(F::reduced_mass_block(body_[b], mechanism_.bodies[b].inertia));
   }
   [[gnu::flatten]] void push_body(int b) {
     const Wrench<S>& wrench = wrenches_[b];
@@ -340,14 +346,16 @@ class AccelerationSolver {
   }
 
   void measure_and_add_step() {
-    S moved(0), size(0);
+    // by components, added up once at the end
+    Padded<S> moved = Padded<S>::Zero(), size = moved;
     for (int b = 0; b < mechanism_.nb(); ++b) {
-      const auto energy = [&](const BodyPart<S>& a) {
-        return S(mechanism_.bodies[b].mass * a.r.squaredNorm() + a.x.dot(times<S, 3>(matrix_.H[b].xx, a.x)));
+      const auto add_energy = [&](const BodyPart<S>& a, Padded<S>& sum) {
+        sum +=
+            mechanism_.bodies[b].mass * a.r.cwiseAbs2() + a.x.cwiseProduct(times<S, 3>(matrix_.H[b].xx, a.x));
       };
-      moved += energy(step_.body[b]);
+      add_energy(step_.body[b], moved);
       solution_.body[b] += step_.body[b];
-      size += energy(solution_.body[b]);
+      add_energy(solution_.body[b], size);
     }
     WrenchSize lambda_moved, lambda_size;
     const EliminationPlan& plan = solver_.plan();
@@ -366,7 +374,8 @@ class AccelerationSolver {
     };
     for (const ClosingJoint& closing : closings_) measure(closing.edge);
     for (const int e : others_) measure(e);
-    const auto ratio = [](const S& difference, const S& whole) {
+    const auto ratio = [](const Padded<S>& differences, const Padded<S>& wholes) {
+      const S difference = differences.sum(), whole = wholes.sum();
       return std::sqrt(largest_lane(S(select(difference == S(0), S(0), S(difference / whole)))));
     };
     const double forces = ratio(lambda_moved.force, lambda_size.force),
@@ -377,21 +386,20 @@ class AccelerationSolver {
                     share(std::isnan(moments) ? moments : std::max(forces, moments))};
   }
 
-  /// Sums of squares of what single multipliers do to a body.
+  /// Sums of squares, by components, of what single multipliers do to a body.
   struct WrenchSize {
-    S force{0}, moment{0};
+    Padded<S> force = Padded<S>::Zero(), moment = force;
 
     void add(const PointRows<S>& rows, const Vector6<S>& lambda, int orientations) {
       const Padded<S> f = padded<S>(lambda.template head<3>());
-      force += f.squaredNorm();
-      moment += times<S, 3>(rows.L_child, f).squaredNorm();
-      for (int k = 0; k < orientations; ++k)
-        moment += lambda[3 + k] * lambda[3 + k] * rows.W_child.col(k).squaredNorm();
+      force += f.cwiseAbs2();
+      moment += times<S, 3>(rows.L_child, f).cwiseAbs2();
+      for (int k = 0; k < orientations; ++k) moment += (lambda[3 + k] * rows.W_child.col(k)).cwiseAbs2();
     }
     void add(const BodyColumns<S>& C, const Vector6<S>& lambda, int size) {
       for (int k = 0; k < size; ++k) {
-        force += lambda[k] * lambda[k] * C.r.col(k).squaredNorm();
-        moment += lambda[k] * lambda[k] * C.x.col(k).squaredNorm();
+        force += (lambda[k] * C.r.col(k)).cwiseAbs2();
+        moment += (lambda[k] * C.x.col(k)).cwiseAbs2();
       }
     }
   };

@@ -177,7 +177,7 @@ class Planner {
     order_links();
     find_loops();
     order_closings();
-    list_children();
+    list_sums();
     list_rows();
     list_couplings();
     return std::move(plan_);
@@ -204,7 +204,8 @@ class Planner {
                              edge,
                              edge >= 0 && plan_.graph.edges[edge].j == *body,
                              false,
-                             false,
+                             -1,
+                             -1,
                              {},
                              {}});
     }
@@ -291,12 +292,21 @@ class Planner {
     if (!at[ground_].empty()) plan_.steps.push_back({-1, eliminate_at(ground_)});
   }
 
-  void list_children() {
-    std::vector<bool> has_children(plan_.graph.bodies + 1, false);
+  void list_sums() {
+    std::vector<int> slot(plan_.graph.bodies + 1, -1), free;
     for (EliminationPlan::Link& link : plan_.links) {
-      link.has_children = has_children[link.body];
-      link.is_first = !has_children[link.parent];
-      has_children[link.parent] = true;
+      if (link.parent != ground_) {
+        int& at_parent = slot[link.parent];
+        link.is_first = at_parent < 0;
+        if (link.is_first && free.empty()) free.push_back(plan_.sum_slots++);
+        if (link.is_first) {
+          at_parent = free.back();
+          free.pop_back();
+        }
+        link.parent_sum_slot = at_parent;
+      }
+      link.sum_slot = slot[link.body];
+      if (link.sum_slot >= 0) free.push_back(link.sum_slot);
     }
   }
 

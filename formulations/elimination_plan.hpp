@@ -30,8 +30,10 @@ struct EliminationPlan {
     int parent;  ///< graph.bodies: the ground
     int edge;    ///< the joint to the parent, -1: none, the body is free
     bool body_is_j;
-    bool has_children = false;  ///< links were eliminated into the body before
-    bool is_first = false;      ///< of the links eliminated into the parent
+    bool is_first = false;  ///< of the links eliminated into the parent
+    // where a body gathers what its links pass on, from the first of them to its own; then it is another's
+    int sum_slot = -1;         ///< -1: no links were eliminated into the body
+    int parent_sum_slot = -1;  ///< -1: the ground
     std::vector<Column> columns;
     std::vector<Coupling> couplings;
   };
@@ -66,7 +68,7 @@ struct EliminationPlan {
   std::vector<Step> steps;
   std::vector<int> diagonal_slot;  ///< per closing: its block with itself
   std::vector<int> rows_slot;      ///< per edge: of its rows in the matrix; -1: a point joint in the tree
-  int rows_slots = 0, column_slots = 0, coupling_slots = 0;
+  int rows_slots = 0, column_slots = 0, coupling_slots = 0, sum_slots = 0;
 };
 
 /// Chooses the spanning tree so that loops stay short, and orders what closes them by least fill.

@@ -61,6 +61,32 @@ TEST(EliminationPlan, LinksGoBeforeTheirParents) {
   for (const auto& link : plan.links) EXPECT_LT(place[link.body], place[link.parent]);
 }
 
+/// From the first link that is eliminated into a body to the body's own.
+void expect_no_sum_overwrites_another(const EliminationPlan& plan) {
+  std::vector<int> owner(plan.sum_slots, -1);
+  std::vector<bool> has_children(plan.graph.bodies, false);
+  for (const auto& link : plan.links) {
+    if (link.parent == plan.graph.bodies) {
+      EXPECT_EQ(link.parent_sum_slot, -1);
+    } else {
+      int& at_parent = owner.at(link.parent_sum_slot);
+      EXPECT_EQ(link.is_first, !has_children[link.parent]);
+      EXPECT_EQ(at_parent, link.is_first ? -1 : link.parent);
+      at_parent = link.parent;
+      has_children[link.parent] = true;
+    }
+    EXPECT_EQ(link.sum_slot >= 0, static_cast<bool>(has_children[link.body]));
+    if (link.sum_slot < 0) continue;
+    EXPECT_EQ(owner.at(link.sum_slot), link.body);
+    owner[link.sum_slot] = -1;
+  }
+}
+TEST(EliminationPlan, NoSumOverwritesAnother) {
+  for (const unsigned seed : {1, 2, 3}) expect_no_sum_overwrites_another(plan_of(scenes::tree(300, seed)));
+  expect_no_sum_overwrites_another(plan_of(scenes::ladder(20)));
+}
+TEST(EliminationPlan, AChainSumsInTwoPlaces) { EXPECT_EQ(plan_of(scenes::chain(1000)).sum_slots, 2); }
+
 TEST(EliminationPlan, RingIsHalved) {
   constexpr int n = 41;
   std::vector<std::array<int, 2>> pairs{{-1, 0}, {n - 1, -1}};

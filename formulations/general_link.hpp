@@ -55,8 +55,8 @@ class GeneralLink {
           whole(size.r[k], r) * squares.template head<3>().dot(inverse_size_.template head<3>()) +
           whole(size.x[k], x) * squares.template tail<3>().dot(inverse_size_.template tail<3>());
       const Free g = H_.transpose() * C.col(k);
-      out.g.col(k).setZero();
-      out.g.col(k).head(g.size()) = g;
+      out.g.row(k).setZero();
+      out.g.row(k).head(g.size()) = g.transpose();
       const Vector6<S> left = C.col(k) - U_ * (D_inverse_ * g);
       const BodyPart<S> rest = BodyPart<S>::of(left);
       out.rest_r.col(k) = rest.r;
@@ -67,11 +67,8 @@ class GeneralLink {
       parent->x.col(k) += passed.x;
     }
   }
-  void couple(const LinkColumn<S>& a, int rows_a, const LinkColumn<S>& b, int rows_b, Matrix6<S>& sum) const {
-    for (int n = 0; n < rows_b; ++n) {
-      const Free q = D_inverse_ * b.g.col(n).head(free());
-      for (int k = 0; k < rows_a; ++k) sum(k, n) += a.g.col(k).head(free()).dot(q);
-    }
+  void couple(const LinkColumn<S>& a, const LinkColumn<S>& b, int rows_b, Matrix6<S>& sum) const {
+    for (int n = 0; n < rows_b; ++n) sum.col(n) += a.g.leftCols(free()) * Free(D_inverse_ * free_part(b, n));
   }
 
   void forward(const BodyPart<S>& force, const Vector6<S>& gamma, const LinkRows<S>&, BodyPart<S>* parent) {
@@ -82,10 +79,10 @@ class GeneralLink {
     if (parent != nullptr) *parent += BodyPart<S>::of(V_.transpose() * (f_ - rest_ * a_));
   }
   S closing_rate(const LinkColumn<S>& c, int k) const {
-    return rest_of(c, k).dot(a_) + c.g.col(k).head(free()).dot(q_);
+    return rest_of(c, k).dot(a_) + free_part(c, k).dot(q_);
   }
   void add_multiplier(const LinkColumn<S>& c, int k, const S& lambda) {
-    q_ -= lambda * (D_inverse_ * c.g.col(k).head(free()));
+    q_ -= lambda * (D_inverse_ * free_part(c, k));
     f_ -= lambda * rest_of(c, k);
   }
   void backward(const BodyPart<S>* parent, const LinkRows<S>&, BodyPart<S>& out, Vector6<S>& lambda) const {
@@ -102,6 +99,7 @@ class GeneralLink {
   using Block = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
   int free() const { return static_cast<int>(H_.cols()); }
+  Free free_part(const LinkColumn<S>& c, int k) const { return c.g.row(k).head(free()).transpose(); }
   static Vector6<S> rest_of(const LinkColumn<S>& c, int k) {
     return BodyPart<S>{c.rest_r.col(k), c.rest_x.col(k)}.six();
   }

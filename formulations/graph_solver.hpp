@@ -103,7 +103,7 @@ class GraphSolver {
 
   /// Of a body, and of the joint to its parent: on both bodies, and its rows.
   void link_defect(const GraphMatrix<S>& matrix, int index, const GraphVector<S>& right_side,
-                   const GraphVector<S>& solution, GraphVector<S>& defect) const;
+                   const GraphVector<S>& solution, GraphVector<S>& defect);
   void edge_defect(const GraphMatrix<S>& matrix, int e, const GraphVector<S>& right_side,
                    const GraphVector<S>& solution, GraphVector<S>& defect) const;
 
@@ -127,6 +127,7 @@ class GraphSolver {
   };
   class Geometry;
   struct ClosingFactor {
+    int rows;
     Matrix6<S> L;         ///< unit lower triangle of its pivoted block; columns of dropped rows are zero
     Vector6<S> inverse;   ///< of the pivots; 0 for dropped rows
     BodyColumns<S> C;     ///< of L^-1 C^T, on the body where it is eliminated
@@ -138,7 +139,7 @@ class GraphSolver {
   template <class Visit>
   void with_link(const Place& place, const Visit& visit);
   LinkRows<S> rows_of(int index) const;
-  int rows_of_closing(int c) const { return plan_.graph.edges[plan_.closings[c].edge].size(); }
+  int rows_of_closing(int c) const { return closing_[c].rows; }
   bool has_parent(const EliminationPlan::Link& link) const { return link.parent != plan_.graph.bodies; }
 
   void start_factors(const GraphMatrix<S>& matrix);
@@ -149,12 +150,12 @@ class GraphSolver {
   void factor_link(int index);
   /// The closing's block is positive semidefinite: rows in their order, those that depend on the ones before
   /// them left out.
-  void factor_closing(int c);
+  void factor_closing(int c, BodyBlock<S>* body);
   void forward_link(int index, const GraphVector<S>& right_side);
   /// The right side of a link, its body's forces with what its children passed up: to its parent, and to the
   /// closings.
   void pass_up(int index, const BodyPart<S>& force, const GraphVector<S>& right_side, BodyPart<S>* parent);
-  void forward_closing(int c, std::vector<BodyPart<S>>& carried);
+  void forward_closing(int c, BodyPart<S>* body);
   void backward_closing(int c, GraphVector<S>& solution);
   void backward_link(int index, GraphVector<S>& solution);
 
@@ -181,12 +182,12 @@ class GraphSolver {
   std::tuple<std::vector<PointLink<S, 0>>, std::vector<PointLink<S, 1>>, std::vector<PointLink<S, 2>>,
              std::vector<PointLink<S, 3>>, std::vector<GeneralLink<S>>>
       links_;
-  std::vector<BodyBlock<S>> block_;
+  std::vector<BodyBlock<S>> block_sum_;
   std::vector<BodyColumns<S>> column_;
   std::vector<Matrix6<S>> coupling_;
   std::vector<LinkColumn<S>> link_column_;
   std::vector<ClosingFactor> closing_;
-  std::vector<BodyPart<S>> carried_;
+  std::vector<BodyPart<S>> force_sum_;
   std::vector<std::array<bool, 6>> dropped_;
   // rows told apart
   std::vector<Border> borders_;  ///< the first `bordered_`

@@ -13,11 +13,11 @@ template <class S>
 GraphSolver<S>::GraphSolver(EliminationPlan plan)
     : doubtful_pivot_(larger(S(1000 * unit_roundoff<S>()), S(1e-8))),
       plan_(std::move(plan)),
-      block_(plan_.graph.bodies),
+      block_sum_(plan_.sum_slots),
       column_(plan_.column_slots),
       coupling_(plan_.coupling_slots),
       closing_(plan_.closings.size()),
-      carried_(plan_.graph.bodies + 1) {
+      force_sum_(plan_.sum_slots) {
   dropped_.resize(plan_.graph.edges.size());
   int columns = 0;
   std::array<int, 5> count{};
@@ -28,6 +28,8 @@ GraphSolver<S>::GraphSolver(EliminationPlan plan)
     columns += static_cast<int>(link.columns.size());
   }
   link_column_.resize(columns);
+  for (std::size_t c = 0; c < closing_.size(); ++c)
+    closing_[c].rows = plan_.graph.edges[plan_.closings[c].edge].size();
   std::get<0>(links_).resize(count[0]);
   std::get<1>(links_).resize(count[1]);
   std::get<2>(links_).resize(count[2]);
@@ -115,7 +117,7 @@ void GraphSolver<S>::correct(const GraphMatrix<S>& matrix, const GraphVector<S>&
     closing_[c].gamma = defect.edge[edge];
   }
   for (const EliminationPlan::Step& step : plan_.steps) {
-    for (int c : step.closings) forward_closing(c, defect.body);
+    for (int c : step.closings) forward_closing(c, &defect.body[plan_.closings[c].body]);
     if (step.link < 0) continue;
     link_defect(matrix, step.link, right_side, solution, defect);
     const EliminationPlan::Link& link = plan_.links[step.link];
@@ -126,45 +128,27 @@ void GraphSolver<S>::correct(const GraphMatrix<S>& matrix, const GraphVector<S>&
 }
 
 template <class S>
-void GraphSolver<S>::link_defect(const GraphMatrix<S>& matrix, int index, const GraphVector<S>& right_side,
-                                 const GraphVector<S>& solution, GraphVector<S>& defect) const {
+inline void GraphSolver<S>::link_defect(const GraphMatrix<S>& matrix, int index,
+                                        const GraphVector<S>& right_side, const GraphVector<S>& solution,
+                                        GraphVector<S>& defect) {
   const EliminationPlan::Link& link = plan_.links[index];
   const BodyPart<S>& child = solution.body[link.body];
   const BodyBlock<S>& H = matrix.H[link.body];
-  BodyPart<S>& on_child = defect.body[link.body];
-  on_child.r += right_side.body[link.body].r - times<S, 3>(H.rr, child.r) - times<S, 3>(H.rx, child.x);
-  on_child.x += right_side.body[link.body].x - padded<S>(transpose_times<S, 3>(H.rx, child.r)) -
-                times<S, 3>(H.xx, child.x);
+  BodyPart<S> left = right_side.body[link.body];
+  left.r -= times<S, 3>(H.rr, child.r) + times<S, 3>(H.rx, child.x);
+  left.x -= padded_transpose_times<S>(H.rx, child.r) + times<S, 3>(H.xx, child.x);
+  defect.body[link.body] += left;
   if (link.edge < 0) return;
-  if (place_[index].kind == general) {
-    edge_defect(matrix, link.edge, right_side, solution, defect);
-    return;
-  }
-  const PointRows<S>& rows = matrix.point[index];
-  const int m = place_[index].kind;
-  const Vector6<S>& lambda = solution.edge[link.edge];
-  const Padded<S> f = rows.sign * padded<S>(lambda.template head<3>());
-  Vector3<S> z = Vector3<S>::Zero();
-  const auto turn = [&](int body, const PaddedColumns<S, 3>& W) {
-    for (int k = 0; k < m; ++k) {
-      defect.body[body].x -= lambda[3 + k] * W.col(k);
-      z[k] += W.col(k).dot(solution.body[body].x);
+  with_link(place_[index], [&](auto& factors) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(factors)>, GeneralLink<S>>) {
+      edge_defect(matrix, link.edge, right_side, solution, defect);
+    } else {
+      defect.edge[link.edge] = right_side.edge[link.edge];
+      factors.take_defect(rows_of(index), child, has_parent(link) ? &solution.body[link.parent] : nullptr,
+                          solution.edge[link.edge], defect.body[link.body],
+                          has_parent(link) ? &defect.body[link.parent] : nullptr, defect.edge[link.edge]);
     }
-  };
-  Padded<S> u = child.r + padded<S>(transpose_times<S, 3>(rows.L_child, child.x));
-  on_child.r -= f;
-  on_child.x -= times<S, 3>(rows.L_child, f);
-  turn(link.body, rows.W_child);
-  if (has_parent(link)) {
-    const BodyPart<S>& parent = solution.body[link.parent];
-    u -= parent.r + padded<S>(transpose_times<S, 3>(rows.L_parent, parent.x));
-    defect.body[link.parent].r += f;
-    defect.body[link.parent].x += times<S, 3>(rows.L_parent, f);
-    turn(link.parent, rows.W_parent);
-  }
-  defect.edge[link.edge] = right_side.edge[link.edge];
-  defect.edge[link.edge].template head<3>() -= rows.sign * unpadded<S>(u);
-  for (int k = 0; k < m; ++k) defect.edge[link.edge][3 + k] -= z[k];
+  });
 }
 
 template <class S>
@@ -211,14 +195,16 @@ void GraphSolver<S>::start_solution(const GraphVector<S>& right_side) {
 
 template <class S>
 inline void GraphSolver<S>::factor_step(const EliminationPlan::Step& step) {
-  for (int c : step.closings) factor_closing(c);
+  for (int c : step.closings)
+    factor_closing(c, step.link < 0 ? nullptr : &block_sum_[plan_.links[step.link].sum_slot]);
   if (step.link >= 0) factor_link(step.link);
 }
 
 template <class S>
 inline void GraphSolver<S>::forward_step(const EliminationPlan::Step& step,
                                          const GraphVector<S>& right_side) {
-  for (int c : step.closings) forward_closing(c, carried_);
+  for (int c : step.closings)
+    forward_closing(c, step.link < 0 ? nullptr : &force_sum_[plan_.links[step.link].sum_slot]);
   if (step.link >= 0) forward_link(step.link, right_side);
 }
 
@@ -228,10 +214,10 @@ inline void GraphSolver<S>::factor_link(int index) {
   const LinkRows<S> rows = rows_of(index);
   with_link(place_[index], [&](auto& factors) {
     std::array<bool, 6> dropped{};
-    if (has_parent(link) && link.is_first) block_[link.parent] = matrix_->H[link.parent];
-    const Elimination result =
-        factors.factor(link.has_children ? block_[link.body] : matrix_->H[link.body], rows,
-                       has_parent(link) ? &block_[link.parent] : nullptr, dropped);
+    BodyBlock<S>* const parent = has_parent(link) ? &block_sum_[link.parent_sum_slot] : nullptr;
+    if (link.is_first) *parent = matrix_->H[link.parent];
+    const Elimination result = factors.factor(
+        link.sum_slot < 0 ? matrix_->H[link.body] : block_sum_[link.sum_slot], rows, parent, dropped);
     if (result != Elimination::done) throw_singular(link, result);
     if (link.edge >= 0) dropped_[link.edge] = dropped;
     if constexpr (std::is_same_v<std::decay_t<decltype(factors)>, GeneralLink<S>>)
@@ -247,14 +233,14 @@ inline void GraphSolver<S>::factor_link(int index) {
       const int a = link.columns[pair.first].closing, b = link.columns[pair.second].closing;
       Matrix6<S>& sum = coupling_[pair.slot];
       if (a == b) closing_[a].own -= sum.diagonal();
-      factors.couple(columns[pair.first], rows_of_closing(a), columns[pair.second], rows_of_closing(b), sum);
+      factors.couple(columns[pair.first], columns[pair.second], rows_of_closing(b), sum);
       if (a == b) closing_[a].own += sum.diagonal();
     }
   });
 }
 
 template <class S>
-void GraphSolver<S>::factor_closing(int c) {
+void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
   const EliminationPlan::Closing& closing = plan_.closings[c];
   ClosingFactor& f = closing_[c];
   Matrix6<S>& block = coupling_[plan_.diagonal_slot[c]];
@@ -288,11 +274,10 @@ void GraphSolver<S>::factor_closing(int c) {
     if (on_body) {
       const Padded<S> r = f.C.r.col(k), x = f.C.x.col(k);
       const Padded<S> scaled_r = f.inverse[k] * r, scaled_x = f.inverse[k] * x;
-      BodyBlock<S>& H = block_[closing.body];
       for (int m = 0; m < 3; ++m) {
-        H.rr.col(m) += r * scaled_r[m];
-        H.rx.col(m) += r * scaled_x[m];
-        H.xx.col(m) += x * scaled_x[m];
+        body->rr.col(m) += r * scaled_r[m];
+        body->rx.col(m) += r * scaled_x[m];
+        body->xx.col(m) += x * scaled_x[m];
       }
       for (const EliminationPlan::Neighbour& next : closing.later)
         if (next.column_slot >= 0)
@@ -303,11 +288,9 @@ void GraphSolver<S>::factor_closing(int c) {
     }
     for (const EliminationPlan::Fill& fill : closing.fill) {
       const EliminationPlan::Neighbour &a = closing.later[fill.first], &b = closing.later[fill.second];
-      for (int s = 0; s < rows_of_closing(b.closing); ++s) {
-        const S scaled = f.inverse[k] * coupling_[b.slot](k, s);
-        for (int r = 0; r < rows_of_closing(a.closing); ++r)
-          coupling_[fill.slot](r, s) -= coupling_[a.slot](k, r) * scaled;
-      }
+      const Vector6<S> of_a = f.inverse[k] * coupling_[a.slot].row(k).transpose();
+      for (int s = 0; s < rows_of_closing(b.closing); ++s)
+        coupling_[fill.slot].col(s) -= of_a * coupling_[b.slot](k, s);
     }
   }
 }
@@ -315,9 +298,10 @@ void GraphSolver<S>::factor_closing(int c) {
 template <class S>
 inline void GraphSolver<S>::forward_link(int index, const GraphVector<S>& right_side) {
   const EliminationPlan::Link& link = plan_.links[index];
-  if (has_parent(link) && link.is_first) carried_[link.parent] = right_side.body[link.parent];
-  pass_up(index, link.has_children ? carried_[link.body] : right_side.body[link.body], right_side,
-          has_parent(link) ? &carried_[link.parent] : nullptr);
+  BodyPart<S>* const parent = has_parent(link) ? &force_sum_[link.parent_sum_slot] : nullptr;
+  if (link.is_first) *parent = right_side.body[link.parent];
+  pass_up(index, link.sum_slot < 0 ? right_side.body[link.body] : force_sum_[link.sum_slot], right_side,
+          parent);
 }
 
 template <class S>
@@ -336,7 +320,7 @@ inline void GraphSolver<S>::pass_up(int index, const BodyPart<S>& force, const G
 }
 
 template <class S>
-void GraphSolver<S>::forward_closing(int c, std::vector<BodyPart<S>>& carried) {
+void GraphSolver<S>::forward_closing(int c, BodyPart<S>* body) {
   const EliminationPlan::Closing& closing = plan_.closings[c];
   ClosingFactor& f = closing_[c];
   const int n = rows_of_closing(c);
@@ -345,8 +329,8 @@ void GraphSolver<S>::forward_closing(int c, std::vector<BodyPart<S>>& carried) {
   for (int k = 0; k < n; ++k) {
     const S scaled = f.inverse[k] * f.gamma[k];
     if (closing.column_slot >= 0) {
-      carried[closing.body].r += scaled * f.C.r.col(k);
-      carried[closing.body].x += scaled * f.C.x.col(k);
+      body->r += scaled * f.C.r.col(k);
+      body->x += scaled * f.C.x.col(k);
     }
     for (const EliminationPlan::Neighbour& next : closing.later)
       for (int m = 0; m < rows_of_closing(next.closing); ++m)

@@ -145,11 +145,12 @@ struct ColumnSizes {
   }
 };
 
-/// What the multipliers of a closing do at a link, a column per row: along the free motion, and what is left
-/// for the joint to carry (its force, and its moment as far as a moment is carried).
+/// What the multipliers of a closing do at a link: along the free motion, a row of g per row of the closing
+/// and 0 beyond; and what is left for the joint to carry (its force, and its moment as far as a moment is
+/// carried), a column per row.
 template <class S>
 struct LinkColumn {
-  Matrix6<S> g;
+  Matrix6<S> g = Matrix6<S>::Zero();
   PaddedColumns<S, 6> rest_r, rest_x;
 };
 

@@ -20,54 +20,44 @@
 
 namespace trivium {
 
-/// N and Y of the orientation rows W^T x = z: W^T N = 0, W^T Y = I. The rows are of unit vectors.
+/// N and Y of the orientation rows W^T x = z: W^T N = 0, W^T Y = I; false where these depend on each other.
+/// The rows are of unit vectors.
 template <class S, int m>
-struct OrientationRows {
-  static constexpr int free = 3 - m;
-  PaddedColumns<S, free> N;
-  PaddedColumns<S, m> Y;
-  bool are_independent = true;
-
-  explicit OrientationRows(const PaddedColumns<S, 3>& W) {
-    const Vector3<S> a = unpadded<S>(W.col(0)), b = unpadded<S>(W.col(1)), c = unpadded<S>(W.col(2));
-    if constexpr (m == 0) {
-      N.setIdentity();
-    } else if constexpr (m == 1) {
-      // two directions across a; neither is short
-      const S zero(0), aa = a.squaredNorm();
-      are_independent = is_size(aa);
-      const auto is_flat = a.x() * a.x() + a.y() * a.y() < a.z() * a.z();
-      const Vector3<S> n(select(is_flat, a.z(), -a.y()), select(is_flat, zero, a.x()),
-                         select(is_flat, -a.x(), zero));
-      N.col(0) = padded<S>(n);
-      N.col(1) = padded<S>(a.cross(n) / sqrt_of(aa));
-      Y = W.col(0) / aa;
-    } else if constexpr (m == 2) {
-      const Vector3<S> n = a.cross(b);
-      const S nn = n.squaredNorm(), inverse = 1 / nn;
-      are_independent = is_size(nn);
-      N = padded<S>(n);
-      Y.col(0) = padded<S>(b.cross(n) * inverse);
-      Y.col(1) = padded<S>(n.cross(a) * inverse);
-    } else {
-      const Vector3<S> bc = b.cross(c);
-      const S determinant = a.dot(bc), inverse = 1 / determinant;
-      are_independent = is_size(determinant * determinant);
-      Y.col(0) = padded<S>(bc * inverse);
-      Y.col(1) = padded<S>(c.cross(a) * inverse);
-      Y.col(2) = padded<S>(a.cross(b) * inverse);
-    }
-  }
-
- private:
-  static bool is_size(const S& squared) {
+bool solve_orientation(const PaddedColumns<S, 3>& W, PaddedColumns<S, 3 - m>& N, PaddedColumns<S, m>& Y) {
+  using std::sqrt;
+  const auto is_size = [](const S& squared) {
     return squared > direction_tolerance<S>() * direction_tolerance<S>();
+  };
+  const Padded<S> a = W.col(0), b = W.col(1), c = W.col(2);
+  if constexpr (m == 0) {
+    N.setIdentity();
+    return true;
+  } else if constexpr (m == 1) {
+    // two directions across a; neither is short
+    const S zero(0), aa = a.squaredNorm();
+    const auto is_flat = a.x() * a.x() + a.y() * a.y() < a.z() * a.z();
+    const Padded<S> n = padded<S>(Vector3<S>(select(is_flat, a.z(), -a.y()), select(is_flat, zero, a.x()),
+                                             select(is_flat, -a.x(), zero)));
+    N.col(0) = n;
+    N.col(1) = cross_product<S>(a, n) / S(sqrt(aa));
+    Y = a / aa;
+    return is_size(aa);
+  } else if constexpr (m == 2) {
+    const Padded<S> n = cross_product<S>(a, b);
+    const S nn = n.squaredNorm(), inverse = 1 / nn;
+    N = n;
+    Y.col(0) = cross_product<S>(b, n) * inverse;
+    Y.col(1) = cross_product<S>(n, a) * inverse;
+    return is_size(nn);
+  } else {
+    const Padded<S> bc = cross_product<S>(b, c);
+    const S determinant = a.dot(bc), inverse = 1 / determinant;
+    Y.col(0) = bc * inverse;
+    Y.col(1) = cross_product<S>(c, a) * inverse;
+    Y.col(2) = cross_product<S>(a, b) * inverse;
+    return is_size(determinant * determinant);
   }
-  static S sqrt_of(const S& x) {
-    using std::sqrt;
-    return sqrt(x);
-  }
-};
+}
 
 /// The inverse of a symmetric positive definite block of at most three rows; false where a pivot is not above
 /// `least`, which is the rounding of the block.
@@ -114,10 +104,7 @@ class PointLink {
   [[gnu::flatten]] Elimination factor(const BodyBlock<S>& H, const LinkRows<S>& link, BodyBlock<S>* parent,
                                       std::array<bool, 6>&) {
     const PointRows<S>& rows = link.point;
-    const OrientationRows<S, m> orientation(rows.W_child);
-    if (!orientation.are_independent) return Elimination::dependent_rows;
-    N_ = orientation.N;
-    Y_ = orientation.Y;
+    if (!solve_orientation<S, m>(rows.W_child, N_, Y_)) return Elimination::dependent_rows;
     // about the point: H_rx - H_rr L^T, and H_xx - L X - (L X)^T with X half of the way there
     const PaddedColumns<S, 3> way = times_transpose<S, 3>(H.rr, rows.L_child);
     const PaddedColumns<S, 3> rx = H.rx - way, X = H.rx - way / 2;
@@ -125,16 +112,21 @@ class PointLink {
     add_with_transpose<S>(-times<S, 3>(rows.L_child, X), xx);
     U_r_ = times<S, 3>(rx, N_);
     const PaddedColumns<S, free> U_x = times<S, 3>(xx, N_);
-    const Matrix<S, free, free> D = N_.transpose() * U_x;
+    const Matrix<S, free, free> D = products<free>(N_, U_x);
     const S moments = xx.diagonal().cwiseAbs().sum() + H.xx.diagonal().cwiseAbs().sum();
     if (!invert_positive<S, free>(D, 8 * unit_roundoff<S>() * moments * N_.squaredNorm(), D_inverse_))
       return Elimination::no_inertia;
-    const Matrix<S, free, m> carried = U_x.transpose() * Y_;
+    const Matrix<S, free, m> carried = products<m>(U_x, Y_);
     P_ = D_inverse_ * carried;
     const PaddedColumns<S, free> E = times<S, free>(U_r_, D_inverse_);
     rr_ = H.rr - times_transpose<S, free>(E, U_r_);
-    Z_ = times<S, 3>(rx, Y_) - times<S, free>(U_r_, P_);
-    T_ = Y_.transpose() * times<S, 3>(xx, Y_) - carried.transpose() * P_;
+    if constexpr (m > 0)
+      for (int k = 0; k < m; ++k) {
+        const Padded<S> Y = Y_.col(k);
+        const Free P = P_.col(k);
+        Z_.col(k) = times<S, 3>(rx, Y) - times<S, free>(U_r_, P);
+        T_.col(k) = transpose_times<S, m>(Y_, times<S, 3>(xx, Y)) - carried.transpose() * P;
+      }
     if (parent == nullptr) return Elimination::done;
     // u and w by the parent's r'' and x
     const PaddedColumns<S, m> W = parent_rows(rows);
@@ -158,7 +150,7 @@ class PointLink {
       size.take(k, C.r.col(k).squaredNorm(), C.x.col(k).squaredNorm());
       size.product[k] += (size.x[k] + lever_size * size.r[k]) * yield;
       const Free g = transpose_times<S, free>(N_, x);
-      out.g.col(k).template head<free>() = g;
+      out.g.row(k).template head<free>() = g.transpose();
       const Padded<S> rest_r = C.r.col(k) - times<S, free>(U_r_, Free(D_inverse_ * g));
       const Carried rest_w = transpose_times<S, m>(Y_, x) - P_.transpose() * g;
       out.rest_r.col(k) = rest_r;
@@ -169,11 +161,9 @@ class PointLink {
     }
   }
   /// Adds a^T D^-1 b of two closings' free parts.
-  void couple(const LinkColumn<S>& a, int rows_a, const LinkColumn<S>& b, int rows_b, Matrix6<S>& sum) const {
-    for (int n = 0; n < rows_b; ++n) {
-      const Free q = D_inverse_ * b.g.col(n).template head<free>();
-      for (int k = 0; k < rows_a; ++k) sum(k, n) += a.g.col(k).template head<free>().dot(q);
-    }
+  void couple(const LinkColumn<S>& a, const LinkColumn<S>& b, int rows_b, Matrix6<S>& sum) const {
+    for (int n = 0; n < rows_b; ++n)
+      sum.col(n) += a.g.template leftCols<free>() * (D_inverse_ * free_part(b, n));
   }
 
   /// Passes the right side up: what the parent's equations receive.
@@ -193,14 +183,33 @@ class PointLink {
     parent->r += f;
     parent->x += times<S, 3>(rows.L_parent, f) - times<S, m>(parent_rows(rows), s);
   }
+  /// Takes from the right sides what accelerations and multipliers of the joint already make of them.
+  [[gnu::flatten]] static void take_defect(const LinkRows<S>& link, const BodyPart<S>& child,
+                                           const BodyPart<S>* parent, const Vector6<S>& lambda,
+                                           BodyPart<S>& on_child, BodyPart<S>* on_parent, Vector6<S>& gamma) {
+    const PointRows<S>& rows = link.point;
+    const Padded<S> f = rows.sign * padded<S>(lambda.template head<3>());
+    const Carried carried = lambda.template segment<m>(3);
+    Padded<S> u = child.r + padded_transpose_times<S>(rows.L_child, child.x);
+    Carried w = transpose_times<S, m>(child_rows(rows), child.x);
+    on_child.r -= f;
+    on_child.x -= times<S, 3>(rows.L_child, f) + times<S, m>(child_rows(rows), carried);
+    if (parent != nullptr) {
+      u -= parent->r + padded_transpose_times<S>(rows.L_parent, parent->x);
+      w += transpose_times<S, m>(parent_rows(rows), parent->x);
+      on_parent->r += f;
+      on_parent->x += times<S, 3>(rows.L_parent, f) - times<S, m>(parent_rows(rows), carried);
+    }
+    gamma.template head<3>() -= rows.sign * unpadded<S>(u);
+    gamma.template segment<m>(3) -= w;
+  }
   /// What the link's own gamma and force do to a closing's right side.
   S closing_rate(const LinkColumn<S>& c, int k) const {
-    return c.rest_r.col(k).dot(u_) + c.rest_x.col(k).template head<m>().dot(w_) +
-           c.g.col(k).template head<free>().dot(q_);
+    return c.rest_r.col(k).dot(u_) + c.rest_x.col(k).template head<m>().dot(w_) + free_part(c, k).dot(q_);
   }
   /// Takes the closing's multiplier into the right side.
   void add_multiplier(const LinkColumn<S>& c, int k, const S& lambda) {
-    const Free q = D_inverse_ * c.g.col(k).template head<free>();
+    const Free q = D_inverse_ * free_part(c, k);
     q_ -= q * lambda;
     f_ -= lambda * c.rest_r.col(k);
     s_ -= lambda * c.rest_x.col(k).template head<m>();
@@ -210,22 +219,40 @@ class PointLink {
   [[gnu::flatten]] void backward(const BodyPart<S>* parent, const LinkRows<S>& link, BodyPart<S>& a,
                                  Vector6<S>& lambda) const {
     const PointRows<S>& rows = link.point;
-    Padded<S> u = u_;
-    Carried w = w_;
-    if (parent != nullptr) {
-      u += parent->r + padded<S>(transpose_times<S, 3>(rows.L_parent, parent->x));
-      w -= transpose_times<S, m>(parent_rows(rows), parent->x);
-    }
-    lambda.template head<3>() = rows.sign * unpadded<S>(f_ - times<S, 3>(rr_, u) - times<S, m>(Z_, w));
-    lambda.template segment<m>(3) = s_ - transpose_times<S, m>(Z_, u) - T_ * w;
-    const Free q = q_ - D_inverse_ * transpose_times<S, free>(U_r_, u) - P_ * w;
-    a.x = times<S, free>(N_, q) + times<S, m>(Y_, w);
-    a.r = u - padded<S>(transpose_times<S, 3>(rows.L_child, a.x));
+    if (parent == nullptr) return place(u_, w_, rows, a, lambda);
+    place(u_ + parent->r + padded_transpose_times<S>(rows.L_parent, parent->x),
+          w_ - transpose_times<S, m>(parent_rows(rows), parent->x), rows, a, lambda);
   }
 
  private:
   using Carried = Vector<S, m>;
 
+  static Free free_part(const LinkColumn<S>& c, int k) {
+    return c.g.row(k).template head<free>().transpose();
+  }
+  /// What u and w make of the body and the joint.
+  [[gnu::always_inline]] inline void place(const Padded<S>& u, const Carried& w, const PointRows<S>& rows,
+                                           BodyPart<S>& a, Vector6<S>& lambda) const {
+    lambda.template head<3>() = rows.sign * unpadded<S>(f_ - times<S, 3>(rr_, u) - times<S, m>(Z_, w));
+    lambda.template segment<m>(3) = s_ - transpose_times<S, m>(Z_, u) - T_ * w;
+    const Free q = q_ - D_inverse_ * transpose_times<S, free>(U_r_, u) - P_ * w;
+    const Padded<S> x = times<S, free>(N_, q) + times<S, m>(Y_, w);
+    a.x = x;
+    a.r = u - padded_transpose_times<S>(rows.L_child, x);
+  }
+
+  /// M^T N, column by column.
+  template <int columns, int rows>
+  static Matrix<S, rows, columns> products(const PaddedColumns<S, rows>& M,
+                                           const PaddedColumns<S, columns>& N) {
+    Matrix<S, rows, columns> product;
+    if constexpr (columns > 0)
+      for (int k = 0; k < columns; ++k) product.col(k) = transpose_times<S, rows>(M, N.col(k));
+    return product;
+  }
+  static PaddedColumns<S, m> child_rows(const PointRows<S>& rows) {
+    return rows.W_child.template leftCols<m>();
+  }
   static PaddedColumns<S, m> parent_rows(const PointRows<S>& rows) {
     return rows.W_parent.template leftCols<m>();
   }

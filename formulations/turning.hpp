@@ -15,12 +15,10 @@ struct Turning {
   Turning() = default;
   Turning(const Matrix3<S>& rotation, const Matrix3<S>& axes, const Vector3<S>& global_omega,
           const Vector3<S>& global_drift)
-      : omega(padded<S>(global_omega)), drift(padded<S>(global_drift)) {
-    for (int k = 0; k < 3; ++k) {
-      A.col(k) = padded<S>(rotation.col(k));
-      axes_T.col(k) = padded<S>(axes.row(k).transpose());
-    }
-  }
+      : A(padded_columns<S>(rotation)),
+        axes_T(transposed<S>(padded_columns<S>(axes))),
+        omega(padded<S>(global_omega)),
+        drift(padded<S>(global_drift)) {}
 };
 
 }  // namespace trivium
