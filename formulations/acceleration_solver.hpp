@@ -346,9 +346,13 @@ class AccelerationSolver {
   }
 
   void measure_and_add_step() {
-    // by components, added up once at the end
+    // by components, added up once at the end; link by link, those first that were solved for last
     Padded<S> moved = Padded<S>::Zero(), size = moved;
-    for (int b = 0; b < mechanism_.nb(); ++b) {
+    WrenchSize lambda_moved, lambda_size;
+    const EliminationPlan& plan = solver_.plan();
+    auto joint = links_.begin();
+    for (int n = 0; n < static_cast<int>(plan.links.size()); ++n) {
+      const int b = plan.links[n].body;
       const auto add_energy = [&](const BodyPart<S>& a, Padded<S>& sum) {
         sum +=
             mechanism_.bodies[b].mass * a.r.cwiseAbs2() + a.x.cwiseProduct(times<S, 3>(matrix_.H[b].xx, a.x));
@@ -356,24 +360,22 @@ class AccelerationSolver {
       add_energy(step_.body[b], moved);
       solution_.body[b] += step_.body[b];
       add_energy(solution_.body[b], size);
+      if (joint == links_.end() || joint->link != n) continue;
+      const PointRows<S>& rows = matrix_.point[n];
+      const int e = joint->edge, orientations = joint->joint.size();
+      lambda_moved.add(rows, step_.edge[e], orientations);
+      solution_.edge[e] += step_.edge[e];
+      lambda_size.add(rows, solution_.edge[e], orientations);
+      ++joint;
     }
-    WrenchSize lambda_moved, lambda_size;
-    const EliminationPlan& plan = solver_.plan();
-    for (std::size_t e = 0; e < plan.graph.edges.size(); ++e) solution_.edge[e] += step_.edge[e];
-    for (const LinkJoint& link : links_) {
-      const PointRows<S>& rows = matrix_.point[link.link];
-      lambda_moved.add(rows, step_.edge[link.edge], link.joint.size());
-      lambda_size.add(rows, solution_.edge[link.edge], link.joint.size());
-    }
-    const auto measure = [&](int e) {
+    for (const int e : ranked_) {
       const GraphEdge& edge = plan.graph.edges[e];
       const EdgeRows<S>& rows = matrix_.rows[plan.rows_slot[e]];
       const BodyColumns<S>& C = edge.j == plan.graph.bodies ? rows.C_i : rows.C_j;
       lambda_moved.add(C, step_.edge[e], edge.size());
+      solution_.edge[e] += step_.edge[e];
       lambda_size.add(C, solution_.edge[e], edge.size());
-    };
-    for (const ClosingJoint& closing : closings_) measure(closing.edge);
-    for (const int e : others_) measure(e);
+    }
     const auto ratio = [](const Padded<S>& differences, const Padded<S>& wholes) {
       const S difference = differences.sum(), whole = wholes.sum();
       return std::sqrt(largest_lane(S(select(difference == S(0), S(0), S(difference / whole)))));
