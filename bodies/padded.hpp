@@ -21,11 +21,19 @@ using Padded = Vector<S, padded_size<S>>;
 template <class S, int n>
 using PaddedColumns = Matrix<S, padded_size<S>, n>;
 
-/// The four places as one register, for doubles and floats. Numbers stored one by one cannot be loaded as one
-/// register before all stores are through, a dozen cycles each time; so vectors are put together here.
+#ifdef __AVX__
+inline constexpr std::size_t register_bytes = 32;
+#else
+inline constexpr std::size_t register_bytes = 16;
+#endif
+
+/// The four places as one register, for doubles and floats that fit into it. Numbers stored one by one cannot
+/// be loaded as one register before all stores are through, a dozen cycles each time; so vectors are put
+/// together here.
 template <class S>
 struct Register {
-  static constexpr bool exists = std::is_same_v<S, double> || std::is_same_v<S, float>;
+  static constexpr bool exists =
+      (std::is_same_v<S, double> || std::is_same_v<S, float>)&&4 * sizeof(S) <= register_bytes;
   using Number = std::conditional_t<exists, S, double>;
   using Places [[gnu::vector_size(4 * sizeof(Number))]] =
       std::conditional_t<sizeof(Number) == 8, long long, int>;
