@@ -20,14 +20,17 @@
 
 namespace trivium {
 
-/// What one refinement corrected, relative: accelerations in the mass metric; multipliers by the forces and
-/// by the moments that they exert, whichever is worse. It is the error of the unrefined solution; what is
-/// left is smaller. Where forces in balance leave no acceleration, all of it is correction.
+/// What the last refinement corrected, relative: accelerations in the mass metric; multipliers by the forces
+/// and by the moments that they exert, whichever is worse. It is the error before that refinement, over the
+/// whole mechanism: of a body far lighter than others it may be more; what is left is smaller. Where forces
+/// in balance leave no acceleration, all of it is correction.
 struct Corrections {
   double acceleration = 0, lambda = 0;
 };
 
-enum class Refinement { none, once };
+/// As needed: once, and again where the corrections say that more than rounding is left, as where a light
+/// body holds a heavy one.
+enum class Refinement { none, as_needed };
 
 template <Formulation F>
 class AccelerationSolver {
@@ -60,7 +63,7 @@ class AccelerationSolver {
 
   /// Solves at a state. Throws a ModelError that names the body where a link is singular, and the row where
   /// redundant rows contradict each other; all answers are NaN then.
-  void solve(std::span<const BodyState<F>> state, const S& t, Refinement refinement = Refinement::once) {
+  void solve(std::span<const BodyState<F>> state, const S& t, Refinement refinement = Refinement::as_needed) {
     try {
       rows_are_settled_ = false;
       t_ = t;
@@ -70,7 +73,7 @@ class AccelerationSolver {
       solver_.start(matrix_, right_side_);
       eliminate();
       solver_.substitute(solution_);
-      if (refinement == Refinement::once) refine();
+      if (refinement == Refinement::as_needed) refine_as_needed();
       meet_left_out_rows();
     } catch (...) {
       forget();
@@ -80,7 +83,7 @@ class AccelerationSolver {
 
   /// One step of iterative refinement.
   void refine() {
-    refinement_ = Refinement::once;
+    refinement_ = Refinement::as_needed;
     solver_.correct(matrix_, right_side_, solution_, step_, step_);
     measure_and_add_step();
   }
@@ -239,7 +242,7 @@ class AccelerationSolver {
           row_name(e.first_too_many), static_cast<double>(t_), solver_.most_reinstated));
     }
     solver_.solve(right_side_, solution_);
-    if (refinement_ == Refinement::once) refine();
+    if (refinement_ == Refinement::as_needed) refine_as_needed();
   }
   const std::string& row_name(const EdgeRow& row) const {
     return mechanism_.row_names[solver_.plan().graph.edges[row.edge].rows[row.k]];
@@ -273,6 +276,17 @@ class AccelerationSolver {
     corrections_ = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   }
 
+  /// Until what is left, as far as the corrections fall alike, is far below rounding; or they fall no more.
+  void refine_as_needed() {
+    const double enough = 1e-4 * static_cast<double>(unit_roundoff<S>());
+    double before = 3;  // above any first correction
+    for (;;) {
+      refine();
+      const double now = std::max(corrections_.acceleration, corrections_.lambda);
+      if (!(now < before / 2 && now * now / before > enough)) return;
+      before = now;
+    }
+  }
   void move_bodies(std::span<const BodyState<F>> state) {
     const bool effects_see_motion = mechanism_.effects.see_motion();
     if (!effects_see_motion) apply_effects();
@@ -433,7 +447,7 @@ class AccelerationSolver {
   std::vector<int> ranked_;  ///< edges whose rows may be left out: all but the point joints of the tree
   // of the last state
   S t_{0};
-  Refinement refinement_ = Refinement::once;
+  Refinement refinement_ = Refinement::as_needed;
   bool rows_are_settled_ = false;  ///< those left out all depend on others
   Corrections corrections_;
 };

@@ -9,5 +9,18 @@ TEST(StructuredSolver, AgreesWithThePrintedSystemInFloat) {
   test::expect_agreement_on<REpsilon<float>>(40);
 }
 
+TEST(StructuredSolver, RefinesUntilMassRatiosOfAMillionAreRightInFloat) {
+  for (std::uint64_t seed = 50; seed < 80; ++seed) {
+    test::MechanismOptions o;
+    o.bodies = 2 + static_cast<int>(seed % 5);
+    o.closings = static_cast<int>(seed % 2);
+    o.mass_decades = 3;
+    const scenes::Scene scene = test::random_scene(seed, o);
+    const std::string what = "seed " + std::to_string(seed);
+    test::expect_agreement<ROmega<float>>(scene, what);
+    test::expect_agreement<REpsilon<float>>(scene, what);
+  }
+}
+
 }  // namespace
 }  // namespace trivium

@@ -129,6 +129,45 @@ TEST(StructuredSolver, NamesTheBodyWhoseMotionHasNoInertia) {
   }
 }
 
+/// Three bodies that hang on each other by rods, a light one between two others: the light one is eliminated
+/// with a heavy one's forces in it.
+scenes::Scene hung_on_a_light_body(double light, double heavy) {
+  using scenes::Vector3;
+  const auto body = [](const char* name, double mass, const Vector3& position) {
+    scenes::Body b = test::body(name, mass, {mass, 2 * mass, 2.5 * mass}, position);
+    b.velocity = {0.1, 0.2, -0.3};
+    b.angular_velocity = {0.3, -0.5, 0.7};
+    return b;
+  };
+  scenes::Scene scene;
+  scene.bodies = {body("upper", 1, {1, 0, 0}), body("light", light, {2, 0.5, 0}),
+                  body("heavy", heavy, {3, 0, 0.5})};
+  for (int b = 0; b < 3; ++b) {
+    const Vector3 on_i = b == 0 ? Vector3{} : Vector3{0.1, 0.2, 0.3}, on_j{-0.2, 0.1, -0.3};
+    auto rod = test::joint(scenes::ConstraintType::distance, "rod " + std::to_string(b),
+                           test::side(b - 1, on_i), test::side(b, on_j));
+    double squared = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double from = on_i[k] + (b == 0 ? 0 : scene.bodies[b - 1].position[k]);
+      squared += std::pow(scene.bodies[b].position[k] + on_j[k] - from, 2);
+    }
+    rod.distance = std::sqrt(squared);
+    scene.constraints.push_back(rod);
+  }
+  scene.effects.push_back(test::gravity());
+  test::project_velocities(scene);
+  return scene;
+}
+TEST(StructuredSolver, RefinesUntilALightBodyThatHoldsAHeavyOneIsRight) {
+  for (const auto& [light, heavy] : {std::pair(1e-2, 1e2), {1e-4, 1e4}, {1e-2, 1e6}}) {
+    const scenes::Scene scene = hung_on_a_light_body(light, heavy);
+    const std::string what = "mass ratio " + std::to_string(heavy / light);
+    test::expect_agreement<ROmega<double>>(scene, what);
+    test::expect_agreement<RP<double>>(scene, what);
+    test::expect_agreement<REpsilon<double>>(scene, what);
+  }
+}
+
 TEST(StructuredSolver, CorrectionsCoverTheErrorOfTheUnrefinedSolution) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     using F = ROmega<double>;

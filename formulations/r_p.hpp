@@ -84,7 +84,7 @@ struct RP {
   static Vector<S, 1> internal_gamma(const Kinematics& k) { return Vector<S, 1>(-k.p_dot.squaredNorm()); }
 
   // internal row eliminated: p'' = 1/2 G^T x - |p'|^2 p meets it for every x, and 1/2 G J^p 1/2 G^T = Jbar: x
-  // is omega_bar'
+  // is omega_bar', and p counts as unit
   struct Reduced : Kinematics {
     static constexpr int rotational_unknowns = 3;
 

@@ -40,7 +40,7 @@ void walk(const Workload& w, int evaluations) {
   const auto bodies = to_coordinates<F>(mechanism, state, {});
   AccelerationSolver<F> solver(mechanism);
   for (int k = 0; k < evaluations; ++k)
-    solver.solve(bodies, state.t, w.refined ? Refinement::once : Refinement::none);
+    solver.solve(bodies, state.t, w.refined ? Refinement::as_needed : Refinement::none);
 }
 
 void walk(const Workload& w, int evaluations) {

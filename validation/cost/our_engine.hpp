@@ -22,7 +22,7 @@ std::vector<double> plain(const VectorX<S>& v) {
 }
 
 inline Refinement refinement_of(Refined refined) {
-  return refined == Refined::yes ? Refinement::once : Refinement::none;
+  return refined == Refined::yes ? Refinement::as_needed : Refinement::none;
 }
 
 template <class F>
