@@ -63,10 +63,15 @@ Tex microseconds(double x) {
   return {fmt::format("{:.{}f}", x, digits)};
 }
 
+/// Our formulations solid, the others dashed.
 std::string plot(const ResultsTable& table, const std::string& family) {
   std::string out =
-      "\\begin{tikzpicture}\n\\begin{loglogaxis}[width=0.49\\textwidth,height=0.44\\textwidth,grid=major,\n"
-      "  xlabel={$n$},ylabel={microseconds per body},legend columns=3,\n"
+      "\\begin{tikzpicture}[baseline=(current "
+      "axis.south)]\n\\begin{loglogaxis}[width=0.49\\textwidth,height=0.44\\textwidth,grid=major,\n"
+      "  xlabel={$n$},ylabel={microseconds per body},legend columns=2,\n"
+      "  cycle list={{blue,mark=*},{red,mark=square*},{brown!60!black,mark=triangle*},{black,mark=star},\n"
+      "    {blue,dashed,mark=o},{red,dashed,mark=square},{brown!60!black,dashed,mark=triangle},\n"
+      "    {black,dashed,mark=x}},every axis plot/.append style={mark options={solid}},\n"
       "  legend style={font=\\scriptsize,draw=none,at={(0.5,-0.24)},anchor=north,/tikz/every even "
       "column/.append style={column sep=4pt}}]\n";
   for (const Solver& solver : all_solvers()) {
