@@ -57,6 +57,19 @@ struct CD : BodyPair {
 template <class Scalar>
 using BasicConstraint = std::variant<DP1<Scalar>, TurningDP1<Scalar>, DP2<Scalar>, D<Scalar>, CD<Scalar>>;
 
+/// f(t), or alpha(t) of a turning vector.
+template <class Scalar>
+const TimeFunction& function_of(const BasicConstraint<Scalar>& constraint) {
+  return std::visit(
+      [](const auto& c) -> const TimeFunction& {
+        if constexpr (requires { c.alpha; })
+          return c.alpha;
+        else
+          return c.f;
+      },
+      constraint);
+}
+
 template <class Scalar>
 BodyPair bodies_of(const BasicConstraint<Scalar>& constraint) {
   return std::visit([](const BodyPair& pair) { return pair; }, constraint);
@@ -124,6 +137,43 @@ auto evaluate_row(const BasicConstraint<typename Body::Scalar>& constraint, cons
   using Row = ConstraintRow<typename Body::Scalar, Body::rotational_unknowns>;
   return with_features(constraint, i, j, t,
                        [](const auto& x, const auto& y, const auto& f) { return product_row<Row>(x, y, f); });
+}
+
+/// Phi of one constraint.
+template <BodyKinematics Body>
+typename Body::Scalar row_position(const BasicConstraint<typename Body::Scalar>& constraint, const Body& i,
+                                   const Body& j, const typename Body::Scalar& t) {
+  using Scalar = typename Body::Scalar;
+  return with_features(constraint, i, j, t, [](const auto& x, const auto& y, const Jet<Scalar>& f) {
+    return Scalar(x.value().dot(y.value()) - f.f);
+  });
+}
+
+/// Phi' of one constraint, Phi_q q' - nu, from the features alone.
+template <BodyKinematics Body>
+typename Body::Scalar row_velocity(const BasicConstraint<typename Body::Scalar>& constraint, const Body& i,
+                                   const Body& j, const typename Body::Scalar& t) {
+  using Scalar = typename Body::Scalar;
+  return with_features(constraint, i, j, t, [](const auto& x, const auto& y, const Jet<Scalar>& f) {
+    return Scalar(x.rate().dot(y.value()) + x.value().dot(y.rate()) - f.f_t);
+  });
+}
+
+/// How much Phi of one constraint, where it holds, changes per metre of its points or radian of its vectors:
+/// |a_i| |a_j| (DP1), |a_i| (DP2), 2 |d| (D), |c| (CD); 1 where that is zero.
+template <class Scalar>
+Scalar row_scale(const BasicConstraint<Scalar>& constraint, const Scalar& t) {
+  using std::sqrt, std::abs;
+  struct Scale {
+    const Scalar& t;
+    Scalar operator()(const DP1<Scalar>& c) const { return c.a_bar_i.norm() * c.a_bar_j.norm(); }
+    Scalar operator()(const TurningDP1<Scalar>& c) const { return c.u_bar_i.norm() * c.a_bar_j.norm(); }
+    Scalar operator()(const DP2<Scalar>& c) const { return c.a_bar_i.norm(); }
+    Scalar operator()(const D<Scalar>& c) const { return 2 * sqrt(abs(c.f(t).f)); }
+    Scalar operator()(const CD<Scalar>& c) const { return c.c.norm(); }
+  };
+  const Scalar scale = std::visit(Scale{t}, constraint);
+  return scale > Scalar(0) ? scale : Scalar(1);
 }
 
 /// Phi'' of one constraint under given accelerations of its bodies, from the features alone: no Jacobian, no

@@ -2,7 +2,9 @@
 /// f(t), f' and f'' exactly: the functions of time that a scene may prescribe (scene format, "Functions of
 /// time").
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -103,6 +105,15 @@ class TimeFunction {
   /// A plain number: its derivatives are known to be zero and need not be computed.
   bool is_number() const { return std::holds_alternative<double>(kind_); }
 
+  /// Whether f' is zero at all times.
+  bool is_constant() const {
+    return std::visit([](const auto& kind) { return constant(kind); }, kind_);
+  }
+  /// Appends the times where f'' has a kink: a method that lands there keeps its order across.
+  void append_kinks(std::vector<double>& times) const {
+    std::visit([&](const auto& kind) { add_kinks(kind, times); }, kind_);
+  }
+
   /// f, f' and f'' at time t.
   template <class Scalar>
   Jet<Scalar> operator()(const Scalar& t) const {
@@ -116,6 +127,34 @@ class TimeFunction {
   }
 
  private:
+  static bool all_constant(const std::vector<TimeFunction>& parts) {
+    return std::all_of(parts.begin(), parts.end(), [](const TimeFunction& f) { return f.is_constant(); });
+  }
+  static bool constant(double) { return true; }
+  static bool constant(const Polynomial& k) {
+    return std::all_of(k.coefficients.begin() + std::min<std::ptrdiff_t>(1, std::ssize(k.coefficients)),
+                       k.coefficients.end(), [](double c) { return c == 0; });
+  }
+  static bool constant(const Harmonic& k) { return k.amplitude == 0 || k.angular_frequency == 0; }
+  static bool constant(const Sin& k) { return all_constant(k.of); }
+  static bool constant(const Cos& k) { return all_constant(k.of); }
+  static bool constant(const Sum& k) { return all_constant(k.terms); }
+  static bool constant(const Product& k) { return all_constant(k.factors); }
+  static bool constant(const Step5& k) { return k.f0 == k.f1; }
+
+  static void add_all_kinks(const std::vector<TimeFunction>& parts, std::vector<double>& times) {
+    for (const TimeFunction& f : parts) f.append_kinks(times);
+  }
+  template <class K>
+  static void add_kinks(const K&, std::vector<double>&) {}
+  static void add_kinks(const Sin& k, std::vector<double>& times) { add_all_kinks(k.of, times); }
+  static void add_kinks(const Cos& k, std::vector<double>& times) { add_all_kinks(k.of, times); }
+  static void add_kinks(const Sum& k, std::vector<double>& times) { add_all_kinks(k.terms, times); }
+  static void add_kinks(const Product& k, std::vector<double>& times) { add_all_kinks(k.factors, times); }
+  static void add_kinks(const Step5& k, std::vector<double>& times) {
+    times.insert(times.end(), {k.t0, k.t1});
+  }
+
   template <class Scalar>
   static Jet<Scalar> evaluate(double constant, const Scalar&) {
     return {Scalar(constant)};

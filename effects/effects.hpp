@@ -55,8 +55,44 @@ class Effects {
     for_each([&](const auto& effect) { sum += effect.potential_energy(view); });
     return sum;
   }
+  /// Whether all give back what they store.
+  bool are_conservative() const {
+    bool all = true;
+    for_each([&](const auto& effect) { all = all && effect.is_conservative(); });
+    return all;
+  }
+  /// The energy that the conservative ones store, and the power of the others.
+  Scalar conserved_energy(const EffectView<Scalar>& view) const {
+    Scalar sum(0);
+    for_each([&](const auto& effect) {
+      if (effect.is_conservative()) sum += effect.potential_energy(view);
+    });
+    return sum;
+  }
+  Scalar other_power(const EffectView<Scalar>& view) const {
+    Scalar sum(0);
+    for_each([&](const auto& effect) {
+      if (!effect.is_conservative()) sum += effect.power(view);
+    });
+    return sum;
+  }
+  /// Tells effects that count turns where the motion is.
+  void follow(const EffectView<Scalar>& view) {
+    std::apply([&](auto&... list) { (follow_list(list, view), ...); }, lists_);
+  }
+  /// Appends the times where their functions of time have kinks.
+  void append_kinks(std::vector<double>& times) const {
+    for_each([&](const auto& effect) {
+      if constexpr (requires { effect.append_kinks(times); }) effect.append_kinks(times);
+    });
+  }
 
  private:
+  template <class List>
+  static void follow_list(List& list, const EffectView<Scalar>& view) {
+    if constexpr (requires { list.front().follow(view); })
+      for (auto& effect : list) effect.follow(view);
+  }
   template <class Visit>
   void for_each(const Visit& visit) const {
     std::apply([&](const auto&... list) { (visit_list(list, visit), ...); }, lists_);

@@ -253,6 +253,20 @@ TorsionalSpringDamper<double> about_z(double k, double c, double theta0, const T
   return {1, 0, x, y, z, x, k, c, theta0, h};
 }
 
+TEST(Effects, AreConservativeWhereTheyGiveBackWhatTheyStore) {
+  const TF number = 3.0, function = TF::Polynomial{{0, 1}};
+  EXPECT_TRUE(Gravity<double>{}.is_conservative());
+  EXPECT_TRUE((Force<double>{0, {}, {number, number, number}}.is_conservative()));
+  EXPECT_FALSE((Force<double>{0, {}, {number, function, number}}.is_conservative()));
+  EXPECT_FALSE((Force<double>{0, {}, {number, number, number}, ComponentFrame::body}.is_conservative()));
+  EXPECT_FALSE((Torque<double>{0, {number, number, number}}.is_conservative()));
+  EXPECT_TRUE(about_z(10, 0, 0.2, {}).is_conservative());
+  EXPECT_FALSE(about_z(10, 1, 0.2, {}).is_conservative());
+  EXPECT_FALSE(about_z(10, 0, 0.2, number).is_conservative());
+  EXPECT_TRUE((SpringDamper<double>{"", 0, 1, {}, {}, 10, 0, 1, {}}.is_conservative()));
+  EXPECT_FALSE((SpringDamper<double>{"", 0, 1, {}, {}, 10, 1, 1, {}}.is_conservative()));
+}
+
 TEST(TorsionalSpringDamper, DrivesThetaBackAndAPositiveActuatorDrivesItDown) {
   EXPECT_DOUBLE_EQ(OnAnAxis(0.5, 0).torque_on_j(about_z(10, 0, 0.2, {})), -3);
   EXPECT_DOUBLE_EQ(OnAnAxis(0.1, 0).torque_on_j(about_z(10, 0, 0.2, {})), 1);
@@ -260,14 +274,17 @@ TEST(TorsionalSpringDamper, DrivesThetaBackAndAPositiveActuatorDrivesItDown) {
   EXPECT_DOUBLE_EQ(OnAnAxis(0.5, 0).torque_on_j(about_z(0, 0, 0, 7.0)), -7);
 }
 
-TEST(TorsionalSpringDamper, AngleLiesInTheHalfOpenTurnAndCountsTurns) {
+TEST(TorsionalSpringDamper, AngleLiesInTheHalfOpenTurnUntilItIsFollowed) {
   const double pi = std::acos(-1.0);
   auto s = about_z(1, 0, 0, {});
   for (const double angle : {-3.0, -0.5, 0.0, 0.5, 3.0}) {
     EXPECT_NEAR(s.angle(OnAnAxis(angle, 0).view()), angle, 1e-15);
     EXPECT_NEAR(s.angle(OnAnAxis(angle + 2 * pi, 0).view()), angle, 1e-14);
   }
-  s.turns = 2;
+  for (double angle = 0; angle < 13; angle += 3) {
+    s.follow(OnAnAxis(angle, 0).view());
+    EXPECT_NEAR(s.angle(OnAnAxis(angle, 0).view()), angle, 1e-14);
+  }
   EXPECT_NEAR(s.angle(OnAnAxis(0.5, 0).view()), 0.5 + 4 * pi, 1e-14);
 }
 

@@ -2,6 +2,7 @@
 /// A force of given components at a body-fixed point.
 
 #include <array>
+#include <vector>
 
 #include "constraints/time_function.hpp"
 #include "effects/effect.hpp"
@@ -15,6 +16,11 @@ enum class ComponentFrame { global, body };
 template <class Scalar>
 Vector3<Scalar> evaluate(const std::array<TimeFunction, 3>& components, const Scalar& t) {
   return {components[0](t).f, components[1](t).f, components[2](t).f};
+}
+
+/// Appends the times where they have kinks.
+inline void append_kinks(const std::array<TimeFunction, 3>& components, std::vector<double>& times) {
+  for (const TimeFunction& component : components) component.append_kinks(times);
 }
 
 template <class Scalar>
@@ -35,6 +41,7 @@ struct Force {
     if (!is_conservative()) return Scalar(0);
     return -global_force(view).dot(view.motion[body].point(s_bar));
   }
+  void append_kinks(std::vector<double>& times) const { trivium::append_kinks(components, times); }
   bool is_conservative() const {
     return frame == ComponentFrame::global && components[0].is_number() && components[1].is_number() &&
            components[2].is_number();

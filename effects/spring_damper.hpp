@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bodies/error.hpp"
+#include "bodies/lanes.hpp"
 #include "constraints/time_function.hpp"
 #include "effects/effect.hpp"
 
@@ -29,6 +30,9 @@ struct SpringDamper {
     const Line line = measure(view);
     return -tension(line, view.t) * line.length_rate;
   }
+  void append_kinks(std::vector<double>& times) const { actuator.append_kinks(times); }
+  /// Zero damping and no actuator.
+  bool is_conservative() const { return all(damping == Scalar(0)) && actuator == TimeFunction(0); }
   /// k (l - l0)^2 / 2.
   Scalar potential_energy(const EffectView<Scalar>& view) const {
     const Scalar stretch = measure(view).length - free_length;

@@ -18,6 +18,9 @@ struct Torque {
     return body_torque(view).dot(view.motion[body].omega_bar);
   }
   Scalar potential_energy(const EffectView<Scalar>&) const { return Scalar(0); }
+  void append_kinks(std::vector<double>& times) const { trivium::append_kinks(components, times); }
+  /// A torque of constant components has no potential either.
+  bool is_conservative() const { return false; }
 
  private:
   Vector3<Scalar> body_torque(const EffectView<Scalar>& view) const {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bodies/lanes.hpp"
 #include "constraints/time_function.hpp"
 #include "effects/effect.hpp"
 
@@ -15,7 +16,7 @@ struct TorsionalSpringDamper {
   Vector3<Scalar> u_bar_i, v_bar_i, z_bar_i, u_bar_j;  ///< of its joint, body frames
   Scalar stiffness{0}, damping{0}, free_angle{0};      ///< k [N m/rad], c [N m s/rad], theta0 [rad]
   TimeFunction actuator;                               ///< h [N m]
-  Scalar turns{0};  ///< whole turns since the start, counted by whoever follows the motion
+  Scalar followed{0};  ///< where theta was last: theta is counted within half a turn of it
 
   void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
     const Vector3<Scalar> n = torque_on_j(view) * axis(view);
@@ -29,14 +30,22 @@ struct TorsionalSpringDamper {
     return stiffness * twist * twist / 2;
   }
 
-  /// theta in (-pi, pi], plus the turns counted so far.
+  void append_kinks(std::vector<double>& times) const { actuator.append_kinks(times); }
+  /// Zero damping and no actuator.
+  bool is_conservative() const { return all(damping == Scalar(0)) && actuator == TimeFunction(0); }
+  /// From now on theta is counted from where it is, over full turns.
+  void follow(const EffectView<Scalar>& view) {
+    const Scalar theta = angle(view), moved = theta - followed;
+    followed = select(moved * moved > Scalar(1), theta, followed);  // seldom: every sum is rounded
+  }
+
+  /// theta, in (-pi, pi] of where it was followed to (0 at the start).
   Scalar angle(const EffectView<Scalar>& view) const {
-    using std::atan2, std::acos;
+    using std::atan2, std::cos, std::sin;
     const Matrix3<Scalar>& A_i = view.motion[i].A;
     const Vector3<Scalar> u_j = view.motion[j].A * u_bar_j;
-    const Scalar two_pi = 2 * acos(Scalar(-1));
-    const Scalar theta = atan2(Scalar(u_j.dot(A_i * v_bar_i)), Scalar(u_j.dot(A_i * u_bar_i)));
-    return theta + turns * two_pi;
+    const Scalar y = u_j.dot(A_i * v_bar_i), x = u_j.dot(A_i * u_bar_i), c = cos(followed), s = sin(followed);
+    return followed + atan2(Scalar(y * c - x * s), Scalar(x * c + y * s));
   }
   /// theta' = z . (omega_j - omega_i).
   Scalar angle_rate(const EffectView<Scalar>& view) const {

@@ -3,6 +3,7 @@
 /// indices, axes normalised. The ground is the last body index everywhere: index nb, with no mass and no
 /// coordinates.
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,15 @@ struct Mechanism {
   std::vector<std::string> row_names;  ///< "joint.dp1(u_i, z_j)", or the name of a basic constraint
   std::vector<Joint<Scalar>> joints;   ///< in file order; basic constraints are joints of one row
   Effects<Scalar> effects;
+
+  /// Times where a function of time has a kink in its second derivative, in order.
+  std::vector<double> kinks() const {
+    std::vector<double> times;
+    for (const BasicConstraint<Scalar>& row : rows) function_of(row).append_kinks(times);
+    effects.append_kinks(times);
+    std::sort(times.begin(), times.end());
+    return times;
+  }
 
   int nb() const { return static_cast<int>(bodies.size()); }
   int nc() const { return static_cast<int>(rows.size()); }

@@ -84,7 +84,7 @@ class Parts {
       show(e.i, e.j, e.s_bar_i, e.s_bar_j, e.stiffness, e.damping, e.free_length, e.actuator);
     for (auto& e : effects.template all<TorsionalSpringDamper<S>>())
       show(e.i, e.j, e.u_bar_i, e.v_bar_i, e.z_bar_i, e.u_bar_j, e.stiffness, e.damping, e.free_angle,
-           e.actuator, e.turns);
+           e.actuator, e.followed);
   }
 
   const Visit& visit_;

@@ -79,7 +79,7 @@ struct Cast {
                                      To(e.damping),
                                      To(e.free_angle),
                                      e.actuator,
-                                     To(e.turns)};
+                                     To(e.followed)};
   }
 };
 

@@ -11,6 +11,7 @@
 #include <random>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace trivium {
 
@@ -29,24 +30,46 @@ inline std::optional<std::filesystem::path> file_to_write(std::filesystem::path 
   return path;
 }
 
-/// Writes the text beside `target`, in a file that no other writer uses and on the same file system, and
-/// renames it: the target has all of the text or stays as it was. Says why it could not.
+/// A file that grows beside `target`, under a name that no other writer uses and on the same file system, and
+/// takes its place when it is kept: until then the target stays as it was.
+class GrowingFile {
+ public:
+  explicit GrowingFile(std::filesystem::path target) : target_(std::move(target)), temporary_(target_) {
+    std::random_device random;
+    temporary_ += fmt::format(".{:08x}{:08x}.tmp", random(), random());
+    errno = 0;
+    file_.open(temporary_, std::ios::binary);
+  }
+  GrowingFile(const GrowingFile&) = delete;
+  ~GrowingFile() {
+    std::error_code ignored;
+    if (!is_kept_) std::filesystem::remove(temporary_, ignored);
+  }
+
+  void write(std::string_view text) { file_.write(text.data(), static_cast<std::streamsize>(text.size())); }
+  /// Says why it could not be kept.
+  std::error_code keep() {
+    file_.close();
+    std::error_code reason;
+    if (!file_)
+      reason = {errno != 0 ? errno : EIO, std::generic_category()};
+    else
+      std::filesystem::rename(temporary_, target_, reason);
+    is_kept_ = !reason;
+    return reason;
+  }
+
+ private:
+  std::filesystem::path target_, temporary_;
+  std::ofstream file_;
+  bool is_kept_ = false;
+};
+
+/// The target has all of the text or stays as it was. Says why it could not be written.
 inline std::error_code replace_file(const std::filesystem::path& target, std::string_view text) {
-  namespace fs = std::filesystem;
-  std::random_device random;
-  fs::path temporary = target;
-  temporary += fmt::format(".{:08x}{:08x}.tmp", random(), random());
-  errno = 0;
-  std::ofstream file(temporary, std::ios::binary);
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  file.close();
-  std::error_code reason, ignored;
-  if (!file)
-    reason = {errno != 0 ? errno : EIO, std::generic_category()};
-  else
-    fs::rename(temporary, target, reason);
-  if (reason) fs::remove(temporary, ignored);
-  return reason;
+  GrowingFile file(target);
+  file.write(text);
+  return file.keep();
 }
 
 }  // namespace trivium
