@@ -13,9 +13,8 @@
 #include <variant>
 #include <vector>
 
-#include "formulations/equations_of_motion.hpp"
+#include "formulations/graph_assembly.hpp"
 #include "formulations/graph_solver.hpp"
-#include "formulations/point_joint.hpp"
 #include "formulations/unmet_rows.hpp"
 
 namespace trivium {
@@ -32,6 +31,11 @@ struct Corrections {
 /// body holds a heavy one.
 enum class Refinement { none, as_needed };
 
+/// Baumgarte's stabilisation: Phi'' + 2 alpha Phi' + beta^2 Phi = 0 in the place of Phi'' = 0.
+struct Baumgarte {
+  double alpha = 0, beta = 0;  ///< [1/s]
+};
+
 template <Formulation F>
 class AccelerationSolver {
  public:
@@ -42,67 +46,91 @@ class AccelerationSolver {
   explicit AccelerationSolver(const Mechanism<S>& mechanism)
       : mechanism_(mechanism),
         solver_(plan_elimination(body_joint_graph(mechanism))),
-        matrix_(solver_.plan()),
+        assembly_(mechanism, solver_.plan()),
         right_side_(solver_.plan().graph),
         solution_(right_side_),
         defect_(right_side_),
         step_(right_side_),
         wrenches_(mechanism.nb() + 1),
         motion_(mechanism.nb() + 1) {
-    body_.resize(mechanism.nb() + 1);
-    body_.back() = Body{body_kinematics(std::vector<BodyState<F>>{}).back()};
-    turning_.resize(mechanism.nb() + 1);
-    turning_.back() = F::turning(body_.back());
-    for (int b = 0; b < mechanism.nb(); ++b) {
-      matrix_.H[b].rr.diagonal().setConstant(mechanism.bodies[b].mass);
-      if constexpr (F::reduced_mass_is_constant) set_mass_block(b);
-    }
-    plan_assembly();
+    for (int e = 0; e < static_cast<int>(plan().graph.edges.size()); ++e)
+      if (plan().rows_slot[e] >= 0) ranked_.push_back(e);
   }
   AccelerationSolver(const AccelerationSolver&) = delete;  // its solver knows where its matrix is
 
   /// Solves at a state. Throws a ModelError that names the body where a link is singular, and the row where
   /// redundant rows contradict each other; all answers are NaN then.
-  void solve(std::span<const BodyState<F>> state, const S& t, Refinement refinement = Refinement::as_needed) {
+  void solve(std::span<const BodyState<F>> state, const S& t, Refinement refinement = Refinement::as_needed,
+             Ranks ranks = Ranks::found) {
     try {
-      rows_are_settled_ = false;
+      rows_are_settled_ = ranks != Ranks::found;
+      solver_.find_ranks(ranks);
       t_ = t;
       refinement_ = refinement;
       move_bodies(state);
-      assemble_closings();
-      solver_.start(matrix_, right_side_);
+      if (ranks == Ranks::seen)
+        assembly_.find_vanishing_rows(S(1e-5), [&](int edge, int k) { solver_.leave_out(edge, k); });
+      if (baumgarte_) measure_violations();
+      assembly_.assemble_closings(t_, right_side_);
+      if (baumgarte_)
+        for (const int e : ranked_) stabilise(e);
+      solver_.start(assembly_.matrix(), right_side_);
       eliminate();
       solver_.substitute(solution_);
       if (refinement == Refinement::as_needed) refine_as_needed();
-      meet_left_out_rows();
+      if (ranks == Ranks::found) meet_left_out_rows();
     } catch (...) {
       forget();
       throw;
     }
   }
 
+  /// From now on accelerations are those of the stabilised rows.
+  void stabilise(const Baumgarte& baumgarte) {
+    baumgarte_ = baumgarte;
+    phi_.emplace(plan().graph);
+    phi_dot_.emplace(plan().graph);
+  }
+
   /// One step of iterative refinement.
   void refine() {
     refinement_ = Refinement::as_needed;
-    solver_.correct(matrix_, right_side_, solution_, step_, step_);
+    solver_.correct(assembly_.matrix(), right_side_, solution_, step_, step_);
     measure_and_add_step();
   }
 
+  const Mechanism<S>& mechanism() const { return mechanism_; }
   const EliminationPlan& plan() const { return solver_.plan(); }
+  /// For other right sides of the same matrix; what is done to them voids the accelerations.
+  GraphSolver<S>& factors() { return solver_; }
+  GraphAssembly<F>& assembly() { return assembly_; }
+  const GraphAssembly<F>& assembly() const { return assembly_; }
+  /// What went wrong at a link, with its body's name; that of a state that is not finite comes first.
+  ModelError named(const SingularLink& link, const S& t) const {
+    require_numbers();
+    return ModelError(
+        fmt::format("body \"{}\" at t = {}: {}; its links cannot be eliminated one by one: solve the printed "
+                    "system instead",
+                    mechanism_.body_names[link.body()], static_cast<double>(t), link.what()));
+  }
   /// Of the last refinement.
   const Corrections& corrections() const { return corrections_; }
 
   Vector3<S> r_ddot(int b) const { return unpadded<S>(solution_.body[b].r); }
   /// The formulation's own unknown.
   typename F::Unknown q_ddot(int b) const {
-    return F::from_reduced(body_[b], unpadded<S>(solution_.body[b].x));
+    return F::from_reduced(assembly_.body()[b], unpadded<S>(solution_.body[b].x));
   }
-  Vector3<S> omega_bar_dot(int b) const { return F::to_angular_acceleration(body_[b], q_ddot(b)); }
+  Vector3<S> omega_bar_dot(int b) const { return F::to_angular_acceleration(assembly_.body()[b], q_ddot(b)); }
   /// One multiplier per row of the mechanism; 0 in rows that were left out because they depend on others.
   VectorX<S> lambda() const {
     VectorX<S> all(mechanism_.nc());
-    for_each_row([&](int edge, int k, int row) { all[row] = solution_.edge[edge][k]; });
+    copy_lambda(all);
     return all;
+  }
+  /// The same into a vector of that size.
+  void copy_lambda(VectorX<S>& all) const {
+    for_each_row([&](int edge, int k, int row) { all[row] = solution_.edge[edge][k]; });
   }
   /// Which rows depend on others is settled here where the solution left it open; multipliers of rows that do
   /// not may then change from 0, within what rounding leaves of them.
@@ -126,144 +154,63 @@ class AccelerationSolver {
   VectorX<S> minimum_norm_lambda();
 
  private:
-  /// A point joint of the tree, and one that closes a loop.
-  struct LinkJoint {
-    int link, edge;
-    bool child_is_j;
-    PointJoint<S> joint;
-  };
-  struct ClosingJoint {
-    int edge;
-    PointJoint<S> joint;
-  };
-
-  void plan_assembly() {
-    const EliminationPlan& plan = solver_.plan();
-    for (std::size_t n = 0; n < plan.links.size(); ++n) {
-      const EliminationPlan::Link& link = plan.links[n];
-      if (plan.is_point_link(link))
-        links_.push_back(
-            {static_cast<int>(n), link.edge, link.body_is_j, {mechanism_, plan.graph.edges[link.edge]}});
-    }
-    for (int e = 0; e < static_cast<int>(plan.graph.edges.size()); ++e) {
-      const GraphEdge& edge = plan.graph.edges[e];
-      if (plan.rows_slot[e] < 0) continue;
-      ranked_.push_back(e);
-      if (edge.is_point) {
-        closings_.push_back({e, {mechanism_, edge}});
-        EdgeRows<S>& rows = matrix_.rows[plan.rows_slot[e]];
-        for (int k = 0; k < 3; ++k) {
-          rows.C_i.r(k, k) = S(-1);
-          rows.C_j.r(k, k) = S(1);
-        }
-      } else {
-        others_.push_back(e);
-      }
-    }
-  }
-
   /// Link by link, each joint evaluated just before its step.
   void eliminate() {
-    auto joint = links_.begin();
+    const auto& links = assembly_.links();
+    auto joint = links.begin();
     try {
       for (int step = 0; step < solver_.steps(); ++step) {
-        if (joint != links_.end() && joint->link == solver_.plan().steps[step].link) assemble_link(*joint++);
+        if (joint != links.end() && joint->link == plan().steps[step].link) assemble_link(*joint++);
         solver_.eliminate(step, right_side_);
       }
     } catch (const SingularLink& e) {
-      require_numbers();
-      throw ModelError(
-          fmt::format("body \"{}\" at t = {}: {}; its links cannot be eliminated one by one: solve the "
-                      "printed system instead",
-                      mechanism_.body_names[e.body()], static_cast<double>(t_), e.what()));
+      throw named(e, t_);
     }
   }
 
+  void assemble_link(const typename GraphAssembly<F>::LinkJoint& link) {
+    assembly_.assemble_link(link, t_, right_side_);
+    if (baumgarte_) stabilise(link.edge);
+  }
+  void measure_violations() {
+    assembly_.positions(t_, *phi_);
+    assembly_.velocities(t_, *phi_dot_);
+  }
+  void stabilise(int edge) {
+    const auto& [alpha, beta] = *baumgarte_;
+    right_side_.edge[edge] -= S(2 * alpha) * phi_dot_->edge[edge] + S(beta * beta) * phi_->edge[edge];
+  }
+
+  // rows that were left out (left_out_rows_met_impl.hpp)
+
   /// Rows that were left out are combinations of the others, so that their right sides must be the same
   /// combinations; or they are none, and are solved for then.
-  void meet_left_out_rows() {
-    if (ranked_.empty()) return;
-    const auto size_here = [&](int b) { return size_of_causes(b); };
-    // what refinement leaves of rows that depend on others stays below
-    const S rounding = S(8 * unit_roundoff<S>());
-    if (!solver_.has_thin_rows() && !find_unmet_row(solution_, rounding, S(0), size_here)) return;
-    settle_rows();
-    // least: what velocities of rounding size leave
-    const S tolerance = larger(S(1e-6), S(30 * direction_tolerance<S>())), least = S(1e-12);
-    if (!find_unmet_row(solution_, S(1e-3 * tolerance), least, size_here)) return;
-    PartSize<S> whole, turning;
-    for (int b = 0; b < mechanism_.nb(); ++b) {
-      whole.take(size_of_causes(b));
-      turning.take(size_of_turning(b));
-    }
-    if (const auto row = find_unmet_row(solution_, tolerance, least, [&](int) { return whole; }))
-      throw_unmet(*row);
-    // how much of it is rounding of the forces shows without them
-    for (BodyPart<S>& force : right_side_.body) force = {};
-    solver_.solve(right_side_, step_);
-    solver_.correct(matrix_, right_side_, step_, defect_, defect_);
-    whole = turning;
-    for (int b = 0; b < mechanism_.nb(); ++b) {
-      step_.body[b] += defect_.body[b];
-      push_body(b);
-      whole.take(PartSize<S>::of(step_.body[b]));
-    }
-    if (const auto row = find_unmet_row(step_, tolerance, least, [&](int) { return whole; }))
-      throw_unmet(*row);
-  }
+  void meet_left_out_rows();
   template <class SizeOfBody>
   std::optional<EdgeRow> find_unmet_row(const GraphVector<S>& solution, const S& tolerance, const S& least,
-                                        const SizeOfBody& size_of_body) const {
-    return trivium::find_unmet_row<S>(solver_, ranked_, matrix_, right_side_, solution, tolerance, least,
-                                      size_of_body);
-  }
+                                        const SizeOfBody& size_of_body) const;
   /// Of a body's accelerations, and of what its forces and its turning could cause: forces in balance leave
   /// accelerations that are rounding.
-  PartSize<S> size_of_causes(int b) const {
-    const S moments = matrix_.H[b].xx.diagonal().sum();
-    const auto force = PartSize<S>::of(right_side_.body[b]);
-    auto size = PartSize<S>::of(solution_.body[b]);
-    size.take({S(force.r / mechanism_.bodies[b].mass), select(moments > S(0), S(force.x / moments), S(0))});
-    size.take(size_of_turning(b));
-    return size;
-  }
+  PartSize<S> size_of_causes(int b) const;
   /// With levers, what gamma is made of.
-  PartSize<S> size_of_turning(int b) const { return {S(0), turning_[b].omega.squaredNorm()}; }
+  PartSize<S> size_of_turning(int b) const { return {S(0), assembly_.turning()[b].omega.squaredNorm()}; }
   /// Tells rows that depend on others from those that nearly do, and solves for these as well; once a state.
-  void settle_rows() {
-    if (std::exchange(rows_are_settled_, true)) return;
-    try {
-      if (!solver_.reinstate_rows()) return;
-    } catch (const NearlyDependentRows& e) {
-      throw ModelError(fmt::format(
-          "row \"{}\" at t = {}: it is one of more than {} that depend on others nearly, but not quite, as "
-          "where positions miss their constraints by a little: assemble them first, or solve the printed "
-          "system",
-          row_name(e.first_too_many), static_cast<double>(t_), solver_.most_reinstated));
-    }
-    solver_.solve(right_side_, solution_);
-    if (refinement_ == Refinement::as_needed) refine_as_needed();
-  }
+  void settle_rows();
   const std::string& row_name(const EdgeRow& row) const {
-    return mechanism_.row_names[solver_.plan().graph.edges[row.edge].rows[row.k]];
+    return mechanism_.row_names[plan().graph.edges[row.edge].rows[row.k]];
   }
-  [[noreturn]] void throw_unmet(const EdgeRow& row) const {
-    require_numbers();
-    throw ModelError(
-        fmt::format("row \"{}\" at t = {}: it depends on other rows and asks for another acceleration than "
-                    "they do. Either none satisfies all: remove a row, or make their functions of time "
-                    "agree; or what is left of it beside them is rounding: take a wider Scalar, or solve the "
-                    "printed system",
-                    row_name(row), static_cast<double>(t_)));
-  }
+  [[noreturn]] void throw_unmet(const EdgeRow& row) const;
+
   /// Throws a ModelError that names the body whose state is not a number.
   void require_numbers() const {
     using std::isfinite;
-    for (int b = 0; b < mechanism_.nb(); ++b)
-      if (!isfinite(
-              S(turning_[b].A.sum() + turning_[b].omega.sum() + body_[b].r.sum() + body_[b].r_dot.sum())))
+    for (int b = 0; b < mechanism_.nb(); ++b) {
+      const Turning<S>& turning = assembly_.turning()[b];
+      const Body& body = assembly_.body()[b];
+      if (!isfinite(S(turning.A.sum() + turning.omega.sum() + body.r.sum() + body.r_dot.sum())))
         throw ModelError(fmt::format("body \"{}\" at t = {}: its state is not finite",
                                      mechanism_.body_names[b], static_cast<double>(t_)));
+    }
   }
   /// No answer of another state may be taken for one of this.
   void forget() {
@@ -291,31 +238,19 @@ class AccelerationSolver {
     const bool effects_see_motion = mechanism_.effects.see_motion();
     if (!effects_see_motion) apply_effects();
     for (int b = 0; b < mechanism_.nb(); ++b) {
-      move_body(b, state[b]);
+      assembly_.move_body(b, state[b]);
       if (!effects_see_motion) push_body(b);
     }
     if (!effects_see_motion) return;
-    std::copy(body_.begin(), body_.end(), motion_.begin());
+    std::copy(assembly_.body().begin(), assembly_.body().end(), motion_.begin());
     apply_effects();
     for (int b = 0; b < mechanism_.nb(); ++b) push_body(b);
   }
-  [[gnu::flatten]] void move_body(int b, const BodyState<F>& state) {
-    body_[b] = Body{F::kinematics(state.chart, state.r, state.r_dot, state.q)};
-    turning_[b] = F::turning(body_[b]);
-    if constexpr (!F::reduced_mass_is_constant) set_mass_block(b);
-  }
-  void set_mass_block(int b) {
-    matrix_.H[b].xx = padded_columns<S>(F::reduced_mass_block(body_[b], mechanism_.bodies[b].inertia));
-  }
   [[gnu::flatten]] void push_body(int b) {
     const Wrench<S>& wrench = wrenches_[b];
-    const Vector3<S> force = F::reduced_force(body_[b], mechanism_.bodies[b].inertia, wrench.n_bar);
+    const Vector3<S> force =
+        F::reduced_force(assembly_.body()[b], mechanism_.bodies[b].inertia, wrench.n_bar);
     right_side_.body[b] = {padded<S>(wrench.F), padded<S>(force)};
-  }
-
-  void assemble_closings() {
-    for (const ClosingJoint& closing : closings_) assemble_closing(closing);
-    for (const int edge : others_) assemble_rows(edge);
   }
 
   void apply_effects() {
@@ -323,59 +258,24 @@ class AccelerationSolver {
     mechanism_.effects.apply(EffectView<S>{mechanism_.bodies, motion_, t_}, wrenches_);
   }
 
-  void assemble_link(const LinkJoint& link) {
-    PointRows<S>& rows = matrix_.point[link.link];
-    Vector6<S>& gamma = right_side_.edge[link.edge];
-    if (link.child_is_j)
-      link.joint.evaluate(turning_, body_, t_, rows.L_parent, rows.L_child, rows.W_parent, rows.W_child,
-                          gamma);
-    else
-      link.joint.evaluate(turning_, body_, t_, rows.L_child, rows.L_parent, rows.W_child, rows.W_parent,
-                          gamma);
-  }
-
-  void assemble_closing(const ClosingJoint& closing) {
-    EdgeRows<S>& rows = matrix_.rows[solver_.plan().rows_slot[closing.edge]];
-    closing.joint.evaluate(turning_, body_, t_, rows.C_i.x.template leftCols<3>(),
-                           rows.C_j.x.template leftCols<3>(), rows.C_i.x.template rightCols<3>(),
-                           rows.C_j.x.template rightCols<3>(), right_side_.edge[closing.edge]);
-    rows.C_i.x.template leftCols<3>() *= S(-1);
-  }
-
-  void assemble_rows(int e) {
-    const GraphEdge& edge = solver_.plan().graph.edges[e];
-    EdgeRows<S>& rows = matrix_.rows[solver_.plan().rows_slot[e]];
-    for (int k = 0; k < edge.size(); ++k) {
-      const auto& constraint = mechanism_.rows[edge.rows[k]];
-      const BodyPair pair = bodies_of(constraint);
-      const auto row = evaluate_row(constraint, body_[pair.i], body_[pair.j], t_);
-      const auto place = [&](BodyColumns<S>& C, const auto& r, const auto& x) {
-        C.r.col(k) = padded<S>(r.transpose());
-        C.x.col(k) = padded<S>(x.transpose());
-      };
-      place(pair.i == edge.i ? rows.C_i : rows.C_j, row.r_i, row.rot_i);
-      place(pair.i == edge.i ? rows.C_j : rows.C_i, row.r_j, row.rot_j);
-      right_side_.edge[e][k] = row.gamma;
-    }
-  }
-
   void measure_and_add_step() {
     // by components, added up once at the end; link by link, those first that were solved for last
     Padded<S> moved = Padded<S>::Zero(), size = moved;
     WrenchSize lambda_moved, lambda_size;
     const EliminationPlan& plan = solver_.plan();
-    auto joint = links_.begin();
+    const GraphMatrix<S>& matrix = assembly_.matrix();
+    auto joint = assembly_.links().begin();
     for (int n = 0; n < static_cast<int>(plan.links.size()); ++n) {
       const int b = plan.links[n].body;
       const auto add_energy = [&](const BodyPart<S>& a, Padded<S>& sum) {
         sum +=
-            mechanism_.bodies[b].mass * a.r.cwiseAbs2() + a.x.cwiseProduct(times<S, 3>(matrix_.H[b].xx, a.x));
+            mechanism_.bodies[b].mass * a.r.cwiseAbs2() + a.x.cwiseProduct(times<S, 3>(matrix.H[b].xx, a.x));
       };
       add_energy(step_.body[b], moved);
       solution_.body[b] += step_.body[b];
       add_energy(solution_.body[b], size);
-      if (joint == links_.end() || joint->link != n) continue;
-      const PointRows<S>& rows = matrix_.point[n];
+      if (joint == assembly_.links().end() || joint->link != n) continue;
+      const PointRows<S>& rows = matrix.point[n];
       const int e = joint->edge, orientations = joint->joint.size();
       lambda_moved.add(rows, step_.edge[e], orientations);
       solution_.edge[e] += step_.edge[e];
@@ -384,7 +284,7 @@ class AccelerationSolver {
     }
     for (const int e : ranked_) {
       const GraphEdge& edge = plan.graph.edges[e];
-      const EdgeRows<S>& rows = matrix_.rows[plan.rows_slot[e]];
+      const EdgeRows<S>& rows = matrix.rows[plan.rows_slot[e]];
       const BodyColumns<S>& C = edge.j == plan.graph.bodies ? rows.C_i : rows.C_j;
       lambda_moved.add(C, step_.edge[e], edge.size());
       solution_.edge[e] += step_.edge[e];
@@ -435,23 +335,22 @@ class AccelerationSolver {
 
   const Mechanism<S>& mechanism_;
   GraphSolver<S> solver_;
-  GraphMatrix<S> matrix_;
+  GraphAssembly<F> assembly_;
   GraphVector<S> right_side_, solution_, defect_, step_;
-  std::vector<Body> body_;  ///< nb + 1, the ground last, and so
-  std::vector<Turning<S>> turning_;
-  std::vector<Wrench<S>> wrenches_;
+  std::vector<Wrench<S>> wrenches_;  ///< nb + 1, the ground's last, and so
   std::vector<BodyMotion<S>> motion_;
-  std::vector<LinkJoint> links_;
-  std::vector<ClosingJoint> closings_;
-  std::vector<int> others_;  ///< edges that are not point joints
   std::vector<int> ranked_;  ///< edges whose rows may be left out: all but the point joints of the tree
   // of the last state
   S t_{0};
   Refinement refinement_ = Refinement::as_needed;
   bool rows_are_settled_ = false;  ///< those left out all depend on others
   Corrections corrections_;
+  // where rows are stabilised
+  std::optional<Baumgarte> baumgarte_;
+  std::optional<GraphVector<S>> phi_, phi_dot_;
 };
 
 }  // namespace trivium
 
+#include "formulations/left_out_rows_met_impl.hpp"
 #include "formulations/unique_multipliers_impl.hpp"

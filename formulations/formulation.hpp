@@ -43,7 +43,8 @@ concept Formulation = BodyKinematics<typename F::Kinematics> &&
              const Vector4<typename F::Scalar>& p, const Vector3<typename F::Scalar>& v,
              const Matrix3<typename F::Scalar>& J_bar, const typename F::Coordinates& q,
              const typename F::Kinematics& body, const typename F::Reduced& reduced,
-             const Vector<typename F::Scalar, F::rotational_unknowns>& x) {
+             const Vector<typename F::Scalar, F::rotational_unknowns>& x, const typename F::Flat& flat,
+             typename F::Flat& moved, typename F::Unknown& moved_x) {
   // constants
   { F::name } -> std::convertible_to<std::string_view>;
   { F::rotational_unknowns } -> std::convertible_to<int>;
@@ -51,6 +52,8 @@ concept Formulation = BodyKinematics<typename F::Kinematics> &&
   { F::block_names } -> std::convertible_to<BlockNames>;
   // conversion from a pose (p, omega_bar), in a chart that is chosen first, and back
   { F::choose_chart(options, p) } -> std::same_as<typename F::Chart>;
+  // how far q is from where its chart has no rates: 1 at most, 0 there
+  { F::chart_distance(chart, q) } -> std::convertible_to<typename F::Scalar>;
   { F::from_pose(chart, p, v) } -> std::same_as<typename F::Coordinates>;
   { F::to_euler_parameters(chart, q) } -> std::convertible_to<Vector4<typename F::Scalar>>;
   // orientation, and with it a body vector's value, Jacobian, rate and bias (BodyKinematics)
@@ -71,12 +74,24 @@ concept Formulation = BodyKinematics<typename F::Kinematics> &&
   { F::reduced_mass_block(body, J_bar) } -> std::convertible_to<Matrix3<typename F::Scalar>>;
   { F::reduced_force(body, J_bar, v) } -> std::convertible_to<Vector3<typename F::Scalar>>;
   { F::from_reduced(body, v) } -> std::convertible_to<typename F::Unknown>;
+  // how far the unknown moves with x
+  { F::increment(body, v) } -> std::convertible_to<typename F::Unknown>;
   // the rotational unknown and omega_bar': q'' = lift omega_bar' + (terms of q, q'), and back
   {F::lift(body)};
   { F::to_angular_acceleration(body, x) } -> std::convertible_to<Vector3<typename F::Scalar>>;
   {F::from_angular_acceleration(body, v)};
   // retraction: q moved by an increment of the rotational unknown's kind, rates kept
   { F::retract(chart, q, x) } -> std::same_as<typename F::Coordinates>;
+  // flat form, as libraries for ordinary differential equations carry it: the orientation, and a velocity of
+  // which the unknown is the derivative; with the orientation's rate, its retraction, and what meets the
+  // internal row and its derivative
+  { F::flat_size } -> std::convertible_to<int>;
+  { F::flat_orientation(chart, p) } -> std::convertible_to<typename F::Flat>;
+  { F::flat_velocity(chart, q) } -> std::convertible_to<typename F::Unknown>;
+  { F::from_flat(chart, flat, x) } -> std::same_as<typename F::Coordinates>;
+  { F::flat_rate(chart, flat, x) } -> std::convertible_to<typename F::Flat>;
+  { F::moved_flat(chart, flat, x) } -> std::convertible_to<typename F::Flat>;
+  F::meet_internal(moved, moved_x);
 };
 
 }  // namespace trivium

@@ -14,15 +14,15 @@ template <class S>
 class GeneralLink {
  public:
   /// Rows that on this body depend on the ones before them, or nearly so, have multiplier 0 and are marked in
-  /// `dropped`.
-  Elimination factor(const BodyBlock<S>& block, const LinkRows<S>& link, BodyBlock<S>* parent,
+  /// `dropped`; those marked before are left out whatever they are.
+  Elimination factor(const BodyBlock<S>& block, const LinkRows<S>& link, BodyBlock<S>* parent, Ranks ranks,
                      std::array<bool, 6>& dropped) {
     Matrix6<S> M;
     M.template topLeftCorner<3, 3>() = block.rr.template topRows<3>();
     M.template topRightCorner<3, 3>() = block.rx.template topRows<3>();
     M.template bottomLeftCorner<3, 3>() = block.rx.template topRows<3>().transpose();
     M.template bottomRightCorner<3, 3>() = block.xx.template topRows<3>();
-    solve_rows(M, link, dropped);
+    solve_rows(M, link, ranks, dropped);
     const Vector6<S> size = M.diagonal();
     // what is rounding beside the other moments has no size
     const S least = S(1e-8) * largest_of(size.template tail<3>());
@@ -116,7 +116,7 @@ class GeneralLink {
 
   /// Gauss-Jordan on [Phi | P | I] with the largest pivot, columns weighed by the body's own inertia: a
   /// motion without inertia is solved for first.
-  void solve_rows(const Matrix6<S>& M, const LinkRows<S>& link, std::array<bool, 6>& dropped) {
+  void solve_rows(const Matrix6<S>& M, const LinkRows<S>& link, Ranks ranks, std::array<bool, 6>& dropped) {
     using std::abs, std::sqrt;
     const int rows = link.count;
     const Matrix6<S> C = link.C.six(), C_parent = link.C_parent.six();
@@ -142,8 +142,8 @@ class GeneralLink {
     Matrix6<S> made_of = C.transpose().cwiseAbs();
     std::array<int, 6> pivot_of_row;
     std::array<bool, 6> is_basic{};
-    const S tolerance = thin_row();
-    dropped.fill(false);
+    const S tolerance = ranks == Ranks::kept ? S(100 * unit_roundoff<S>()) : thin_row();
+    const std::array<bool, 6> out = dropped;
     left_thin_rows_ = false;
     // row by row, so that the row left out is the one that depends on those before it
     for (int r = 0; r < rows; ++r) {
@@ -160,7 +160,7 @@ class GeneralLink {
         }
       }
       const S least_pull = tolerance * size;
-      dropped[r] = best < 0 || largest <= least_pull;
+      dropped[r] = best < 0 || out[r] || largest <= least_pull;
       if (dropped[r]) {
         left_thin_rows_ = left_thin_rows_ || any(largest > S(100 * unit_roundoff<S>()) * size);
         G.row(r).setZero();

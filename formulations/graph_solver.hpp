@@ -70,8 +70,26 @@ class GraphSolver {
   void eliminate(int step, const GraphVector<S>& right_side);
   void substitute(GraphVector<S>& solution);
 
+  /// How the factorisations that follow find the rows to leave out.
+  void find_ranks(Ranks ranks) {
+    if (ranks == Ranks::kept && ranks_ != Ranks::kept) out_ = dropped_;
+    if (ranks == Ranks::seen)
+      for (auto& rows : out_) rows.fill(false);
+    ranks_ = ranks;
+  }
+  /// Of ranks that are seen: leaves row k of an edge out, whatever the elimination sees of it.
+  void leave_out(int edge, int k) { out_[edge][k] = true; }
+
   /// Whether row k of an edge was left out.
   bool is_dropped(int edge, int k) const { return dropped_[edge][k]; }
+  /// How many rows were.
+  int left_out() const {
+    int count = 0;
+    for (std::size_t e = 0; e < dropped_.size(); ++e)
+      count += static_cast<int>(
+          std::count(dropped_[e].begin(), dropped_[e].begin() + plan_.graph.edges[e].size(), true));
+    return count;
+  }
   /// Whether any row of it was.
   bool leaves_out(int edge) const {
     const auto& rows = dropped_[edge];
@@ -151,6 +169,9 @@ class GraphSolver {
   /// The closing's block is positive semidefinite: rows in their order, those that depend on the ones before
   /// them left out.
   void factor_closing(int c, BodyBlock<S>* body);
+  /// Of ranks that are seen: takes the rows of most effect first, so that those left out depend on rows that
+  /// determine their motion well, wherever a motion goes.
+  void choose_rows(int c);
   void forward_link(int index, const GraphVector<S>& right_side);
   /// The right side of a link, its body's forces with what its children passed up: to its parent, and to the
   /// closings.
@@ -175,6 +196,9 @@ class GraphSolver {
   /// refinement makes up for the pivot's own rounding; and no row that misplaced points alone make
   /// independent comes near it, unless its motion has next to no inertia.
   const S doubtful_pivot_;
+  /// The same for Ranks::seen, and as a share of what it was made of. A motion passes a singular position on
+  /// a row whose sine is the root of this, so that what the row then is not asked is its square.
+  const S passing_pivot_;
   bool has_thin_rows_ = false;
 
   EliminationPlan plan_;
@@ -188,7 +212,8 @@ class GraphSolver {
   std::vector<LinkColumn<S>> link_column_;
   std::vector<ClosingFactor> closing_;
   std::vector<BodyPart<S>> force_sum_;
-  std::vector<std::array<bool, 6>> dropped_;
+  std::vector<std::array<bool, 6>> dropped_, out_;
+  Ranks ranks_ = Ranks::found;
   // rows told apart
   std::vector<Border> borders_;  ///< the first `bordered_`
   int bordered_ = 0;

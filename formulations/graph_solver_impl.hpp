@@ -12,6 +12,7 @@ namespace trivium {
 template <class S>
 GraphSolver<S>::GraphSolver(EliminationPlan plan)
     : doubtful_pivot_(larger(S(1000 * unit_roundoff<S>()), S(1e-8))),
+      passing_pivot_(static_cast<S>(std::pow(largest_lane(unit_roundoff<S>()), 0.6))),
       plan_(std::move(plan)),
       block_sum_(plan_.sum_slots),
       column_(plan_.column_slots),
@@ -19,6 +20,7 @@ GraphSolver<S>::GraphSolver(EliminationPlan plan)
       closing_(plan_.closings.size()),
       force_sum_(plan_.sum_slots) {
   dropped_.resize(plan_.graph.edges.size());
+  out_ = dropped_;
   int columns = 0;
   std::array<int, 5> count{};
   for (const EliminationPlan::Link& link : plan_.links) {
@@ -74,6 +76,7 @@ void GraphSolver<S>::factor(const GraphMatrix<S>& matrix) {
   const auto joint_leaves_out = [&](const EliminationPlan::Link& link) {
     return link.edge >= 0 && !plan_.is_point_link(link) && leaves_out(link.edge);
   };
+  if (ranks_ != Ranks::found) return;
   if (has_thin_rows_ || std::any_of(plan_.links.begin(), plan_.links.end(), joint_leaves_out))
     reinstate_rows();
 }
@@ -214,10 +217,11 @@ inline void GraphSolver<S>::factor_link(int index) {
   const LinkRows<S> rows = rows_of(index);
   with_link(place_[index], [&](auto& factors) {
     std::array<bool, 6> dropped{};
+    if (ranks_ != Ranks::found && link.edge >= 0) dropped = out_[link.edge];
     BodyBlock<S>* const parent = has_parent(link) ? &block_sum_[link.parent_sum_slot] : nullptr;
     if (link.is_first) *parent = matrix_->H[link.parent];
     const Elimination result = factors.factor(
-        link.sum_slot < 0 ? matrix_->H[link.body] : block_sum_[link.sum_slot], rows, parent, dropped);
+        link.sum_slot < 0 ? matrix_->H[link.body] : block_sum_[link.sum_slot], rows, parent, ranks_, dropped);
     if (result != Elimination::done) throw_singular(link, result);
     if (link.edge >= 0) dropped_[link.edge] = dropped;
     if constexpr (std::is_same_v<std::decay_t<decltype(factors)>, GeneralLink<S>>)
@@ -248,12 +252,20 @@ void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
   std::array<bool, 6>& dropped = dropped_[closing.edge];
   const bool on_body = closing.column_slot >= 0;
   if (on_body) f.C = column_[closing.column_slot];
+  if (ranks_ == Ranks::seen) choose_rows(c);
   const S defect = direction_tolerance<S>() * direction_tolerance<S>();
   for (int k = 0; k < n; ++k) {
     const S pivot = block(k, k);
     const S cancelled = defect * f.size.product[k];
-    dropped[k] = pivot <= doubtful_pivot_ * f.own[k] + cancelled;
     const S rounding = S(30 * unit_roundoff<S>()) * (f.own[k] + f.size.product[k]);
+    switch (ranks_) {
+      case Ranks::found:
+        dropped[k] = pivot <= doubtful_pivot_ * f.own[k] + cancelled;
+        break;
+      case Ranks::seen:
+      case Ranks::kept:
+        dropped[k] = out_[closing.edge][k] || pivot <= rounding;
+    }
     has_thin_rows_ = has_thin_rows_ || (dropped[k] && any(pivot > rounding));
     f.inverse[k] = dropped[k] ? S(0) : S(1 / pivot);
     for (int r = k + 1; r < n; ++r) {
@@ -293,6 +305,30 @@ void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
         coupling_[fill.slot].col(s) -= of_a * coupling_[b.slot](k, s);
     }
   }
+}
+
+template <class S>
+void GraphSolver<S>::choose_rows(int c) {
+  const ClosingFactor& f = closing_[c];
+  Matrix6<S> block = coupling_[plan_.diagonal_slot[c]];
+  const int n = rows_of_closing(c);
+  std::array<bool, 6>& out = out_[plan_.closings[c].edge];
+  std::array<bool, 6> is_done = out;
+  for (;;) {
+    int best = -1;
+    S best_share = passing_pivot_;
+    for (int k = 0; k < n; ++k) {
+      const S share = block(k, k) / (f.own[k] + f.size.product[k]);
+      if (is_done[k] || !(share > best_share)) continue;
+      best = k;
+      best_share = share;
+    }
+    if (best < 0) break;
+    is_done[best] = true;
+    const Vector6<S> column = block.col(best);
+    block -= column * column.transpose() / column[best];
+  }
+  for (int k = 0; k < n; ++k) out[k] = !is_done[k] || out[k];
 }
 
 template <class S>

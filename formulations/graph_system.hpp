@@ -119,6 +119,13 @@ struct LinkRows {
   int count;
 };
 
+/// Which rows depend on others. Found: those of which nothing is left beside the others. Seen: also those of
+/// which so little is left that the elimination alone does not tell it from nothing, as where a motion passes
+/// a singular position; none are reinstated, and what is asked of them is not looked at. Kept: as found or
+/// seen last; states that leave their constraints by a little, as those within a step of an integrator, make
+/// redundant rows seem independent.
+enum class Ranks { found, seen, kept };
+
 enum class Elimination { done, no_inertia, dependent_rows };
 
 /// Rows of a joint whose directions are dependent to within this sine count as dependent.

@@ -59,7 +59,41 @@ class PointJoint {
     if (has_others_) evaluate_others(body, t, W_i, W_j, gamma);
   }
 
+  /// Phi of all rows.
+  template <class Body>
+  void positions(const std::vector<Body>& body, const S& t, Vector<S, 6>& phi) const {
+    const Body &i = body[bodies_.i], &j = body[bodies_.j];
+    phi.template head<3>() = offset_between<S>(i.r, i.A * on_i_.a_bar[0], j.r, j.A * on_j_.a_bar[0]);
+    for (int k = 0; k < size_; ++k)
+      if (rows_[k].i < 0)
+        phi[3 + k] = of_row(row_position<Body>, body, t, k);
+      else
+        phi[3 + k] = (i.A * on_i_.a_bar[rows_[k].i]).dot(j.A * on_j_.a_bar[rows_[k].j]);
+  }
+
+  /// Phi' of all rows.
+  template <class Body>
+  void velocities(const std::vector<Turning<S>>& turning, const std::vector<Body>& body, const S& t,
+                  Vector<S, 6>& phi_dot) const {
+    const Turning<S>&i = turning[bodies_.i], &j = turning[bodies_.j];
+    const Moving moving_i(i, on_i_), moving_j(j, on_j_);
+    phi_dot.template head<3>() =
+        (body[bodies_.j].r_dot - body[bodies_.i].r_dot) + unpadded<S>(moving_j.rate[0] - moving_i.rate[0]);
+    for (int k = 0; k < size_; ++k)
+      if (rows_[k].i < 0)
+        phi_dot[3 + k] = of_row(row_velocity<Body>, body, t, k);
+      else
+        phi_dot[3 + k] = moving_i.rate[rows_[k].i].dot(moving_j.a[rows_[k].j]) +
+                         moving_i.a[rows_[k].i].dot(moving_j.rate[rows_[k].j]);
+  }
+
  private:
+  template <class Body, class Of>
+  S of_row(const Of& of, const std::vector<Body>& body, const S& t, int k) const {
+    const auto& constraint = mechanism_->rows[rows_[k].row];
+    const BodyPair pair = bodies_of(constraint);
+    return of(constraint, body[pair.i], body[pair.j], t);
+  }
   /// The rows that are not plain DP1: drivers.
   template <class Body, class Columns>
   [[gnu::noinline]] void evaluate_others(const std::vector<Body>& body, const S& t, Columns&& W_i,
@@ -89,6 +123,16 @@ class PointJoint {
     }
     static bool are_same(const Vector3<S>& a, const Vector3<S>& b) {
       return all(a[0] == b[0]) && all(a[1] == b[1]) && all(a[2] == b[2]);
+    }
+  };
+  struct Moving {
+    std::array<Padded<S>, 4> a, rate;
+
+    Moving(const Turning<S>& body, const Vectors& of) {
+      for (int k = 0; k < of.size; ++k) {
+        a[k] = times<S, 3>(body.A, of.a_bar[k]);
+        rate[k] = cross_product<S>(body.omega, a[k]);
+      }
     }
   };
   struct Moved {

@@ -17,6 +17,8 @@ struct REpsilon {
   static constexpr std::string_view name = "r-epsilon";
   static constexpr int rotational_unknowns = 3;
   static constexpr int internal_constraints = 0;
+  static constexpr int flat_size = 3;
+  using Flat = Vector3<S>;
   static constexpr BlockNames block_names{"epsilon''", "J^epsilon", "Phi_epsilon", "tau", "", ""};
 
   using Chart = EulerChart<S>;
@@ -85,6 +87,7 @@ struct REpsilon {
     return k.D.transpose() * (n_bar - k.omega_bar.cross(J_bar * k.omega_bar) - J_bar * k.D_dot_rates);
   }
   static Unknown from_reduced(const Kinematics&, const Vector3<S>& epsilon_ddot) { return epsilon_ddot; }
+  static Unknown increment(const Kinematics&, const Vector3<S>& x) { return x; }
 
   // the unknown and omega_bar': omega_bar' = D epsilon'' + D' epsilon'
   static Matrix3<S> lift(const Kinematics& k) { return k.D.inverse(); }
@@ -100,7 +103,25 @@ struct REpsilon {
     return {q.epsilon + increment, q.epsilon_dot};
   }
 
+  // flat form: epsilon and epsilon'
+  static Flat flat_orientation(const Chart& chart, const Vector4<S>& p) {
+    return euler_angles<S>(chart.sequence, rotation_matrix(p) * chart.C.transpose());
+  }
+  static Unknown flat_velocity(const Chart&, const Coordinates& q) { return q.epsilon_dot; }
+  static Coordinates from_flat(const Chart&, const Flat& epsilon, const Unknown& epsilon_dot) {
+    return {epsilon, epsilon_dot};
+  }
+  static Flat flat_rate(const Chart&, const Flat&, const Unknown& epsilon_dot) { return epsilon_dot; }
+  static Flat moved_flat(const Chart&, const Flat& epsilon, const Unknown& increment) {
+    return epsilon + increment;
+  }
+  static void meet_internal(Flat&, Unknown&) {}
+
   // conversion from and to a pose: epsilon' = D^-1 omega_bar
+  static S chart_distance(const Chart& chart, const Coordinates& q) {
+    using std::abs, std::cos, std::sin;
+    return abs(chart.sequence.is_symmetric() ? sin(q.epsilon[1]) : cos(q.epsilon[1]));
+  }
   static Chart choose_chart(const ChartOptions& options, const Vector4<S>& p) {
     return choose_euler_chart<S>(options, p);
   }

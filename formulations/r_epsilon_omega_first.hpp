@@ -19,6 +19,8 @@ struct REpsilonOmegaFirst {
   static constexpr std::string_view name = "r-epsilon-omega-first";
   static constexpr int rotational_unknowns = 3;
   static constexpr int internal_constraints = 0;
+  static constexpr int flat_size = 3;
+  using Flat = Vector3<S>;
   static constexpr BlockNames block_names = Rates::block_names;
 
   using Chart = typename Angles::Chart;
@@ -64,6 +66,7 @@ struct REpsilonOmegaFirst {
     return Rates::reduced_force(k, J_bar, n_bar);
   }
   static Unknown from_reduced(const Kinematics&, const Vector3<S>& omega_bar_dot) { return omega_bar_dot; }
+  static Unknown increment(const Kinematics&, const Vector3<S>& x) { return x; }
 
   // the unknown is omega_bar'
   static Matrix3<S> lift(const Kinematics& k) { return Rates::lift(k); }
@@ -76,11 +79,31 @@ struct REpsilonOmegaFirst {
 
   // retraction: angles add, by epsilon increments that turn the body by phi
   static Coordinates retract(const Chart& chart, const Coordinates& q, const Unknown& phi) {
-    const Vector3<S> none = Vector3<S>::Zero();
-    return Angles::retract(chart, q, kinematics(chart, none, none, q).D.inverse() * phi);
+    return Angles::retract(chart, q, flat_rate(chart, q.epsilon, phi));
   }
 
+  // flat form: epsilon and omega_bar, epsilon' = D^-1 omega_bar
+  static Flat flat_orientation(const Chart& chart, const Vector4<S>& p) {
+    return Angles::flat_orientation(chart, p);
+  }
+  static Unknown flat_velocity(const Chart& chart, const Coordinates& q) {
+    return angles_at(chart, q).D * q.epsilon_dot;
+  }
+  static Coordinates from_flat(const Chart& chart, const Flat& epsilon, const Unknown& omega_bar) {
+    return {epsilon, flat_rate(chart, epsilon, omega_bar)};
+  }
+  static Flat flat_rate(const Chart& chart, const Flat& epsilon, const Unknown& omega_bar) {
+    return angles_at(chart, {epsilon, Flat::Zero()}).D.inverse() * omega_bar;
+  }
+  static Flat moved_flat(const Chart& chart, const Flat& epsilon, const Unknown& phi) {
+    return epsilon + flat_rate(chart, epsilon, phi);
+  }
+  static void meet_internal(Flat&, Unknown&) {}
+
   // conversion from and to a pose
+  static S chart_distance(const Chart& chart, const Coordinates& q) {
+    return Angles::chart_distance(chart, q);
+  }
   static Chart choose_chart(const ChartOptions& options, const Vector4<S>& p) {
     return Angles::choose_chart(options, p);
   }
@@ -89,6 +112,12 @@ struct REpsilonOmegaFirst {
   }
   static Vector4<S> to_euler_parameters(const Chart& chart, const Coordinates& q) {
     return Angles::to_euler_parameters(chart, q);
+  }
+
+ private:
+  static typename Angles::Kinematics angles_at(const Chart& chart, const Coordinates& q) {
+    const Vector3<S> none = Vector3<S>::Zero();
+    return Angles::kinematics(chart, none, none, q);
   }
 };
 

@@ -15,6 +15,8 @@ struct ROmega {
   static constexpr std::string_view name = "r-omega";
   static constexpr int rotational_unknowns = 3;
   static constexpr int internal_constraints = 0;
+  static constexpr int flat_size = 4;
+  using Flat = Vector4<S>;
   static constexpr BlockNames block_names{
       "omega_bar'", "J_bar", "Phi_pi_bar", "n_bar - omega~ J_bar omega_bar", "", ""};
 
@@ -72,6 +74,7 @@ struct ROmega {
     return applied_force(k, n_bar) + velocity_force(k, J_bar);
   }
   static Unknown from_reduced(const Kinematics&, const Vector3<S>& omega_bar_dot) { return omega_bar_dot; }
+  static Unknown increment(const Kinematics&, const Vector3<S>& x) { return x; }
 
   // the unknown is omega_bar'
   static Matrix3<S> lift(const Kinematics&) { return Matrix3<S>::Identity(); }
@@ -87,7 +90,23 @@ struct ROmega {
     return {q.A * rotation_matrix(exponential_parameters(phi)), q.omega_bar};
   }
 
+  // flat form: p and omega_bar, p' = 1/2 G^T omega_bar; p counts by its direction alone
+  static Flat flat_orientation(const Chart&, const Vector4<S>& p) { return p; }
+  static Unknown flat_velocity(const Chart&, const Coordinates& q) { return q.omega_bar; }
+  static Coordinates from_flat(const Chart&, const Flat& p, const Unknown& omega_bar) {
+    return {rotation_matrix<S>(p / p.norm()), omega_bar};
+  }
+  static Flat flat_rate(const Chart&, const Flat& p, const Unknown& omega_bar) {
+    return G_matrix(p).transpose() * omega_bar / 2;
+  }
+  static Flat moved_flat(const Chart&, const Flat& p, const Unknown& phi) {
+    const Flat moved = multiply_parameters<S>(p, exponential_parameters(phi));
+    return moved / moved.norm();
+  }
+  static void meet_internal(Flat& p, Unknown&) { p /= p.norm(); }
+
   // conversion from and to a pose
+  static S chart_distance(const Chart&, const Coordinates&) { return S(1); }
   static Chart choose_chart(const ChartOptions&, const Vector4<S>&) { return {}; }
   static Coordinates from_pose(const Chart&, const Vector4<S>& p, const Vector3<S>& omega_bar) {
     return {rotation_matrix(p), omega_bar};

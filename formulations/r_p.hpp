@@ -20,6 +20,8 @@ struct RP {
   static constexpr std::string_view name = "r-p";
   static constexpr int rotational_unknowns = 4;
   static constexpr int internal_constraints = 1;
+  static constexpr int flat_size = 4;
+  using Flat = Vector4<S>;
   static constexpr BlockNames block_names{"p''", "J^p", "Phi_p", "tau_hat", "P", "lambda^p"};
 
   using Chart = NoChart;
@@ -108,8 +110,9 @@ struct RP {
     return n_bar - k.omega_bar.cross(J_bar * k.omega_bar);
   }
   static Unknown from_reduced(const Kinematics& k, const Vector3<S>& x) {
-    return k.G.transpose() * x / 2 - k.p_dot.squaredNorm() * k.p;
+    return increment(k, x) - k.p_dot.squaredNorm() * k.p;
   }
+  static Unknown increment(const Kinematics& k, const Vector3<S>& x) { return k.G.transpose() * x / 2; }
 
   // the unknown and omega_bar': omega_bar' = 2 G p'', p'' = 1/2 G^T omega_bar' - 1/4 |omega_bar|^2 p
   static Matrix<S, 4, 3> lift(const Kinematics& k) { return k.G.transpose() / 2; }
@@ -126,7 +129,22 @@ struct RP {
     return {p / p.norm(), q.p_dot};
   }
 
+  // flat form: p and p'
+  static Flat flat_orientation(const Chart&, const Vector4<S>& p) { return p; }
+  static Unknown flat_velocity(const Chart&, const Coordinates& q) { return q.p_dot; }
+  static Coordinates from_flat(const Chart&, const Flat& p, const Unknown& p_dot) { return {p, p_dot}; }
+  static Flat flat_rate(const Chart&, const Flat&, const Unknown& p_dot) { return p_dot; }
+  static Flat moved_flat(const Chart&, const Flat& p, const Unknown& increment) {
+    const Flat moved = p + increment;
+    return moved / moved.norm();
+  }
+  static void meet_internal(Flat& p, Unknown& p_dot) {
+    p /= p.norm();
+    p_dot -= p.dot(p_dot) * p;
+  }
+
   // conversion from and to a pose: p' = 1/2 G^T omega_bar
+  static S chart_distance(const Chart&, const Coordinates&) { return S(1); }
   static Chart choose_chart(const ChartOptions&, const Vector4<S>&) { return {}; }
   static Coordinates from_pose(const Chart&, const Vector4<S>& p, const Vector3<S>& omega_bar) {
     return {p, G_matrix(p).transpose() * omega_bar / 2};

@@ -36,9 +36,9 @@ VectorX<typename F::Scalar> AccelerationSolver<F>::row_sizes(const Norm2& norm2)
   const auto add = [&](int body, int row, const Padded<S>& r, const Padded<S>& x) {
     if (body != plan.graph.bodies) E2[row] += norm2(body, unpadded<S>(r), unpadded<S>(x));
   };
-  for (const LinkJoint& joint : links_) {
+  for (const auto& joint : assembly_.links()) {
     const EliminationPlan::Link& link = plan.links[joint.link];
-    const PointRows<S>& rows = matrix_.point[joint.link];
+    const PointRows<S>& rows = assembly_.matrix().point[joint.link];
     const std::vector<int>& row = plan.graph.edges[joint.edge].rows;
     for (int k = 0; k < static_cast<int>(row.size()); ++k) {
       const bool is_point = k < 3;
@@ -50,7 +50,7 @@ VectorX<typename F::Scalar> AccelerationSolver<F>::row_sizes(const Norm2& norm2)
   for (std::size_t e = 0; e < plan.graph.edges.size(); ++e) {
     if (plan.rows_slot[e] < 0) continue;
     const GraphEdge& edge = plan.graph.edges[e];
-    const EdgeRows<S>& rows = matrix_.rows[plan.rows_slot[e]];
+    const EdgeRows<S>& rows = assembly_.matrix().rows[plan.rows_slot[e]];
     for (int k = 0; k < edge.size(); ++k) {
       add(edge.i, edge.rows[k], rows.C_i.r.col(k), rows.C_i.x.col(k));
       add(edge.j, edge.rows[k], rows.C_j.r.col(k), rows.C_j.x.col(k));
@@ -87,7 +87,7 @@ VectorX<typename F::Scalar> AccelerationSolver<F>::minimum_norm_lambda() {
   const MatrixX<S> N = idle_combinations();
   if (N.cols() == 0) return all;
   const VectorX<S> E2 = row_sizes([&](int b, const Vector3<S>& r, const Vector3<S>& x) {
-    const Matrix3<S> J = matrix_.H[b].xx.template topRows<3>();
+    const Matrix3<S> J = assembly_.matrix().H[b].xx.template topRows<3>();
     const S moments = J.trace() / 3;
     if (!(J.determinant() > unit_roundoff<S>() * moments * moments * moments))
       throw ModelError(
