@@ -1,0 +1,102 @@
+#pragma once
+/// How far a state is from its constraints, and the least change, in the mass metric, that takes it there:
+///
+///   M x + Phi_q^T mu = 0,   Phi_q x = -Phi  (positions)   or   Phi_q x = -(Phi_q q' - nu)  (velocities)
+///
+/// which is the acceleration solver's own matrix.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "formulations/acceleration_solver.hpp"
+
+namespace trivium {
+
+template <Formulation F>
+class ConstraintProjection {
+ public:
+  using S = typename F::Scalar;
+
+  /// Shares the solver's factors; redundant rows are those that it found last. The solver must outlive this.
+  ConstraintProjection(AccelerationSolver<F>& solver, const S& t)
+      : solver_(solver),
+        violation_(solver.plan().graph),
+        scale_(violation_.edge.size()),
+        change_(violation_) {
+    const auto& edges = solver.plan().graph.edges;
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      scale_[e].setOnes();
+      for (int k = 0; k < edges[e].size(); ++k)
+        scale_[e][k] = row_scale(solver.mechanism().rows[edges[e].rows[k]], t);
+    }
+  }
+
+  /// To a state; what follows speaks of it.
+  void move(std::span<const BodyState<F>> state, const S& t) {
+    t_ = t;
+    for (int b = 0; b < solver_.mechanism().nb(); ++b) solver_.assembly().move_body(b, state[b]);
+  }
+
+  /// The largest |Phi_k| and |Phi_k'|, in metres or radians (per second) whatever a row's scale.
+  S measure_positions() {
+    solver_.assembly().positions(t_, violation_);
+    return largest_violation();
+  }
+  S measure_velocities() {
+    solver_.assembly().velocities(t_, violation_);
+    return largest_violation();
+  }
+  /// The row of the last measure.
+  const std::string& worst_row() const {
+    return solver_.mechanism().row_names[solver_.plan().graph.edges[worst_.edge].rows[worst_.k]];
+  }
+
+  /// Factors the matrix at the state.
+  void factor() {
+    GraphAssembly<F>& assembly = solver_.assembly();
+    for (const auto& link : assembly.links()) assembly.assemble_link(link, t_, change_);
+    assembly.assemble_closings(t_, change_);
+    solver_.factors().find_ranks(Ranks::kept);
+    ++factorisations_;
+    try {
+      solver_.factors().factor(assembly.matrix());
+    } catch (const SingularLink& link) {
+      throw solver_.named(link, t_);
+    }
+  }
+  long factorisations() const { return factorisations_; }
+  /// The change that undoes what was measured last, by the factors at hand.
+  void solve() {
+    for (Vector6<S>& row : violation_.edge) row = -row;
+    solver_.factors().solve(violation_, change_);
+  }
+  Vector3<S> r_change(int b) const { return unpadded<S>(change_.body[b].r); }
+  typename F::Unknown q_change(int b) const {
+    return F::increment(solver_.assembly().body()[b], unpadded<S>(change_.body[b].x));
+  }
+
+ private:
+  S largest_violation() {
+    using std::abs;
+    S largest(0);
+    for (std::size_t e = 0; e < violation_.edge.size(); ++e)
+      for (int k = 0; k < solver_.plan().graph.edges[e].size(); ++k) {
+        const S size = abs(violation_.edge[e][k]) / scale_[e][k];
+        if (size <= largest || largest != largest) continue;  // a NaN goes in and stays
+        largest = size;
+        worst_ = {static_cast<int>(e), k};
+      }
+    return largest;
+  }
+
+  AccelerationSolver<F>& solver_;
+  GraphVector<S> violation_;
+  std::vector<Vector6<S>> scale_;
+  GraphVector<S> change_;
+  S t_{0};
+  EdgeRow worst_{0, 0};
+  long factorisations_ = 0;
+};
+
+}  // namespace trivium

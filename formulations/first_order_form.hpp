@@ -1,0 +1,337 @@
+#pragma once
+/// The equations of motion of one formulation as y' = f(t, y) in flat numbers, index 1: what libraries for
+/// ordinary differential equations take. Positions of all bodies first (r, then the orientation in the
+/// formulation's own numbers), then their velocities, and the work done on the mechanism where any is done.
+///
+/// Models integrators' FirstOrderSystem.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formulations/constraint_projection.hpp"
+#include "formulations/euler_chart.hpp"
+
+namespace trivium {
+
+struct FirstOrderOptions {
+  ChartOptions charts;
+  std::optional<Baumgarte> baumgarte;
+};
+
+/// [J]
+template <class S>
+struct MotionEnergy {
+  S kinetic{0}, potential{0};
+  S conserved{0};  ///< what would not change without the work of drivers and of effects that store nothing
+  S work{0};       ///< theirs, since the start
+};
+
+struct SingularPassage {
+  double t;
+  int rows;  ///< that depended on others there and before did not
+};
+
+template <Formulation F>
+class FirstOrderForm {
+ public:
+  using Scalar = typename F::Scalar;
+  using S = Scalar;
+  using Flat = VectorX<S>;
+
+  /// Numbers of a body in the positions and in the velocities.
+  static constexpr int positions = 3 + F::flat_size, velocities = 3 + F::rotational_unknowns;
+
+  /// Throws a ModelError that names the body whose chart is singular.
+  FirstOrderForm(const Mechanism<S>& mechanism, const MechanismState<S>& start,
+                 const FirstOrderOptions& options = {})
+      : mechanism_(mechanism),
+        charts_(options.charts),
+        solver_(mechanism_),
+        projection_(solver_, start.t),
+        state_(to_coordinates<F>(mechanism_, start, options.charts)),
+        motion_(mechanism_.nb() + 1),
+        lambda_(mechanism_.nc()) {
+    if (options.baumgarte) solver_.stabilise(*options.baumgarte);
+    for (int k = 0; k < mechanism_.nc(); ++k)
+      if (!function_of(mechanism_.rows[k]).is_constant()) drivers_.push_back(k);
+    does_work_ = !drivers_.empty() || !mechanism_.effects.are_conservative();
+    for (const Joint<S>& joint : mechanism_.joints)
+      reach_ = std::max({reach_, S(joint.frame_i.point.norm()), S(joint.frame_j.point.norm())});
+    start_ = Flat::Zero(size());
+    for (int b = 0; b < nb(); ++b) {
+      place(start_, b) << state_[b].r, F::flat_orientation(state_[b].chart, start.pose[b].p);
+      rate(start_, b) << state_[b].r_dot, F::flat_velocity(state_[b].chart, state_[b].q);
+    }
+    settle(start.t, start_);
+    // a motion may pass positions where rows are nearly dependent; one that starts there lives with them
+    const int found = solver_.factors().left_out();
+    settles_by_ = Ranks::seen;
+    left_out_ = -1;
+    settle(start.t, start_);
+    if (solver_.factors().left_out() == found) return;
+    settles_by_ = Ranks::found;
+    left_out_ = -1;
+    settle(start.t, start_);
+  }
+
+  int nb() const { return mechanism_.nb(); }
+  int size() const { return tested_size() + (does_work_ ? 1 : 0); }
+  /// The numbers that errors are tested in: all but the work.
+  int tested_size() const { return (positions + velocities) * nb(); }
+  const Flat& start() const { return start_; }
+
+  /// y' at (t, y). Throws a ModelError.
+  void derivative(const S& t, const Flat& y, Flat& y_dot) {
+    solve(t, y);
+    y_dot.resize(size());
+    for (int b = 0; b < nb(); ++b) {
+      const BodyState<F>& body = state_[b];
+      place(y_dot, b) << body.r_dot, F::flat_rate(body.chart, flat(y, b), flat_velocity(y, b));
+      rate(y_dot, b) << solver_.r_ddot(b), solver_.q_ddot(b);
+    }
+    if (does_work_) y_dot[tested_size()] = power(t);
+  }
+
+  // the constraints: how far y is from them, and one step of the way back
+  S position_violation(const S& t, const Flat& y) {
+    load(y);
+    projection_.move(state_, t);
+    return projection_.measure_positions();
+  }
+  S velocity_violation(const S& t, const Flat& y) {
+    load(y);
+    projection_.move(state_, t);
+    return projection_.measure_velocities();
+  }
+  /// The scene's own length and the state's speed, which violations compare with; rounding leaves some u of
+  /// them.
+  S length() const {
+    S largest = reach_;
+    for (const BodyState<F>& body : state_) largest = std::max(largest, S(body.r.norm()));
+    return largest > S(0) ? largest : S(1);
+  }
+  S speed() const {
+    const S l = length();
+    S largest(0);
+    for (int b = 0; b < nb(); ++b)
+      largest = std::max(
+          {largest, S(state_[b].r_dot.norm()), S(solver_.assembly().body()[b].omega_bar.norm() * l)});
+    return largest;
+  }
+  const std::string& worst_row() const { return projection_.worst_row(); }
+  /// Of what was measured last; the matrix is factored where asked, else it is that of before.
+  void correct_positions(Flat& y, bool factor) {
+    if (factor) projection_.factor();
+    projection_.solve();
+    for (int b = 0; b < nb(); ++b) {
+      place(y, b) << state_[b].r + projection_.r_change(b),
+          F::moved_flat(state_[b].chart, flat(y, b), projection_.q_change(b));
+    }
+  }
+  void correct_velocities(Flat& y, bool factor) {
+    if (factor) projection_.factor();
+    projection_.solve();
+    for (int b = 0; b < nb(); ++b) {
+      typename F::Unknown v = flat_velocity(y, b) + projection_.q_change(b);
+      rate(y, b) << state_[b].r_dot + projection_.r_change(b), v;
+    }
+  }
+  /// The same for the rows that a formulation has of its own: normalisation.
+  void meet_internal(Flat& y) const {
+    for (int b = 0; b < nb(); ++b) {
+      typename F::Flat x = flat(y, b);
+      typename F::Unknown v = flat_velocity(y, b);
+      F::meet_internal(x, v);
+      place(y, b).tail(F::flat_size) = x;
+      rate(y, b).tail(F::rotational_unknowns) = v;
+    }
+  }
+
+  /// At a state that the motion has reached: bodies near their chart's singularity change it, which rows
+  /// depend on others is found, and turns are counted. Returns whether y is in other coordinates now. Throws
+  /// a ModelError.
+  bool settle(const S& t, Flat& y) {
+    settled_t_.reset();
+    const bool reframed = charts_.reframe && reframe(y);
+    solve_as(t, y, Refinement::as_needed, settles_by_);
+    note_passage(t);
+    refines_ = !(solver_.corrections().acceleration <= 1e-13);
+    settled_t_ = t;
+    settled_ = y;
+    take_motion();
+    mechanism_.effects.follow(view(t));
+    return reframed;
+  }
+
+  /// The solver, solved and refined at (t, y).
+  AccelerationSolver<F>& solved(const S& t, const Flat& y) {
+    if (!is_settled(t, y)) solve_as(t, y, Refinement::as_needed, Ranks::kept);
+    return solver_;
+  }
+  MechanismState<S> physical(const S& t, const Flat& y) {
+    load(y);
+    MechanismState<S> state{t, {}, {}};
+    for (const BodyState<F>& body : state_) {
+      Vector4<S> p = F::to_euler_parameters(body.chart, body.q);
+      state.pose.push_back({body.r, p / p.norm()});
+      state.twist.push_back({body.r_dot, F::kinematics(body.chart, body.r, body.r_dot, body.q).omega_bar});
+    }
+    return state;
+  }
+  /// Largest | |p|^2 - 1 | of the numbers as they are; 0 where there is no such row.
+  S normalisation_violation(const Flat& y) const {
+    S largest(0);
+    if constexpr (F::internal_constraints > 0)
+      for (int b = 0; b < nb(); ++b) {
+        using std::abs;
+        largest = std::max(largest, S(abs(flat(y, b).squaredNorm() - S(1))));
+      }
+    return largest;
+  }
+  MotionEnergy<S> energy(const S& t, const Flat& y) {
+    load(y);
+    projection_.move(state_, t);
+    take_motion();
+    MotionEnergy<S> energy;
+    for (int b = 0; b < nb(); ++b)
+      energy.kinetic +=
+          kinetic_energy(mechanism_.bodies[b], Twist<S>{motion_[b].r_dot, motion_[b].omega_bar});
+    energy.potential = mechanism_.effects.potential_energy(view(t));
+    energy.conserved = energy.kinetic + mechanism_.effects.conserved_energy(view(t));
+    if (does_work_) energy.work = y[tested_size()];
+    return energy;
+  }
+
+  /// What of the model may have made an integrator fail at y; empty where nothing stands out.
+  std::string suspect(const S& t, const Flat& y) {
+    load(y);
+    for (int b = 0; b < nb(); ++b) {
+      const S distance = F::chart_distance(state_[b].chart, state_[b].q);
+      if (distance < S(0.05))
+        return fmt::format(
+            "body \"{}\" at t = {}: its Euler angles are {:.1e} from where they have no rates; leave "
+            "re-framing on, or choose another sequence",
+            mechanism_.body_names[b], static_cast<double>(t), static_cast<double>(distance));
+    }
+    return {};
+  }
+  /// A number of y in words.
+  std::string name_of(int index) const {
+    if (index >= tested_size()) return "the work done";
+    const bool is_place = index < positions * nb();
+    const int within = is_place ? index : index - positions * nb();
+    return fmt::format("the {} of body \"{}\"", is_place ? "position" : "velocity",
+                       mechanism_.body_names[within / (is_place ? positions : velocities)]);
+  }
+
+  const Mechanism<S>& mechanism() const { return mechanism_; }
+  bool does_work() const { return does_work_; }
+  const std::vector<BodyState<F>>& state() const { return state_; }
+  long factorisations() const { return factorisations_ + projection_.factorisations(); }
+  int reframings() const { return reframings_; }
+  /// Positions passed where rows depended on others that do not elsewhere: the rows that were left out there
+  /// say nothing then, and where a motion could go on in two ways it went as its velocities had it.
+  const std::vector<SingularPassage>& passages() const { return passages_; }
+
+ private:
+  auto place(Flat& y, int b) const { return y.template segment<positions>(positions * b); }
+  auto rate(Flat& y, int b) const {
+    return y.template segment<velocities>(positions * nb() + velocities * b);
+  }
+  typename F::Flat flat(const Flat& y, int b) const {
+    return y.template segment<F::flat_size>(positions * b + 3);
+  }
+  typename F::Unknown flat_velocity(const Flat& y, int b) const {
+    return y.template segment<F::rotational_unknowns>(positions * nb() + velocities * b + 3);
+  }
+
+  void load(const Flat& y) {
+    if (settled_t_ && settled_ != y) settled_t_.reset();  // its bodies move on
+    for (int b = 0; b < nb(); ++b) {
+      state_[b].r = y.template segment<3>(positions * b);
+      state_[b].r_dot = y.template segment<3>(positions * nb() + velocities * b);
+      state_[b].q = F::from_flat(state_[b].chart, flat(y, b), flat_velocity(y, b));
+    }
+  }
+  bool is_settled(const S& t, const Flat& y) const { return settled_t_ && *settled_t_ == t && settled_ == y; }
+  void solve(const S& t, const Flat& y) {
+    if (!is_settled(t, y)) solve_as(t, y, refines_ ? Refinement::as_needed : Refinement::none, Ranks::kept);
+  }
+  void solve_as(const S& t, const Flat& y, Refinement refinement, Ranks ranks) {
+    settled_t_.reset();
+    load(y);
+    ++factorisations_;
+    solver_.solve(state_, t, refinement, ranks);
+  }
+
+  void note_passage(const S& t) {
+    const int left_out = solver_.factors().left_out();
+    if (left_out > left_out_ && left_out_ >= 0 && passages_.size() < most_passages)
+      passages_.push_back({static_cast<double>(t), left_out - left_out_});
+    left_out_ = left_out;
+  }
+
+  bool reframe(Flat& y) {
+    load(y);
+    bool changed = false;
+    for (int b = 0; b < nb(); ++b) {
+      BodyState<F>& body = state_[b];
+      if (!(F::chart_distance(body.chart, body.q) < S(reframing_distance))) continue;
+      const Vector4<S> p = F::to_euler_parameters(body.chart, body.q);
+      const Vector3<S> omega_bar = F::kinematics(body.chart, body.r, body.r_dot, body.q).omega_bar;
+      body.chart = F::choose_chart(charts_, p);
+      body.q = F::from_pose(body.chart, p, omega_bar);
+      place(y, b).tail(F::flat_size) = F::flat_orientation(body.chart, p);
+      rate(y, b).tail(F::rotational_unknowns) = F::flat_velocity(body.chart, body.q);
+      changed = true;
+      ++reframings_;
+    }
+    return changed;
+  }
+
+  /// Of the bodies as they were moved last.
+  void take_motion() {
+    std::copy(solver_.assembly().body().begin(), solver_.assembly().body().end(), motion_.begin());
+  }
+  EffectView<S> view(const S& t) const { return {mechanism_.bodies, motion_, t}; }
+  /// Of effects that store nothing, and of drivers: -lambda^T nu.
+  S power(const S& t) {
+    take_motion();
+    S sum = mechanism_.effects.other_power(view(t));
+    if (drivers_.empty()) return sum;
+    solver_.copy_lambda(lambda_);
+    const auto& body = solver_.assembly().body();
+    for (const int k : drivers_) {
+      const BodyPair pair = bodies_of(mechanism_.rows[k]);
+      sum -= lambda_[k] * evaluate_row(mechanism_.rows[k], body[pair.i], body[pair.j], t).nu;
+    }
+    return sum;
+  }
+
+  Mechanism<S> mechanism_;  ///< its effects count turns
+  ChartOptions charts_;
+  AccelerationSolver<F> solver_;
+  ConstraintProjection<F> projection_;
+  std::vector<BodyState<F>> state_;
+  std::vector<BodyMotion<S>> motion_;
+  VectorX<S> lambda_;
+  std::vector<int> drivers_;  ///< rows that move by themselves
+  bool does_work_ = false;
+  S reach_{0};
+  Flat start_;
+  // of the last settled state
+  std::optional<S> settled_t_;
+  Flat settled_;
+  bool refines_ = false;
+  Ranks settles_by_ = Ranks::found;
+  int left_out_ = -1;  ///< rows
+  static constexpr std::size_t most_passages = 1000;
+  std::vector<SingularPassage> passages_;
+  long factorisations_ = 0;
+  int reframings_ = 0;
+};
+
+}  // namespace trivium

@@ -1,0 +1,93 @@
+#pragma once
+/// A method walks a system through a grid of times.
+
+#include "integrators/projection.hpp"
+#include "integrators/time_grid.hpp"
+
+namespace trivium::integrators {
+
+/// One accepted step at a time. `step` moves t and y on by one step, at most to `stop`, which it lands on
+/// exactly where it comes near; `restart` forgets what the method remembers of the solution so far, as where
+/// it is not smooth; `shorten` has it take a shorter step from where it took the last one, and returns
+/// whether it can. Throws an IntegrationError where it gives up.
+template <class M, class System>
+concept Method = requires(M& method, const M& constant, System& system, typename System::Scalar& t,
+                          Flat<typename System::Scalar>& y, const typename System::Scalar& stop) {
+  method.step(system, t, y, stop);
+  method.restart();
+  { method.shorten() } -> std::same_as<bool>;
+  { constant.counters() } -> std::convertible_to<Counters>;
+};
+
+/// Whether a projection moved y by more than a tenth of what the step did, and more than a little: onto
+/// another branch of the constraints, as beside a singular position, or the step is far too long.
+template <class S>
+bool strays(const Flat<S>& before, const Flat<S>& stepped, const Flat<S>& projected) {
+  return !((projected - stepped).norm() <= (stepped - before).norm() / 10 + S(1e-4) * stepped.norm());
+}
+
+/// A step and its projection. Where that fails or strays a shorter one is taken, if the method can.
+template <FirstOrderSystem System, Method<System> M>
+void projected_step(System& system, M& method, typename System::Scalar& t, Flat<typename System::Scalar>& y,
+                    const typename System::Scalar& stop, Projection<System>& project,
+                    ProjectionReport<typename System::Scalar>& report) {
+  const auto before_t = t;
+  const auto before = y;
+  for (;;) {
+    method.step(system, t, y, stop);
+    const auto stepped = y;
+    try {
+      project(system, t, y, report);
+      if (!strays<typename System::Scalar>(before, stepped, y)) return;
+      if (!method.shorten())
+        throw IntegrationError(fmt::format(
+            "row \"{}\" at t = {}: its projection moved the bodies by more than a tenth of the step; take "
+            "smaller steps, or leave their length to tolerances",
+            system.worst_row(), static_cast<double>(t)));
+    } catch (const IntegrationError&) {
+      if (!method.shorten()) throw;
+    }
+    t = before_t;
+    y = before;
+  }
+}
+
+/// Whether to go on after a step.
+enum class Continue { yes, no };
+
+/// Projects the start and after every step unless told not to, and shows `at_step(t, y)` every step and
+/// `at_output(t, y)` the start, every output and the end. Returns whether it came to the end.
+template <FirstOrderSystem System, Method<System> M, class AtStep, class AtOutput>
+bool integrate(System& system, M& method, const TimeGrid& grid, bool projects,
+               ProjectionReport<typename System::Scalar>& report, const AtStep& at_step,
+               const AtOutput& at_output) {
+  using S = typename System::Scalar;
+  S t(grid.start());
+  Flat<S> y = system.start();
+  Projection<System> project;
+  if (projects) {
+    ProjectionReport<S> of_the_start;  // which need not hold to the last digit of this arithmetic
+    project(system, t, y, of_the_start);
+    system.settle(t, y);
+  }
+  at_output(t, y);
+  TimeGrid::Walk<S> walk(grid);
+  while (const auto stop = walk.next()) {
+    while (t < stop->t) {
+      if (projects)
+        projected_step(system, method, t, y, stop->t, project, report);
+      else
+        method.step(system, t, y, stop->t);
+      if (system.settle(t, y)) method.restart();
+      if (at_step(t, y) == Continue::no) {
+        if (!(t < stop->t) && stop->is_output) at_output(t, y);
+        return false;
+      }
+    }
+    if (stop->is_event) method.restart();
+    if (stop->is_output) at_output(t, y);
+  }
+  return true;
+}
+
+}  // namespace trivium::integrators

@@ -1,0 +1,189 @@
+#include "integrators/methods.hpp"
+
+#include <gtest/gtest.h>
+
+#include "integrators/test_systems.hpp"
+
+namespace trivium::integrators {
+namespace {
+
+using test::Free;
+using test::OnACircle;
+
+struct Walked {
+  std::vector<double> t;
+  std::vector<Flat<double>> y;
+  Counters counters;
+  ProjectionReport<double> projection;
+};
+
+template <class System>
+Walked run(System& system, const std::string& name, Steps steps, const TimeGrid& grid,
+           Tolerances tolerances = {}, bool projects = true) {
+  Erased<System> erased(system);
+  const auto method = make_method<double>(name, steps, tolerances);
+  Walked out;
+  integrate<AnySystem<double>, AnyMethod<double>>(
+      erased, *method, grid, projects, out.projection,
+      [](double, const Flat<double>&) { return Continue::yes; },
+      [&](double t, const Flat<double>& y) {
+        out.t.push_back(t);
+        out.y.push_back(y);
+      });
+  out.counters = method->counters();
+  return out;
+}
+
+/// x'' = -x with a forcing that is not a polynomial.
+Free oscillator() {
+  Free system;
+  system.y0 = Eigen::Vector2d(1, 0);
+  system.f = [](double t, const Flat<double>& y) {
+    return Flat<double>(Eigen::Vector2d(y[1], -y[0] + std::exp(-t) * y[0] * y[1]));
+  };
+  return system;
+}
+
+double error_at_end(const std::string& name, double h) {
+  static const Flat<double> exact = [] {
+    Free system = oscillator();
+    return run(system, "rkf78", Steps::given, TimeGrid(0, 2, {}, 2.0 / 1024)).y.back();
+  }();
+  Free system = oscillator();
+  return (run(system, name, Steps::given, TimeGrid(0, 2, {}, h)).y.back() - exact).norm();
+}
+
+class GivenStepsOf : public testing::TestWithParam<std::string> {};
+
+TEST_P(GivenStepsOf, HaveThePublishedOrder) {
+  const MethodInfo& method = *find_method(GetParam());
+  const double h = method.order > 6 ? 2.0 / 4 : 2.0 / 32;  // above rounding at both
+  const double order = std::log2(error_at_end(GetParam(), h) / error_at_end(GetParam(), h / 4)) / 2;
+  EXPECT_NEAR(order, method.order, 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, GivenStepsOf, testing::Values("dopri5", "rkf78", "abm"),
+                         [](const auto& method) { return method.param; });
+
+class ChosenStepsOf : public testing::TestWithParam<std::string> {};
+
+TEST_P(ChosenStepsOf, FollowTheTolerance) {
+  for (const double rtol : {1e-4, 1e-7, 1e-10}) {
+    OnACircle system;
+    const Walked r = run(system, GetParam(), Steps::chosen, TimeGrid(0, 6, 1.5), {rtol, rtol});
+    ASSERT_EQ(r.t.size(), 5u);
+    for (std::size_t k = 0; k < r.t.size(); ++k) {
+      EXPECT_EQ(r.t[k], 1.5 * static_cast<double>(k));
+      const Flat<double> exact =
+          Eigen::Vector4d(std::cos(r.t[k]), std::sin(r.t[k]), -std::sin(r.t[k]), std::cos(r.t[k]));
+      EXPECT_LE((r.y[k] - exact).norm(), 200 * rtol) << r.t[k];
+    }
+    EXPECT_LE(system.position_violation(0, r.y.back()), 1e-15);
+  }
+}
+
+TEST_P(ChosenStepsOf, GiveUpWhereTheMotionEndsAndSayWhen) {
+  Free system;  // y = 1 / (1 - t)
+  system.y0 = Flat<double>::Ones(1);
+  system.f = [](double, const Flat<double>& y) { return Flat<double>(y.cwiseAbs2()); };
+  try {
+    run(system, GetParam(), Steps::chosen, TimeGrid(0, 2));
+    FAIL();
+  } catch (const IntegrationError& error) {
+    EXPECT_NE(std::string(error.what()).find("t = "), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("steps"), std::string::npos) << error.what();
+  }
+}
+
+TEST_P(ChosenStepsOf, TakeASmallerStepWhereARightSideCannotBeEvaluated) {
+  Free system;  // y = 1 - t^2 / 4, not defined below 0: where y = 0 the motion stays
+  system.y0 = Flat<double>::Ones(1);
+  system.f = [](double, const Flat<double>& y) {
+    if (y[0] < 0.2) throw std::runtime_error("the root of a negative number");
+    return Flat<double>(-(y.array() - 0.2).sqrt().matrix());
+  };
+  const Walked r = run(system, GetParam(), Steps::chosen, TimeGrid(0, 1.5), {1e-3, 1e-3});
+  EXPECT_NEAR(r.y.back()[0], 0.2 + std::pow(std::sqrt(0.8) - 0.75, 2), 0.02);
+}
+
+TEST_P(ChosenStepsOf, StartAnewWhereCoordinatesChange) {
+  Free system = oscillator();
+  system.changes_at = 5;
+  EXPECT_EQ(run(system, GetParam(), Steps::chosen, TimeGrid(0, 2)).counters.restarts, 1);
+}
+
+TEST_P(ChosenStepsOf, KeepTheirOrderAcrossAKink) {
+  const auto error = [&](std::vector<double> events) {
+    Free system;  // y' = |t - 1 / pi|, in the error's own size
+    system.y0 = Flat<double>::Zero(1);
+    const double kink = 1 / std::acos(-1.0);
+    system.f = [=](double t, const Flat<double>&) { return Flat<double>::Constant(1, std::abs(t - kink)); };
+    const double exact = (kink * kink + (1 - kink) * (1 - kink)) / 2;
+    const Walked r =
+        run(system, GetParam(), Steps::chosen, TimeGrid(0, 1, {}, {}, std::move(events)), {1e-9, 1e-9});
+    return std::pair(std::abs(r.y.back()[0] - exact), r.counters.rejected_steps);
+  };
+  const auto [without, rejected] = error({});
+  const auto [with, rejected_with] = error({1 / std::acos(-1.0)});
+  EXPECT_LE(with, 1e-14);
+  EXPECT_GT(without, 1e-14);
+  EXPECT_LE(rejected_with, rejected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, ChosenStepsOf, testing::Values("dopri5", "rkf78", "bulirsch-stoer", "abm"),
+                         [](const auto& method) {
+                           return method.param == "bulirsch-stoer" ? "bulirsch_stoer" : method.param;
+                         });
+
+TEST(Methods, AreFoundByTheirNames) {
+  for (const MethodInfo& method : methods()) {
+    EXPECT_EQ(find_method(method.name), &method);
+    EXPECT_NE(make_method<double>(method.name, Steps::chosen, {}), nullptr);
+    if (method.takes_given_steps)
+      EXPECT_NE(make_method<double>(method.name, Steps::given, {}), nullptr);
+    else
+      EXPECT_THROW(make_method<double>(method.name, Steps::given, {}), UsageError);
+  }
+  EXPECT_EQ(find_method("euler"), nullptr);
+}
+
+TEST(Projection, MeetsPositionsAndVelocitiesByOneFactorisation) {
+  OnACircle system;
+  Flat<double> y = Eigen::Vector4d(0.6 + 1e-4, 0.8, -0.8, 0.6 + 1e-3);
+  ProjectionReport<double> report;
+  Projection<OnACircle>()(system, 0.0, y, report);
+  EXPECT_LE(system.position_violation(0, y), 4e-16);
+  EXPECT_LE(system.velocity_violation(0, y), 4e-16);
+  EXPECT_EQ(system.factors, 1);
+  EXPECT_NEAR(report.position, 0.6e-4, 1e-6);
+  EXPECT_LE(report.position_left, 4e-16);
+}
+
+TEST(Projection, NamesTheRowThatItCannotMeet) {
+  OnACircle system;
+  system.stuck = true;
+  Flat<double> y = Eigen::Vector4d(1.1, 0, 0, 1);
+  ProjectionReport<double> report;
+  try {
+    Projection<OnACircle>()(system, 0.25, y, report);
+    FAIL();
+  } catch (const IntegrationError& error) {
+    EXPECT_NE(std::string(error.what()).find("\"circle\" at t = 0.25"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Projection, IsLeftOutWhereToldSo) {
+  OnACircle system;
+  const Walked r = run(system, "dopri5", Steps::given, TimeGrid(0, 6, {}, 0.25), {}, false);
+  EXPECT_EQ(system.factors, 0);
+  EXPECT_GT(system.position_violation(0, r.y.back()), 1e-8);
+}
+
+TEST(Projection, OfAStepThatIsFarTooLongIsAnErrorAtGivenSteps) {
+  OnACircle system(40);
+  EXPECT_THROW(run(system, "dopri5", Steps::given, TimeGrid(0, 1, {}, 0.25)), IntegrationError);
+  EXPECT_NO_THROW(run(system, "dopri5", Steps::chosen, TimeGrid(0, 1), {1e-2, 1e-2}));
+}
+
+}  // namespace
+}  // namespace trivium::integrators

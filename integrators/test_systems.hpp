@@ -1,0 +1,73 @@
+#pragma once
+/// Small systems with known solutions. A support of the tests.
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "integrators/system.hpp"
+
+namespace trivium::integrators::test {
+
+/// y' = f(t, y), free of constraints.
+struct Free {
+  using Scalar = double;
+  std::function<Flat<double>(double, const Flat<double>&)> f;
+  Flat<double> y0;
+  int settled = 0, changes_at = -1;  ///< the settled state at which coordinates are said to have changed
+
+  int size() const { return static_cast<int>(y0.size()); }
+  Flat<double> start() const { return y0; }
+  void derivative(double t, const Flat<double>& y, Flat<double>& y_dot) { y_dot = f(t, y); }
+  double position_violation(double, const Flat<double>&) { return 0; }
+  double velocity_violation(double, const Flat<double>&) { return 0; }
+  double length() const { return 1; }
+  double speed() const { return 1; }
+  void correct_positions(Flat<double>&, bool) {}
+  void correct_velocities(Flat<double>&, bool) {}
+  void meet_internal(Flat<double>&) {}
+  std::string worst_row() const { return "none"; }
+  bool settle(double, Flat<double>&) { return settled++ == changes_at; }
+  std::string suspect(double, const Flat<double>&) { return {}; }
+};
+
+/// A particle (x, y, x', y') on the unit circle at constant speed: Phi = (x^2 + y^2 - 1) / 2.
+struct OnACircle : Free {
+  double seen = 0, factored_x = 0, factored_y = 0;
+  bool stuck = false;  ///< corrections do nothing
+  int factors = 0;
+
+  explicit OnACircle(double speed = 1) {
+    y0 = Eigen::Vector4d(1, 0, 0, speed);
+    f = [](double, const Flat<double>& y) {
+      const double pull = (y[2] * y[2] + y[3] * y[3]) / (y[0] * y[0] + y[1] * y[1]);
+      return Flat<double>(Eigen::Vector4d(y[2], y[3], -pull * y[0], -pull * y[1]));
+    };
+  }
+  double position_violation(double, const Flat<double>& y) {
+    seen = (y[0] * y[0] + y[1] * y[1] - 1) / 2;
+    return std::abs(seen);
+  }
+  double velocity_violation(double, const Flat<double>& y) {
+    seen = y[0] * y[2] + y[1] * y[3];
+    return std::abs(seen);
+  }
+  void correct_positions(Flat<double>& y, bool factor) { correct(y, 0, factor); }
+  void correct_velocities(Flat<double>& y, bool factor) { correct(y, 2, factor); }
+  std::string worst_row() const { return "circle"; }
+
+ private:
+  void correct(Flat<double>& y, int part, bool factor) {
+    if (factor) {
+      factored_x = y[0];
+      factored_y = y[1];
+      ++factors;
+    }
+    if (stuck) return;
+    const double size = factored_x * factored_x + factored_y * factored_y;
+    y[part] -= seen * factored_x / size;
+    y[part + 1] -= seen * factored_y / size;
+  }
+};
+
+}  // namespace trivium::integrators::test

@@ -1,0 +1,123 @@
+#pragma once
+/// The times of a run: t_k = t0 + k h with an integer k, never a sum of steps.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "integrators/system.hpp"
+
+namespace trivium::integrators {
+
+/// A time that a run lands on exactly.
+template <class S>
+struct Stop {
+  S t;
+  bool is_output = false;
+  bool is_event = false;  ///< something is not smooth there: multistep methods start anew
+};
+
+/// From start to end (forward), with outputs every `output_step` and at the end, steps of `step` if it is
+/// given, and events.
+class TimeGrid {
+ public:
+  /// Throws an UsageError where the steps do not divide the run or the outputs.
+  TimeGrid(double start, double end, std::optional<double> output_step = {}, std::optional<double> step = {},
+           std::vector<double> events = {})
+      : start_(start), end_(end), output_step_(output_step.value_or(end - start)), step_(step) {
+    if (!(end > start)) throw UsageError(fmt::format("the end {} is not after the start {}", end, start));
+    if (!(output_step_ > 0))
+      throw UsageError(fmt::format("the output step {} is not positive", output_step_));
+    outputs_ = number_of(output_step_);
+    if (step_) {
+      if (!(*step_ > 0)) throw UsageError(fmt::format("the step {} is not positive", *step_));
+      steps_ = whole(end - start, *step_, "run");
+      if (output_step) steps_per_output_ = whole(output_step_, *step_, "output step");
+    }
+    for (const double t : events)
+      if (t > start && t < end) events_.push_back(t);
+    std::sort(events_.begin(), events_.end());
+    events_.erase(std::unique(events_.begin(), events_.end()), events_.end());
+  }
+
+  double start() const { return start_; }
+  double end() const { return end_; }
+  const std::optional<double>& step() const { return step_; }
+  long outputs() const { return outputs_; }
+
+  /// The next stop after t: an output, an event, the end of a fixed step, or the end of the run.
+  template <class S>
+  class Walk {
+   public:
+    explicit Walk(const TimeGrid& grid) : grid_(grid) {}
+
+    std::optional<Stop<S>> next() {
+      if (done_) return {};
+      Stop<S> stop{S(grid_.end_), true, false};
+      const S output = grid_.at<S>(output_, grid_.output_step_), step = next_step();
+      const bool more_outputs = output_ <= grid_.outputs_ && !is_end(output);
+      if (more_outputs) stop.t = output;
+      if (grid_.step_ && step < stop.t && !are_same(step, stop.t)) stop = {step, false, false};
+      if (event_ < grid_.events_.size()) {
+        const S event(grid_.events_[event_]);
+        if (are_same(event, stop.t)) {
+          stop.is_event = true;
+        } else if (event < stop.t) {
+          stop = {event, false, true};
+        }
+        if (stop.is_event) ++event_;
+      }
+      if (more_outputs && are_same(output, stop.t)) ++output_;
+      if (grid_.step_ && are_same(step, stop.t)) ++step_;
+      done_ = is_end(stop.t);
+      return stop;
+    }
+
+   private:
+    S next_step() const { return grid_.step_ ? grid_.at<S>(step_, *grid_.step_) : S(grid_.end_); }
+    bool is_end(const S& t) const { return !(t < S(grid_.end_)) || are_same(t, S(grid_.end_)); }
+    /// To rounding of a double: the grid's numbers are doubles.
+    bool are_same(const S& a, const S& b) const {
+      using std::abs;
+      const double scale = std::max(std::abs(grid_.start_), std::abs(grid_.end_));
+      return abs(a - b) <= S(8 * std::numeric_limits<double>::epsilon() * scale);
+    }
+
+    const TimeGrid& grid_;
+    long output_ = 1, step_ = 1;
+    std::size_t event_ = 0;
+    bool done_ = false;
+  };
+
+ private:
+  template <class S>
+  S at(long k, double step) const {
+    return S(start_) + S(static_cast<double>(k)) * S(step);
+  }
+  long number_of(double step) const {
+    const double ratio = (end_ - start_) / step;
+    if (!(ratio < 1e9)) throw UsageError(fmt::format("the output step {} makes more than 1e9 outputs", step));
+    return static_cast<long>(std::floor(ratio * (1 + 1e-12)));
+  }
+  static long whole(double length, double step, const char* what) {
+    const double ratio = length / step, nearest = std::round(ratio);
+    if (!(ratio < 1e15))
+      throw UsageError(fmt::format("the step {} divides the {} of {} into too many", step, what, length));
+    if (nearest < 1 || std::abs(ratio - nearest) > 1e-9 * ratio)
+      throw UsageError(
+          fmt::format("the step {} does not divide the {} of {}: the nearest that does is {:.17g}", step,
+                      what, length, length / std::max(1.0, nearest)));
+    return static_cast<long>(nearest);
+  }
+
+  double start_, end_, output_step_;
+  std::optional<double> step_;
+  long outputs_ = 0, steps_ = 0, steps_per_output_ = 0;
+  std::vector<double> events_;
+};
+
+}  // namespace trivium::integrators
