@@ -195,6 +195,112 @@ TEST(Generate, RefusesARingOfTwo) {
   EXPECT_NE(r.err.find("N: found 2; accepted: 3 bars of a ring or more"), std::string::npos) << r.err;
 }
 
+/// The fields of every line of a CSV without quoted fields.
+std::vector<std::vector<std::string>> csv_lines(const fs::path& file) {
+  std::vector<std::vector<std::string>> lines;
+  std::istringstream text(slurp(file));
+  for (std::string line; std::getline(text, line);) {
+    std::istringstream fields(line);
+    lines.emplace_back();
+    for (std::string field; std::getline(fields, field, ',');) lines.back().push_back(field);
+  }
+  return lines;
+}
+
+TEST(Simulate, WritesEveryBodyReactionAndMultiplierAtExactTimes) {
+  const fs::path file = fresh("motion.csv");
+  const Outcome r =
+      run("trivium simulate spatial_slider_crank --formulation r-p --integrator rkf78 --t-end 0.5 "
+          "--output-step 0.125 --out " +
+          file.string() + " --json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  const auto lines = csv_lines(file);
+  ASSERT_EQ(lines.size(), 6u);
+  const std::vector<std::string> start(lines[0].begin(), lines[0].begin() + 15);
+  EXPECT_EQ(start, (std::vector<std::string>{"t", "crank.x", "crank.y", "crank.z", "crank.e0", "crank.e1",
+                                             "crank.e2", "crank.e3", "crank.vx", "crank.vy", "crank.vz",
+                                             "crank.wx", "crank.wy", "crank.wz", "rod.x"}));
+  EXPECT_EQ(lines[0][1 + 3 * 13], "A.fx");
+  const std::vector<std::string> end(lines[0].end() - 3, lines[0].end());
+  EXPECT_EQ(end, (std::vector<std::string>{"energy", "phi", "phi_dot"}));
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    EXPECT_EQ(lines[k].size(), lines[0].size());
+    EXPECT_EQ(std::stod(lines[k][0]), 0.125 * static_cast<double>(k - 1));
+    EXPECT_LE(std::stod(lines[k].back()), 1e-12);
+  }
+  const json s = json::parse(r.out);
+  EXPECT_TRUE(s["complete"]);
+  for (const char* counter :
+       {"steps", "rejected_steps", "right_sides", "factorisations", "projection_changes"})
+    EXPECT_TRUE(s[counter].is_number_integer()) << counter;
+  EXPECT_LE(s["drift"]["phi"], 1e-13);
+  EXPECT_LE(s["energy"]["unaccounted"], 1e-6);
+  EXPECT_EQ(s["rows"].size(), 17u);
+}
+
+// p and -p are one orientation; what is written moves without jumps
+TEST(Simulate, WritesEulerParametersThatDoNotJump) {
+  const fs::path file = fresh("motion.csv");
+  ASSERT_EQ(run("trivium simulate heavy_top --formulation r-epsilon --t-end 1 --output-step 0.001 --out " +
+                file.string())
+                .exit_code,
+            0);
+  const auto lines = csv_lines(file);
+  ASSERT_EQ(lines.size(), 1002u);
+  for (std::size_t k = 2; k < lines.size(); ++k)
+    for (std::size_t e = 4; e < 8; ++e)
+      EXPECT_LE(std::abs(std::stod(lines[k][e]) - std::stod(lines[k - 1][e])), 0.1) << lines[k][0];
+}
+
+TEST(Simulate, CtrlCLeavesTheMotionSoFar) {
+  const fs::path file = fresh("motion.csv"), errors = fresh("said");
+  const Outcome r = run("trivium simulate stewart_platform --t-end 1e6 --output-step 0.01 --out " +
+                        file.string() + " 2>" + errors.string() + " & sleep 1; kill -INT $!; wait $!");
+  EXPECT_EQ(r.exit_code, 130);
+  EXPECT_NE(slurp(errors).find("interrupted at t = "), std::string::npos) << slurp(errors);
+  const auto lines = csv_lines(file);
+  ASSERT_GT(lines.size(), 10u);
+  for (const auto& line : lines) EXPECT_EQ(line.size(), lines[0].size());
+}
+
+TEST(Simulate, AMotionThatCannotGoOnIsKeptUntilThere) {
+  // a bead on a spring without length: its force has no direction where it arrives
+  const std::string scene = temporary_scene("caught.json", R"({"trivium": 1, "name": "caught",
+    "bodies": [{"name": "bead", "mass": 1, "inertia": [1, 1, 1], "position": [1, 0, 0], "velocity": [-1, 0, 0]}],
+    "effects": [{"type": "spring_damper", "name": "catcher", "i": {"body": "ground"}, "j": {"body": "bead"}, "damping": 1e6}]})");
+  const fs::path file = fresh("motion.csv");
+  const Outcome r = run("trivium simulate " + scene +
+                        " --t-end 10 --integrator rkf78 --step 0.5 --output-step 0.5 --out " + file.string());
+  EXPECT_EQ(r.exit_code, 3);
+  EXPECT_EQ(r.out, "");
+  EXPECT_TRUE(r.err.starts_with("error: " + scene + ": ")) << r.err;
+  EXPECT_NE(r.err.find("holds the motion until t = "), std::string::npos) << r.err;
+  EXPECT_GE(csv_lines(file).size(), 2u);
+}
+
+TEST(Simulate, AnInconsistentStartIsAnInputErrorUnlessAssembled) {
+  const std::string scene = moving_wrongly();
+  EXPECT_EQ(run("trivium simulate " + scene + " --t-end 0.1").exit_code, 2);
+  EXPECT_EQ(run("trivium simulate " + scene + " --t-end 0.1 --assemble").exit_code, 0);
+}
+
+TEST(Simulate, SaysWhichSingularPositionsItPassed) {
+  const Outcome r = run("trivium simulate n_four_bar_1 --t-end 2 --rtol 1e-10 --atol 1e-12 --json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_NE(r.err.find("warning: the motion passed"), std::string::npos) << r.err;
+  EXPECT_GE(json::parse(r.out)["singular_positions"].size(), 1u);
+}
+
+TEST(Simulate, DrawsTheMotion) {
+  if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot";
+  const fs::path file = fresh("motion.svg");
+  const Outcome r = run("trivium simulate four_bar --t-end 1 --output-step 0.01 --plot " + file.string());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_NE(slurp(file).find("</svg>"), std::string::npos);
+}
+
 TEST(EveryProgram, HasHelpAndVersion) {
   std::vector<std::string> programs = validations();
   programs.push_back("trivium");
@@ -204,7 +310,7 @@ TEST(EveryProgram, HasHelpAndVersion) {
       EXPECT_EQ(r.exit_code, 0) << program << flag;
       EXPECT_NE(r.out, "");
     }
-  for (const std::string command : {"solve", "check", "list", "generate"})
+  for (const std::string command : {"solve", "simulate", "check", "list", "generate"})
     for (const std::string flag : {" --help", " --version"})
       EXPECT_EQ(run("trivium " + command + flag).exit_code, 0) << command << flag;
 }
@@ -212,8 +318,9 @@ TEST(EveryProgram, HasHelpAndVersion) {
 /// A full disk, as the device that is always full plays it: short output is lost when it is flushed, long
 /// output while it is printed.
 TEST(EveryProgram, DoesNotPassOverResultsThatCouldNotBeWritten) {
-  std::vector<std::string> all{"trivium solve heavy_top", "trivium check n_four_bar_40 --json",
-                               "trivium generate chain 100", "trivium --help"};
+  std::vector<std::string> all{"trivium solve heavy_top", "trivium simulate heavy_top --t-end 0.1",
+                               "trivium check n_four_bar_40 --json", "trivium generate chain 100",
+                               "trivium --help"};
   for (const std::string& program : validations()) all.push_back(program + " simple_pendulum");
   for (const std::string& words : all) {
     const Outcome r = run(words + " >/dev/full");
@@ -225,6 +332,7 @@ TEST(EveryProgram, DoesNotPassOverResultsThatCouldNotBeWritten) {
 TEST(EveryProgram, SuggestsTheNearestNameOfTheCatalogue) {
   std::vector<std::string> all = validations();
   all.push_back("trivium solve");
+  all.push_back("trivium simulate");
   for (const std::string& program : all)
     for (const std::string name : {"heavy_tpo", "heavy_tpo.json", "heavy_top.json"}) {
       const Outcome r = run(program + " " + name);
@@ -245,10 +353,12 @@ TEST(EveryProgram, FindsASceneBesideAFolderOfItsName) {
 }
 
 TEST(Trivium, ListsItsSubcommandsToWhoeverNamesNone) {
-  EXPECT_EQ(run("trivium").err,
-            "error: no subcommand; accepted: solve, check, list, generate; trivium --help says more\n");
+  EXPECT_EQ(
+      run("trivium").err,
+      "error: no subcommand; accepted: solve, simulate, check, list, generate; trivium --help says more\n");
   EXPECT_EQ(run("trivium foo").err,
-            "error: unknown subcommand \"foo\"; accepted: solve, check, list, generate; trivium --help says "
+            "error: unknown subcommand \"foo\"; accepted: solve, simulate, check, list, generate; trivium "
+            "--help says "
             "more\n");
   EXPECT_NE(run("trivium slove heavy_top").err.find("(did you mean \"solve\"?)"), std::string::npos);
   for (const std::string words : {"trivium", "trivium foo", "trivium slove heavy_top"})
@@ -257,10 +367,26 @@ TEST(Trivium, ListsItsSubcommandsToWhoeverNamesNone) {
 
 TEST(EveryProgram, AnswersMisuseWithExitCodeTwo) {
   for (const std::string words :
-       {"trivium", "trivium solv heavy_top", "trivium solve", "trivium solve no_such_scene",
-        "trivium solve heavy_top --scalar half", "trivium solve heavy_top --sequence 312x",
-        "trivium solve heavy_top --t nan", "trivium check heavy_top --t inf",
-        "lambda_invariance no_such_scene", "precision_ladder --no-such-option"}) {
+       {"trivium",
+        "trivium solv heavy_top",
+        "trivium solve",
+        "trivium solve no_such_scene",
+        "trivium solve heavy_top --scalar half",
+        "trivium solve heavy_top --sequence 312x",
+        "trivium solve heavy_top --t nan",
+        "trivium check heavy_top --t inf",
+        "trivium simulate heavy_top --integrator euler",
+        "trivium simulate heavy_top --formulation r-q",
+        "trivium simulate heavy_top --t-end -1",
+        "trivium simulate heavy_top --step 0.3 --t-end 1",
+        "trivium simulate heavy_top --step 0.1 --rtol 1e-3",
+        "trivium simulate heavy_top --rtol 0",
+        "trivium simulate heavy_top --integrator bulirsch-stoer --step 0.1 --t-end 1",
+        "trivium simulate heavy_top --baumgarte 1",
+        "trivium simulate heavy_top --plot motion.png",
+        "trivium simulate heavy_top --out no_such_folder/motion.csv",
+        "lambda_invariance no_such_scene",
+        "precision_ladder --no-such-option"}) {
     const Outcome r = run(words);
     EXPECT_EQ(r.exit_code, 2) << words;
     EXPECT_NE(r.err, "") << words;

@@ -12,6 +12,7 @@ namespace trivium {
 using Command = std::function<int()>;
 
 Command add_solve_command(CLI::App& app);
+Command add_simulate_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
 Command add_list_command(CLI::App& app);
 Command add_generate_command(CLI::App& app);

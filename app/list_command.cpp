@@ -1,4 +1,5 @@
-/// trivium list: the catalogue's scenes, the formulations, joints, basic constraints and effects.
+/// trivium list: the catalogue's scenes, the formulations, integrators, joints, basic constraints and
+/// effects.
 
 #include <fmt/format.h>
 
@@ -6,6 +7,7 @@
 
 #include "app/commands.hpp"
 #include "formulations/side_by_side.hpp"
+#include "integrators/methods.hpp"
 #include "scenes/scene_file.hpp"
 #include "scenes/scene_keys.hpp"
 #include "validation/catalogue.hpp"
@@ -28,6 +30,12 @@ std::vector<std::string> effect_types() {
   return names;
 }
 
+std::vector<std::string> integrator_names() {
+  std::vector<std::string> names;
+  for (const integrators::MethodInfo& method : integrators::methods()) names.emplace_back(method.name);
+  return names;
+}
+
 int run_list(bool json) {
   std::vector<scenes::Scene> all;
   for (const auto& file : catalogue()) all.push_back(scenes::read_scene_file(file));
@@ -43,6 +51,7 @@ int run_list(bool json) {
           .end_object();
     out.end_array()
         .texts("formulations", formulation_names())
+        .texts("integrators", integrator_names())
         .texts("constraints", constraint_types())
         .texts("effects", effect_types())
         .end_object();
@@ -54,6 +63,7 @@ int run_list(bool json) {
     fmt::print("  {:<28} {:>10}  {}\n", scene.name, counted(scene.bodies.size(), "body", "bodies"),
                scene.description);
   fmt::print("\nformulations  {}\n", fmt::join(formulation_names(), ", "));
+  fmt::print("integrators   {}\n", fmt::join(integrator_names(), ", "));
   fmt::print("constraints   {}\n", fmt::join(constraint_types(), ", "));
   fmt::print("effects       {}\n", fmt::join(effect_types(), ", "));
   return exit_done;
@@ -63,7 +73,7 @@ int run_list(bool json) {
 
 Command add_list_command(CLI::App& app) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("list", "Scenes, formulations, joints and effects");
+  CLI::App* command = app.add_subcommand("list", "Scenes, formulations, integrators, joints and effects");
   command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
   command->add_flag("--json", *json, "JSON on stdout");
   return [json] { return run_list(*json); };

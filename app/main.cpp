@@ -1,4 +1,4 @@
-/// trivium: solve, check, list and generate scenes from the command line.
+/// trivium: solve, simulate, check, list and generate scenes from the command line.
 
 #include <fmt/format.h>
 
@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
   const std::pair<const char*, Command> commands[] = {{"solve", add_solve_command(app)},
+                                                      {"simulate", add_simulate_command(app)},
                                                       {"check", add_check_command(app)},
                                                       {"list", add_list_command(app)},
                                                       {"generate", add_generate_command(app)}};

@@ -6,6 +6,23 @@ namespace trivium {
 
 namespace {
 
+std::string csv_field(const std::string& s) {
+  if (s.find_first_of(",\"\n") == std::string::npos) return s;
+  std::string out = "\"";
+  for (char c : s) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+}  // namespace
+
+std::string csv_line(const std::vector<std::string>& fields) {
+  std::string line;
+  for (const std::string& field : fields) line += (line.empty() ? "" : ",") + csv_field(field);
+  return line + "\n";
+}
+
+namespace {
+
 /// Characters, not bytes: names may hold any UTF-8.
 std::size_t width_of(const std::string& s) {
   return static_cast<std::size_t>(

@@ -26,6 +26,9 @@ inline std::string counted(std::size_t n, std::string_view one, std::string_view
   return fmt::format("{} {}", n, n == 1 ? one : more);
 }
 
+/// A line of CSV, fields quoted where they need it (RFC 4180).
+std::string csv_line(const std::vector<std::string>& fields);
+
 /// A table of text: the first column left-aligned, the others right-aligned.
 class Table {
  public:

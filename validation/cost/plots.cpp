@@ -2,22 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <map>
 #include <set>
-#include <stdexcept>
 #include <string>
+
+#include "validation/gnuplot.hpp"
 
 namespace trivium::cost {
 
 namespace {
-
-/// What gnuplot would take for the end of a string or an escape.
-std::string in_quotes(std::string_view s) {
-  std::string out = "'";
-  for (const char c : s) out += c == '\'' ? std::string("''") : std::string(1, c);
-  return out + "'";
-}
 
 std::string label(const Measurement& row) {
   std::string text = row.engine;
@@ -42,29 +35,25 @@ std::string script(const std::vector<Measurement>& rows, const std::string& fami
   for (std::size_t k = 0; k < order.size(); ++k) {
     blocks += fmt::format("$d{} << EOD\n{}EOD\n", k, data[order[k]]);
     curves += fmt::format("{}$d{} using 1:2 with linespoints lw {} pt {} title {}", k == 0 ? "" : ", \\\n  ",
-                          k, order[k].starts_with(our_name) ? 2.5 : 1.2, k + 1, in_quotes(order[k]));
+                          k, order[k].starts_with(our_name) ? 2.5 : 1.2, k + 1, gnuplot_quoted(order[k]));
   }
   return fmt::format(
       "set terminal svg size 900,560 noenhanced font 'sans,12' background '#ffffff'\nset output {}\n"
       "set title {}\nset logscale xy\nset grid\nset key outside right\nset xlabel 'n'\n"
       "set ylabel 'microseconds per body and evaluation'\n{}plot {}\n",
-      in_quotes(file.string()), in_quotes(title), blocks, curves);
-}
-
-void run_gnuplot(const std::string& text) {
-  if (text.empty()) return;
-  std::FILE* gnuplot = popen("gnuplot", "w");
-  if (!gnuplot) throw std::runtime_error("gnuplot could not be started");
-  std::fputs(text.c_str(), gnuplot);
-  if (pclose(gnuplot) != 0) throw std::runtime_error("gnuplot failed (Debian: gnuplot-nox)");
+      gnuplot_quoted(file.string()), gnuplot_quoted(title), blocks, curves);
 }
 
 }  // namespace
 
 void write_plots(const std::vector<Measurement>& rows, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  run_gnuplot(script(rows, "chain", "W1: chain of n revolutes", folder / "chain.svg"));
-  run_gnuplot(script(rows, "ladder", "W3: ladder of n four-bar loops", folder / "ladder.svg"));
+  const auto plot = [&](const char* family, const char* title, const char* file) {
+    const std::string text = script(rows, family, title, folder / file);
+    if (!text.empty()) run_gnuplot(text);
+  };
+  plot("chain", "W1: chain of n revolutes", "chain.svg");
+  plot("ladder", "W3: ladder of n four-bar loops", "ladder.svg");
 }
 
 }  // namespace trivium::cost

@@ -1,0 +1,292 @@
+/// trivium simulate: a scene's motion in one formulation by one method.
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+
+#include "app/commands.hpp"
+#include "app/motion_csv.hpp"
+#include "app/motion_plot.hpp"
+#include "app/scene_state.hpp"
+#include "integrators/methods.hpp"
+#include "results/standard_output.hpp"
+#include "validation/program.hpp"
+#include "validation/progress.hpp"
+#include "validation/text_output.hpp"
+
+namespace trivium {
+
+namespace {
+
+struct SimulateArguments : SceneArguments {
+  SimulationOptions options;
+  std::string sequence = "313", out, plot;
+  std::vector<double> baumgarte;
+  bool raw_chart = false, no_projection = false, json = false;
+};
+
+/// Set by the first Ctrl-C, which ends the run after the step at hand; the second ends the program.
+volatile std::sig_atomic_t interrupted = 0;
+extern "C" void interrupt(int) {
+  interrupted = 1;
+  std::signal(SIGINT, SIG_DFL);
+}
+constexpr int exit_interrupted = 130;
+
+/// What leaves the run: the file, the figure, and a bar that says how far it is.
+class Watcher : public SimulationObserver {
+ public:
+  Watcher(const SimulateArguments& arguments, const Mechanism<double>& mechanism)
+      : arguments_(arguments), progress_("simulating", most_ticks) {
+    if (!arguments.out.empty()) csv_.emplace(mechanism, arguments.out);
+    if (!arguments.plot.empty())
+      plot_.emplace(mechanism, fmt::format("{}: {}, {}", mechanism.name, arguments.options.formulation,
+                                           arguments.options.integrator));
+  }
+
+  void sample(const MotionSample& sample) override {
+    if (csv_) csv_->add(sample);
+    if (plot_) plot_->add(sample);
+    last_ = sample.state.t;
+  }
+  bool step(double t) override {
+    const SimulationOptions& o = arguments_.options;
+    for (const double done = (t - o.start) / (o.end - o.start) * most_ticks;
+         static_cast<double>(ticks_) < done; ++ticks_)
+      progress_.step();
+    return interrupted == 0;
+  }
+  void keep() {
+    if (csv_) csv_->keep();
+    if (plot_) plot_->write(arguments_.plot);
+  }
+  double last() const { return last_; }
+
+ private:
+  static constexpr int most_ticks = 1000;
+  const SimulateArguments& arguments_;
+  Progress progress_;
+  int ticks_ = 0;
+  double last_ = 0;
+  std::optional<MotionCsv> csv_;
+  std::optional<MotionPlot> plot_;
+};
+
+std::vector<std::string> warnings_of(const SimulationReport& report) {
+  std::vector<std::string> out;
+  if (!report.passages.empty()) {
+    out.push_back(
+        fmt::format("the motion passed {}, the first near t = {:.6g}: rows that depend on others there were "
+                    "left out, and it "
+                    "went on as its velocities had it",
+                    counted(report.passages.size(), "singular position", "singular positions"),
+                    report.passages.front().t));
+  }
+  const auto drifts = [](double left) { return left > 1e-6; };
+  if (drifts(report.phi) || drifts(report.phi_dot))
+    out.push_back(fmt::format("constraints are violated by up to {:.1e} (positions) and {:.1e} (velocities)",
+                              report.phi, report.phi_dot));
+  return out;
+}
+
+std::string json_of(const SimulateArguments& arguments, const Mechanism<double>& mechanism,
+                    const SimulationReport& r) {
+  const SimulationOptions& o = arguments.options;
+  JsonWriter json;
+  json.begin_object()
+      .text("scene", mechanism.name)
+      .text("formulation", o.formulation)
+      .text("integrator", o.integrator)
+      .number("t_start", o.start)
+      .number("t_end", o.end)
+      .number("reached", r.reached)
+      .flag("complete", r.complete);
+  if (o.step)
+    json.number("step", *o.step);
+  else
+    json.number("rtol", o.tolerances.rtol).number("atol", o.tolerances.atol);
+  json.flag("projection", o.projects);
+  if (o.baumgarte)
+    json.begin_object("baumgarte")
+        .number("alpha", o.baumgarte->alpha)
+        .number("beta", o.baumgarte->beta)
+        .end_object();
+  json.number("steps", r.counters.steps)
+      .number("rejected_steps", r.counters.rejected_steps)
+      .number("right_sides", r.counters.right_sides)
+      .number("factorisations", r.factorisations)
+      .number("projection_changes", r.projection.changes)
+      .number("restarts", r.counters.restarts)
+      .number("reframings", r.reframings);
+  json.begin_object("drift")
+      .number("phi", r.phi)
+      .number("phi_dot", r.phi_dot)
+      .number("phi_before_projection", r.projection.position)
+      .number("phi_dot_before_projection", r.projection.velocity)
+      .number("normalisation", r.normalisation)
+      .end_object();
+  json.begin_object("energy").number("start", r.energy_start).number("end", r.energy_end);
+  if (r.does_work) json.number("work", r.work);
+  json.number("unaccounted", r.balance).end_object();
+  json.begin_array("singular_positions");
+  for (const SingularPassage& passage : r.passages)
+    json.begin_object().number("t", passage.t).number("rows", passage.rows).end_object();
+  json.end_array();
+  json.texts("rows", mechanism.row_names).texts("warnings", warnings_of(r)).end_object();
+  return json.str();
+}
+
+std::string text_of(const SimulateArguments& arguments, const Mechanism<double>& mechanism,
+                    const SimulationReport& r) {
+  const SimulationOptions& o = arguments.options;
+  const std::string steps = o.step ? fmt::format("steps of {} s", *o.step)
+                                   : fmt::format("rtol {}, atol {}", o.tolerances.rtol, o.tolerances.atol);
+  std::string out = fmt::format("{}: t = {} to {}, {}\n\n", mechanism.name, o.start, r.reached, steps);
+  Table table({"", fmt::format("{}, {}", o.formulation, o.integrator)});
+  const auto add = [&](const std::string& name, const std::string& value) { table.add({name, value}); };
+  add("steps", fmt::format("{}", r.counters.steps));
+  add("rejected steps", fmt::format("{}", r.counters.rejected_steps));
+  add("right sides", fmt::format("{}", r.counters.right_sides));
+  add("factorisations", fmt::format("{}", r.factorisations));
+  if (r.is_projected) add("changes by projection", fmt::format("{}", r.projection.changes));
+  add("restarts", fmt::format("{}", r.counters.restarts));
+  if (r.reframings > 0) add("re-framed bodies", fmt::format("{}", r.reframings));
+  add("largest violation of positions [m, rad]", fmt::format("{:.1e}", r.phi));
+  add("of velocities [m/s, rad/s]", fmt::format("{:.1e}", r.phi_dot));
+  if (r.is_projected) {
+    add("of positions before projection", fmt::format("{:.1e}", r.projection.position));
+    add("of velocities before projection", fmt::format("{:.1e}", r.projection.velocity));
+  }
+  if (r.normalisation > 0) add("of p . p = 1", fmt::format("{:.1e}", r.normalisation));
+  add("energy at the start [J]", fmt::format("{:.12g}", r.energy_start));
+  add("energy at the end [J]", fmt::format("{:.12g}", r.energy_end));
+  if (r.does_work) add("work done on it [J]", fmt::format("{:.12g}", r.work));
+  add(r.does_work ? "largest change not accounted for [J]" : "largest change of energy [J]",
+      fmt::format("{:.1e}", r.balance));
+  return out + table.text();
+}
+
+int run_simulate(const SimulateArguments& given) {
+  SimulateArguments arguments = given;
+  SimulationOptions& options = arguments.options;
+  options.start = arguments.t;
+  options.charts = {*parse_euler_sequence(arguments.sequence), !arguments.raw_chart};
+  options.projects = !arguments.no_projection && arguments.baumgarte.empty();
+  if (!arguments.baumgarte.empty()) options.baumgarte = {arguments.baumgarte[0], arguments.baumgarte[1]};
+  const scenes::Scene scene = load_state(arguments);
+  if (!report_consistency(arguments, consistency_of(scene, arguments.t))) return exit_input_error;
+  const auto mechanism = make_mechanism<double>(scene);
+  Watcher watcher(arguments, mechanism);
+  std::signal(SIGINT, interrupt);
+  const auto say_what_is_kept = [&] {
+    if (!arguments.out.empty())
+      fmt::print(stderr, "{} holds the motion until t = {}\n", arguments.out, watcher.last());
+  };
+  try {
+    const SimulationReport report = simulate<double>(scene, options, watcher);
+    for (const std::string& warning : warnings_of(report)) fmt::print(stderr, "warning: {}\n", warning);
+    fmt::print(
+        "{}", arguments.json ? json_of(arguments, mechanism, report) : text_of(arguments, mechanism, report));
+    watcher.keep();
+    if (report.complete) return exit_done;
+    fmt::print(stderr, "interrupted at t = {}\n", report.reached);
+    say_what_is_kept();
+    return exit_interrupted;
+  } catch (const integrators::UsageError& error) {
+    complain(error.what());
+    return exit_input_error;
+  } catch (const std::runtime_error& error) {
+    // of the model or of the method; what was computed until then is kept
+    complain(name_source(arguments.scene, error.what()));
+    watcher.keep();
+    say_what_is_kept();
+    return exit_solver_failed;
+  }
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const integrators::MethodInfo& method : integrators::methods()) names.emplace_back(method.name);
+  return names;
+}
+
+/// Accepts a number above zero.
+CLI::Validator positive() {
+  return {[](std::string& text) {
+            double x = 0;
+            const bool good = CLI::detail::lexical_cast(text, x) && std::isfinite(x) && x > 0;
+            return good ? std::string() : fmt::format("found {}; accepted: a number above 0", text);
+          },
+          "POSITIVE"};
+}
+
+/// Accepts a figure's file, where there is a program to draw it.
+CLI::Validator figure_file() {
+  return {[](std::string& text) {
+            if (!text.ends_with(".svg"))
+              return fmt::format("found {}; accepted: a file name ending in .svg", text);
+            if (std::string why = why_not_writable(text); !why.empty()) return why;
+            return std::system("command -v gnuplot >/dev/null 2>&1") == 0
+                       ? std::string()
+                       : std::string("gnuplot, which draws it, is not installed (Debian: gnuplot-nox)");
+          },
+          "FILE.svg"};
+}
+
+}  // namespace
+
+Command add_simulate_command(CLI::App& app) {
+  auto arguments = std::make_shared<SimulateArguments>();
+  SimulationOptions& options = arguments->options;
+  CLI::App* command = app.add_subcommand(
+      "simulate", "A scene's motion in one formulation by one method, its reactions and lambda");
+  command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
+  add_scene_options(*command, *arguments);
+  command->add_option("--formulation", options.formulation, "Which formulation")
+      ->check(CLI::IsMember(simulated_formulations()))
+      ->capture_default_str();
+  command->add_option("--integrator", options.integrator, "Which method")
+      ->check(CLI::IsMember(method_names()))
+      ->capture_default_str();
+  command->add_option("--t-end", options.end, "The end of the run [s]")
+      ->check(finite_time())
+      ->capture_default_str();
+  CLI::Option* step =
+      command->add_option("--step", options.step, "Steps of this length [s] instead of tolerances")
+          ->check(positive());
+  command->add_option("--rtol", options.tolerances.rtol, "Relative tolerance of a step")
+      ->check(positive())
+      ->excludes(step)
+      ->capture_default_str();
+  command->add_option("--atol", options.tolerances.atol, "Absolute tolerance of a step")
+      ->check(positive())
+      ->excludes(step)
+      ->capture_default_str();
+  command
+      ->add_option("--output-step", options.output_step, "Time between outputs [s] (default: start and end)")
+      ->check(positive());
+  command->add_option("--out", arguments->out, "Write the motion to this CSV file")->check(writable_file());
+  command->add_option("--plot", arguments->plot, "Draw the outputs to this SVG file")->check(figure_file());
+  CLI::Option* no_projection = command->add_flag("--no-projection", arguments->no_projection,
+                                                 "Leave drift off the constraints as it is");
+  command
+      ->add_option("--baumgarte", arguments->baumgarte,
+                   "Phi'' + 2 alpha Phi' + beta^2 Phi = 0 instead of projection [1/s]")
+      ->expected(2)
+      ->type_name("ALPHA BETA")
+      ->excludes(no_projection);
+  command->add_option("--sequence", arguments->sequence, "Euler-angle sequence of r-epsilon")
+      ->check(
+          CLI::IsMember(std::vector<std::string>(euler_sequence_names.begin(), euler_sequence_names.end())))
+      ->capture_default_str();
+  command->add_flag("--no-reframe", arguments->raw_chart,
+                    "Take the raw chart of the sequence, and fail where it is singular");
+  command->add_flag("--json", arguments->json, "JSON on stdout");
+  return [arguments] { return run_simulate(*arguments); };
+}
+
+}  // namespace trivium

@@ -1,0 +1,22 @@
+#include "validation/gnuplot.hpp"
+
+#include <cstdio>
+#include <stdexcept>
+
+namespace trivium {
+
+std::string gnuplot_quoted(std::string_view s) {
+  std::string out = "'";
+  for (const char c : s) out += c == '\'' ? std::string("''") : std::string(1, c);
+  return out + "'";
+}
+
+void run_gnuplot(const std::string& script) {
+  std::FILE* gnuplot = popen("gnuplot", "w");
+  if (!gnuplot) throw std::runtime_error("gnuplot could not be started");
+  std::fputs(script.c_str(), gnuplot);
+  if (pclose(gnuplot) != 0)
+    throw std::runtime_error("gnuplot failed; is it installed (Debian: gnuplot-nox)?");
+}
+
+}  // namespace trivium

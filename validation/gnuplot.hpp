@@ -1,0 +1,15 @@
+#pragma once
+/// Plots by gnuplot (Debian: gnuplot-nox).
+
+#include <string>
+#include <string_view>
+
+namespace trivium {
+
+/// A string as gnuplot takes it.
+std::string gnuplot_quoted(std::string_view s);
+
+/// Runs a script. Throws a std::runtime_error where gnuplot is not there or fails.
+void run_gnuplot(const std::string& script);
+
+}  // namespace trivium

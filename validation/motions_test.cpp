@@ -1,0 +1,273 @@
+/// Motions against trusted numbers, in every formulation: what users run as `trivium simulate`.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "scenes/scene_file.hpp"
+#include "scenes/test_scenes.hpp"
+#include "validation/reference.hpp"
+#include "validation/simulation.hpp"
+
+namespace trivium {
+namespace {
+
+using test::Reference;
+
+scenes::Scene catalogue_scene(const std::string& name) {
+  return scenes::read_scene_file(std::string(TRIVIUM_SCENES_DIR) + "/" + name + ".json");
+}
+
+/// The samples of a run.
+constexpr bool in_quad = true;
+struct Motion : SimulationObserver {
+  std::vector<MotionSample> samples;
+  SimulationReport report;
+
+  Motion(const scenes::Scene& scene, const SimulationOptions& options, bool quad = false) {
+    report = quad ? simulate<Quad>(scene, options, *this) : simulate<double>(scene, options, *this);
+  }
+  void sample(const MotionSample& s) override { samples.push_back(s); }
+  const MotionSample& end() const { return samples.back(); }
+};
+
+SimulationOptions tight(const std::string& formulation, const std::string& method, double end,
+                        double rtol = 1e-12) {
+  SimulationOptions options;
+  options.formulation = formulation;
+  options.integrator = method;
+  options.end = end;
+  options.tolerances = {rtol, rtol / 100};
+  return options;
+}
+
+class InEveryFormulation : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Motions, InEveryFormulation, testing::ValuesIn(simulated_formulations()),
+                         [](const auto& formulation) {
+                           std::string name = formulation.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST_P(InEveryFormulation, ThePendulumIsThatOfEllipticFunctions) {
+  const Reference exact("a01_pendulum");
+  for (const char* method : {"dopri5", "rkf78", "bulirsch-stoer", "abm"}) {
+    SimulationOptions options = tight(GetParam(), method, 10);
+    options.output_step = 0.1;
+    const Motion motion(catalogue_scene("a01_pendulum"), options);
+    ASSERT_EQ(motion.samples.size(), exact.rows());
+    for (std::size_t k = 0; k < exact.rows(); ++k) {
+      const auto& r = motion.samples[k].state.pose[0].r;
+      EXPECT_NEAR(motion.samples[k].state.t, exact["t"][k], 1e-14);
+      EXPECT_LE(std::hypot(r[0] - exact["x"][k], r[1] - exact["y"][k]), 1e-10)
+          << method << " " << exact["t"][k];
+      EXPECT_NEAR(motion.samples[k].reactions[0].force.norm(), std::abs(exact["tension"][k]), 1e-8);
+    }
+  }
+}
+
+TEST_P(InEveryFormulation, TheHeavyTopIsThatOfTheReference) {
+  const Reference exact("heavy_top");
+  SimulationOptions options = tight(GetParam(), "rkf78", 2);
+  options.output_step = 0.02;
+  const Motion motion(catalogue_scene("heavy_top"), options);
+  ASSERT_EQ(motion.samples.size(), exact.rows());
+  for (std::size_t k = 0; k < exact.rows(); ++k) {
+    const auto& s = motion.samples[k];
+    for (const auto& [axis, name] : {std::pair(0, "x"), {1, "y"}, {2, "z"}})
+      EXPECT_NEAR(s.state.pose[0].r[axis], exact[name][k], 1e-9) << exact["t"][k];
+    for (const auto& [axis, name] : {std::pair(0, "fx"), {1, "fy"}, {2, "fz"}})
+      EXPECT_NEAR(s.reactions[0].force[axis], exact[name][k], 1e-6) << exact["t"][k];
+  }
+}
+
+TEST_P(InEveryFormulation, TheSpatialSliderCrankIsThatOfTheReference) {
+  const Reference exact("spatial_slider_crank");
+  SimulationOptions options = tight(GetParam(), "rkf78", 5);
+  options.output_step = 0.1;
+  const Motion motion(catalogue_scene("spatial_slider_crank"), options);
+  ASSERT_EQ(motion.samples.size(), exact.rows());
+  for (std::size_t k = 0; k < exact.rows(); ++k)
+    EXPECT_NEAR(motion.samples[k].state.pose[2].r[0], exact["slider_x"][k], 1e-9) << exact["t"][k];
+}
+
+TEST_P(InEveryFormulation, AndrewsSqueezerIsThatOfTheReference) {
+  const Reference exact("andrews_squeezer");
+  const Motion motion(catalogue_scene("andrews_squeezer"), tight(GetParam(), "rkf78", 0.03, 1e-13));
+  const auto angle = [&](int body) {
+    const auto& p = motion.end().state.pose[body].p;
+    return 2 * std::atan2(p[3], p[0]);
+  };
+  const auto apart = [](double a, double b) { return std::abs(std::remainder(a - b, 2 * std::acos(-1.0))); };
+  const double beta = exact.value("beta"), theta = exact.value("theta"), gamma = exact.value("gamma"),
+               phi = exact.value("phi"), delta = exact.value("delta"), omega = exact.value("omega"),
+               epsilon = exact.value("epsilon");
+  EXPECT_LE(apart(angle(0), beta), 1e-9);
+  EXPECT_LE(apart(angle(1), beta + theta), 1e-9);
+  EXPECT_LE(apart(angle(2), gamma), 1e-9);
+  EXPECT_LE(apart(angle(3), phi + delta), 1e-9);
+  EXPECT_LE(apart(angle(4), delta), 1e-9);
+  EXPECT_LE(apart(angle(5), omega + epsilon), 1e-9);
+  EXPECT_LE(apart(angle(6), epsilon), 1e-9);
+  // of the joints at E, forces on the body that is not K2
+  for (const auto& [joint, k] : {std::pair(2, 1), {3, 3}, {4, 5}}) {
+    const auto& force = motion.end().reactions[joint].force;
+    const double x = exact.value("lambda" + std::to_string(k)),
+                 y = exact.value("lambda" + std::to_string(k + 1));
+    EXPECT_LE(std::hypot(-force[0] - x, -force[1] - y), 1e-7 * std::hypot(x, y)) << force.transpose();
+  }
+}
+
+TEST_P(InEveryFormulation, FortyFourBarsPassTheirSingularPositions) {
+  const Reference exact("n_four_bar_40");
+  SimulationOptions options = tight(GetParam(), "dopri5", 10, 1e-9);
+  options.output_step = 5;
+  const Motion motion(catalogue_scene("n_four_bar_40"), options);
+  // the last coupler's centre is at (39.5, 0) from B0
+  for (const auto& [sample, row] : {std::pair(1, 50), {2, 100}}) {
+    ASSERT_EQ(exact["t"][row], motion.samples[sample].state.t);
+    const auto& r = motion.samples[sample].state.pose.back().r;
+    EXPECT_LE(std::hypot(r[0] - 39.5 - exact["x"][row], r[1] - exact["y"][row]), 1e-6);
+  }
+  EXPECT_FALSE(motion.report.passages.empty());
+}
+
+TEST_P(InEveryFormulation, BricardIsThatOfAnotherMethodAtATighterTolerance) {
+  static const MotionSample exact =
+      Motion(catalogue_scene("bricard"), tight("r-omega", "bulirsch-stoer", 10, 1e-14)).end();
+  const Motion motion(catalogue_scene("bricard"), tight(GetParam(), "rkf78", 10));
+  for (std::size_t b = 0; b < exact.state.pose.size(); ++b)
+    EXPECT_LE((motion.end().state.pose[b].r - exact.state.pose[b].r).norm(), 1e-8);
+}
+
+// of r, v and lambda, in quad so that no rounding hides it
+TEST_P(InEveryFormulation, GivenStepsConvergeWithThePublishedOrder) {
+  const scenes::Scene scene = catalogue_scene("parallelogram");
+  static const MotionSample exact = Motion(scene, tight("r-omega", "rkf78", 0.4, 1e-20), in_quad).end();
+  const auto errors = [&](const std::string& method, int steps) {
+    SimulationOptions options;
+    options.formulation = GetParam();
+    options.integrator = method;
+    options.end = 0.4;
+    options.step = 0.4 / steps;
+    const MotionSample end = Motion(scene, options, in_quad).end();
+    Vector3<double> error = Vector3<double>::Zero();
+    for (std::size_t b = 0; b < exact.state.pose.size(); ++b) {
+      error[0] = std::max(error[0], (end.state.pose[b].r - exact.state.pose[b].r).norm());
+      error[1] = std::max(error[1], (end.state.twist[b].omega_bar - exact.state.twist[b].omega_bar).norm());
+    }
+    error[2] = (end.lambda - exact.lambda).norm();
+    return error;
+  };
+  for (const auto& [method, steps] : {std::pair("dopri5", 80), {"abm", 160}}) {
+    const Vector3<double> coarse = errors(method, steps), fine = errors(method, 2 * steps);
+    for (const auto& [k, of] : {std::pair(0, "r"), {1, "v"}, {2, "lambda"}})
+      EXPECT_NEAR(std::log2(coarse[k] / fine[k]), 5, 0.2)
+          << method << " " << of << " " << coarse.transpose() << " to " << fine.transpose();
+  }
+}
+
+// the same lambda, in all formulations, wherever the motion goes
+TEST_P(InEveryFormulation, LambdaAlongAMotionIsThatOfROmega) {
+  for (const char* name : {"spatial_slider_crank", "stewart_platform", "bricard", "triple_pendulum"}) {
+    SimulationOptions options = tight(GetParam(), "rkf78", 1, 1e-13);
+    options.output_step = 0.1;
+    const Motion motion(catalogue_scene(name), options);
+    options.formulation = "r-omega";
+    const Motion by_omega(catalogue_scene(name), options);
+    for (std::size_t k = 0; k < motion.samples.size(); ++k) {
+      const VectorX<double>& lambda = by_omega.samples[k].lambda;
+      EXPECT_LE((motion.samples[k].lambda - lambda).norm(), 1e-10 * lambda.norm())
+          << name << " " << motion.samples[k].state.t;
+    }
+  }
+}
+
+TEST_P(InEveryFormulation, WorkOfDriversAndDampersAccountsForTheEnergy) {
+  for (const char* name : {"driven_crank", "basic_drivers", "open_arm_7", "flyball_governor"}) {
+    const bool is_stiff = std::string(name) == "flyball_governor";
+    const Motion motion(catalogue_scene(name), tight(GetParam(), "dopri5", is_stiff ? 0.05 : 1, 1e-10));
+    EXPECT_TRUE(motion.report.does_work);
+    EXPECT_GT(std::abs(motion.report.work), 1e-3) << name;
+    EXPECT_LE(motion.report.balance, 1e-7 * (1 + std::abs(motion.report.energy_start))) << name;
+  }
+}
+
+// three turns of a spring, then back: theta = 6 pi cos(t)
+TEST_P(InEveryFormulation, ATorsionalSpringIsCountedOverFullTurns) {
+  using scenes::ConstraintType;
+  scenes::Scene scene;
+  scene.name = "wound_up";
+  scene.bodies.push_back(test::body("rotor", 1, {1, 1, 1}));
+  const double pi = std::acos(-1.0), rate = 6 * pi;
+  scene.bodies[0].angular_velocity = {0, 0, rate};
+  scene.constraints.push_back(test::joint(ConstraintType::revolute, "hinge",
+                                          test::side(scenes::ground, {}, {{0, 0, 1}}, {{1, 0, 0}}),
+                                          test::side(0, {}, {{0, 0, 1}}, {{1, 0, 0}})));
+  scenes::TorsionalSpringDamper spring;
+  spring.joint = 0;
+  spring.stiffness = 1;
+  scene.effects.emplace_back(spring);
+  SimulationOptions options = tight(GetParam(), "rkf78", 5, 1e-11);
+  options.output_step = 0.25;
+  const Motion motion(scene, options);
+  for (const MotionSample& s : motion.samples)
+    EXPECT_NEAR(s.state.twist[0].omega_bar[2], rate * std::cos(s.state.t), 1e-8) << s.state.t;
+  EXPECT_LE(motion.report.balance, 1e-8 * motion.report.energy_start);
+}
+
+// the quintic's own pieces are integrated exactly by order 8, but not across their kinks
+TEST_P(InEveryFormulation, KinksOfAFunctionOfTimeAreLandedOn) {
+  scenes::Scene scene;
+  scene.name = "pushed";
+  scene.bodies.push_back(test::body("puck", 1, {1, 1, 1}));
+  scenes::Force push;
+  push.body = 0;
+  push.force[0] = TimeFunction::Step5{0.13, 0, 0.77, 1};
+  scene.effects.emplace_back(push);
+  SimulationOptions options;
+  options.formulation = GetParam();
+  options.integrator = "rkf78";
+  options.end = 1;
+  options.step = 0.25;
+  EXPECT_NEAR(Motion(scene, options).end().state.twist[0].r_dot[0], (0.77 - 0.13) / 2 + (1 - 0.77), 1e-14);
+}
+
+TEST_P(InEveryFormulation, DriftStaysWhereProjectionIsOffAndIsReported) {
+  SimulationOptions options = tight(GetParam(), "dopri5", 5, 1e-6);
+  const Motion projected(catalogue_scene("heavy_top"), options);
+  EXPECT_LE(projected.report.phi, 1e-13);
+  options.projects = false;
+  const Motion drifting(catalogue_scene("heavy_top"), options);
+  EXPECT_GT(drifting.report.phi, 1e-6);
+  options.baumgarte = {30, 30};
+  const Motion stabilised(catalogue_scene("heavy_top"), options);
+  EXPECT_LT(stabilised.report.phi, drifting.report.phi / 10);
+}
+
+TEST(TheRawChart, IsAnErrorThatNamesTheBodyWhereItIsSingular) {
+  SimulationOptions options = tight("r-epsilon", "dopri5", 5, 1e-9);
+  options.charts = {*parse_euler_sequence("313"), false};
+  try {
+    const Motion motion(catalogue_scene("heavy_top"), options);  // starts upright
+    FAIL() << "reached " << motion.report.reached;
+  } catch (const ModelError& error) {
+    EXPECT_NE(std::string(error.what()).find("body \"top\""), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("re-framing"), std::string::npos) << error.what();
+  }
+  options.charts.reframe = true;
+  const Motion motion(catalogue_scene("heavy_top"), options);
+  EXPECT_TRUE(motion.report.complete);
+  EXPECT_GT(motion.report.reframings, 0);
+}
+
+TEST(Simulation, InQuadGoesBeyondDouble) {
+  const Reference exact("spatial_slider_crank");
+  const Motion motion(catalogue_scene("spatial_slider_crank"), tight("r-p", "rkf78", 0.5, 1e-17), in_quad);
+  EXPECT_NEAR(motion.end().state.pose[2].r[0], exact["slider_x"][5], 4e-16);
+  EXPECT_LE(motion.report.phi, 1e-30);
+}
+
+}  // namespace
+}  // namespace trivium
