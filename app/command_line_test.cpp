@@ -292,6 +292,20 @@ TEST(Simulate, SaysWhichSingularPositionsItPassed) {
   EXPECT_GE(json::parse(r.out)["singular_positions"].size(), 1u);
 }
 
+// gnuplot would run what a newline lets out of a string
+TEST(Simulate, NamesOfASceneAreTextInItsFigure) {
+  if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot";
+  const fs::path file = fresh("motion.svg"), made = fresh("made");
+  const std::string scene =
+      temporary_scene("named.json", R"({"trivium": 1, "name": "x'\nsystem('touch )" + made.string() +
+                                        R"(')\n", "bodies": [{"name": "b`touch )" + made.string() +
+                                        R"(`\n", "mass": 1, "inertia": [1, 1, 1], "position": [0, 0, 0]}]})");
+  const Outcome r = run("trivium simulate " + scene + " --t-end 1 --output-step 0.1 --plot " + file.string());
+  EXPECT_EQ(r.exit_code, 0) << r.err;  // a body at rest: nothing to see, but no error
+  EXPECT_FALSE(fs::exists(made));
+  EXPECT_NE(slurp(file).find("</svg>"), std::string::npos);
+}
+
 TEST(Simulate, DrawsTheMotion) {
   if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot";
   const fs::path file = fresh("motion.svg");
@@ -383,6 +397,8 @@ TEST(EveryProgram, AnswersMisuseWithExitCodeTwo) {
         "trivium simulate heavy_top --rtol 0",
         "trivium simulate heavy_top --integrator bulirsch-stoer --step 0.1 --t-end 1",
         "trivium simulate heavy_top --baumgarte 1",
+        "trivium simulate heavy_top --baumgarte nan 1",
+        "trivium simulate heavy_top --plot motion.svg",
         "trivium simulate heavy_top --plot motion.png",
         "trivium simulate heavy_top --out no_such_folder/motion.csv",
         "lambda_invariance no_such_scene",

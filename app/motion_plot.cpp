@@ -25,8 +25,7 @@ MotionPlot::MotionPlot(const Mechanism<double>& mechanism, std::string title)
 }
 
 void MotionPlot::add(const MotionSample& sample) {
-  if (is_empty_) first_energy_ = sample.energy;
-  is_empty_ = false;
+  if (samples_++ == 0) first_energy_ = sample.energy;
   data_ += fmt::format("{:.9g}", sample.state.t);
   for (const std::size_t b : shown_bodies_)
     for (const double x : sample.state.pose[b].r) data_ += fmt::format(" {:.9g}", x);
@@ -38,17 +37,21 @@ void MotionPlot::add(const MotionSample& sample) {
 void MotionPlot::write(const std::string& file) const {
   int column = 2;
   std::vector<std::string> places, forces, errors;
-  const auto curve = [&](const std::string& name, bool above_zero = false) {
-    const std::string value =
-        above_zero ? fmt::format("(${0} > 0 ? ${0} : NaN)", column) : std::to_string(column);
-    ++column;
-    return fmt::format("$motion using 1:{} with lines title {}", value, gnuplot_quoted(name));
+  if (samples_ < 2) return;  // no line to draw
+  const auto curve = [&](const std::string& name, std::size_t colour, std::size_t dashes = 0,
+                         const char* value = "${}") {
+    return fmt::format("$motion using 1:({}) with lines lw 1.5 lc {} dt {} title {}",
+                       fmt::format(fmt::runtime(value), column++), colour + 1, dashes + 1,
+                       gnuplot_quoted(name));
   };
-  for (const std::size_t b : shown_bodies_)
-    for (const char* axis : {".x", ".y", ".z"}) places.push_back(curve(bodies_[b] + axis));
-  for (const std::size_t k : shown_joints_) forces.push_back(curve(joints_[k]));
+  // a colour a body, dashes an axis
+  for (std::size_t n = 0; n < shown_bodies_.size(); ++n)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      places.push_back(curve(bodies_[shown_bodies_[n]] + "." + "xyz"[axis], n, axis));
+  for (std::size_t n = 0; n < shown_joints_.size(); ++n)
+    forces.push_back(curve(joints_[shown_joints_[n]], n));
   for (const char* name : {"|E - E(0)| [J]", "phi [m, rad]", "phi' [m/s, rad/s]"})
-    errors.push_back(curve(name, true));
+    errors.push_back(curve(name, errors.size(), 0, "${0} > 1e-20 ? ${0} : 1e-20"));  // a log axis has no zero
   const auto panel = [](const std::vector<std::string>& curves, const std::string& label) {
     if (curves.empty()) return std::string("set multiplot next\n");
     return fmt::format("set ylabel {}\nplot {}\n", gnuplot_quoted(label), fmt::join(curves, ", \\\n  "));
@@ -56,7 +59,8 @@ void MotionPlot::write(const std::string& file) const {
   run_gnuplot(fmt::format(
       "$motion << EOD\n{}EOD\n"
       "set terminal svg size 900,1000 noenhanced font 'sans,12' background '#ffffff'\nset output {}\n"
-      "set multiplot layout 3,1 title {}\nset grid\nset key outside right\nset xlabel 't [s]'\n{}{}"
+      "set multiplot layout 3,1 title {}\nset grid\nset lmargin 12\nset rmargin 26\n"
+      "set key at screen 0.99, graph 1 right top\nset xlabel 't [s]'\n{}{}"
       "set logscale y\nset format y '%.0e'\n{}unset multiplot\n",
       data_, gnuplot_quoted(file), gnuplot_quoted(title_), panel(places, "position [m]"),
       panel(forces, "joint force [N]"), panel(errors, "violations, change of energy")));

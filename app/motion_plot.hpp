@@ -14,7 +14,8 @@ class MotionPlot {
   MotionPlot(const Mechanism<double>& mechanism, std::string title);
 
   void add(const MotionSample& sample);
-  /// SVG. Throws a std::runtime_error where gnuplot is not there or fails.
+  /// SVG; nothing where there are no two samples. Throws a std::runtime_error where gnuplot is not there or
+  /// fails.
   void write(const std::string& file) const;
 
  private:
@@ -27,7 +28,7 @@ class MotionPlot {
   std::string
       data_;  ///< a line a sample: t, x y z of the bodies, |force| of the joints, energy, phi, phi_dot
   double first_energy_ = 0;
-  bool is_empty_ = true;
+  int samples_ = 0;
 };
 
 }  // namespace trivium

@@ -29,11 +29,12 @@ struct SimulateArguments : SceneArguments {
   bool raw_chart = false, no_projection = false, json = false;
 };
 
-/// Set by the first Ctrl-C, which ends the run after the step at hand; the second ends the program.
+/// Set by the first Ctrl-C (or SIGTERM), which ends the run after the step at hand; the second ends the
+/// program.
 volatile std::sig_atomic_t interrupted = 0;
-extern "C" void interrupt(int) {
+extern "C" void interrupt(int signal) {
   interrupted = 1;
-  std::signal(SIGINT, SIG_DFL);
+  std::signal(signal, SIG_DFL);
 }
 constexpr int exit_interrupted = 130;
 
@@ -60,9 +61,16 @@ class Watcher : public SimulationObserver {
       progress_.step();
     return interrupted == 0;
   }
-  void keep() {
-    if (csv_) csv_->keep();
-    if (plot_) plot_->write(arguments_.plot);
+  /// Writes what it has; says what it could not. Returns whether it could.
+  bool keep() {
+    try {
+      if (csv_) csv_->keep();
+      if (plot_) plot_->write(arguments_.plot);
+      return true;
+    } catch (const std::runtime_error& error) {
+      complain(error.what());
+      return false;
+    }
   }
   double last() const { return last_; }
 
@@ -181,7 +189,7 @@ int run_simulate(const SimulateArguments& given) {
   if (!report_consistency(arguments, consistency_of(scene, arguments.t))) return exit_input_error;
   const auto mechanism = make_mechanism<double>(scene);
   Watcher watcher(arguments, mechanism);
-  std::signal(SIGINT, interrupt);
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, interrupt);
   const auto say_what_is_kept = [&] {
     if (!arguments.out.empty())
       fmt::print(stderr, "{} holds the motion until t = {}\n", arguments.out, watcher.last());
@@ -191,10 +199,10 @@ int run_simulate(const SimulateArguments& given) {
     for (const std::string& warning : warnings_of(report)) fmt::print(stderr, "warning: {}\n", warning);
     fmt::print(
         "{}", arguments.json ? json_of(arguments, mechanism, report) : text_of(arguments, mechanism, report));
-    watcher.keep();
-    if (report.complete) return exit_done;
+    const bool is_kept = watcher.keep();
+    if (report.complete) return is_kept ? exit_done : exit_output_lost;
     fmt::print(stderr, "interrupted at t = {}\n", report.reached);
-    say_what_is_kept();
+    if (is_kept) say_what_is_kept();
     return exit_interrupted;
   } catch (const integrators::UsageError& error) {
     complain(error.what());
@@ -202,8 +210,7 @@ int run_simulate(const SimulateArguments& given) {
   } catch (const std::runtime_error& error) {
     // of the model or of the method; what was computed until then is kept
     complain(name_source(arguments.scene, error.what()));
-    watcher.keep();
-    say_what_is_kept();
+    if (watcher.keep()) say_what_is_kept();
     return exit_solver_failed;
   }
 }
@@ -222,6 +229,16 @@ CLI::Validator positive() {
             return good ? std::string() : fmt::format("found {}; accepted: a number above 0", text);
           },
           "POSITIVE"};
+}
+
+/// Accepts a number from 0 on.
+CLI::Validator not_negative() {
+  return {[](std::string& text) {
+            double x = 0;
+            const bool good = CLI::detail::lexical_cast(text, x) && std::isfinite(x) && x >= 0;
+            return good ? std::string() : fmt::format("found {}; accepted: a number from 0 on", text);
+          },
+          "NUMBER"};
 }
 
 /// Accepts a figure's file, where there is a program to draw it.
@@ -266,17 +283,21 @@ Command add_simulate_command(CLI::App& app) {
       ->check(positive())
       ->excludes(step)
       ->capture_default_str();
-  command
-      ->add_option("--output-step", options.output_step, "Time between outputs [s] (default: start and end)")
-      ->check(positive());
+  CLI::Option* output_step = command
+                                 ->add_option("--output-step", options.output_step,
+                                              "Time between outputs [s] (default: start and end)")
+                                 ->check(positive());
   command->add_option("--out", arguments->out, "Write the motion to this CSV file")->check(writable_file());
-  command->add_option("--plot", arguments->plot, "Draw the outputs to this SVG file")->check(figure_file());
+  command->add_option("--plot", arguments->plot, "Draw the outputs to this SVG file")
+      ->check(figure_file())
+      ->needs(output_step);
   CLI::Option* no_projection = command->add_flag("--no-projection", arguments->no_projection,
                                                  "Leave drift off the constraints as it is");
   command
       ->add_option("--baumgarte", arguments->baumgarte,
                    "Phi'' + 2 alpha Phi' + beta^2 Phi = 0 instead of projection [1/s]")
       ->expected(2)
+      ->check(not_negative())
       ->type_name("ALPHA BETA")
       ->excludes(no_projection);
   command->add_option("--sequence", arguments->sequence, "Euler-angle sequence of r-epsilon")

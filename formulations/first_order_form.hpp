@@ -19,6 +19,7 @@ namespace trivium {
 struct FirstOrderOptions {
   ChartOptions charts;
   std::optional<Baumgarte> baumgarte;
+  bool is_projected = true;  ///< after every step; if not, violations hide which rows depend on others
 };
 
 /// [J]
@@ -68,7 +69,7 @@ class FirstOrderForm {
     settle(start.t, start_);
     // a motion may pass positions where rows are nearly dependent; one that starts there lives with them
     const int found = solver_.factors().left_out();
-    settles_by_ = Ranks::seen;
+    settles_by_ = options.is_projected ? Ranks::seen : Ranks::counted;
     left_out_ = -1;
     settle(start.t, start_);
     if (solver_.factors().left_out() == found) return;

@@ -72,7 +72,8 @@ class GraphSolver {
 
   /// How the factorisations that follow find the rows to leave out.
   void find_ranks(Ranks ranks) {
-    if (ranks == Ranks::kept && ranks_ != Ranks::kept) out_ = dropped_;
+    const auto goes_by_before = [](Ranks r) { return r == Ranks::kept || r == Ranks::counted; };
+    if (goes_by_before(ranks) && !goes_by_before(ranks_)) out_ = dropped_;
     if (ranks == Ranks::seen)
       for (auto& rows : out_) rows.fill(false);
     ranks_ = ranks;

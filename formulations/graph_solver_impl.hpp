@@ -252,7 +252,7 @@ void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
   std::array<bool, 6>& dropped = dropped_[closing.edge];
   const bool on_body = closing.column_slot >= 0;
   if (on_body) f.C = column_[closing.column_slot];
-  if (ranks_ == Ranks::seen) choose_rows(c);
+  if (ranks_ == Ranks::seen || ranks_ == Ranks::counted) choose_rows(c);
   const S defect = direction_tolerance<S>() * direction_tolerance<S>();
   for (int k = 0; k < n; ++k) {
     const S pivot = block(k, k);
@@ -264,6 +264,7 @@ void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
         break;
       case Ranks::seen:
       case Ranks::kept:
+      case Ranks::counted:
         dropped[k] = out_[closing.edge][k] || pivot <= rounding;
     }
     has_thin_rows_ = has_thin_rows_ || (dropped[k] && any(pivot > rounding));
@@ -313,10 +314,18 @@ void GraphSolver<S>::choose_rows(int c) {
   Matrix6<S> block = coupling_[plan_.diagonal_slot[c]];
   const int n = rows_of_closing(c);
   std::array<bool, 6>& out = out_[plan_.closings[c].edge];
-  std::array<bool, 6> is_done = out;
-  for (;;) {
+  std::array<bool, 6> is_done{};
+  int most = n;
+  S least = S(0);
+  if (ranks_ == Ranks::counted) {
+    most -= static_cast<int>(std::count(out.begin(), out.begin() + n, true));
+  } else {
+    is_done = out;
+    least = passing_pivot_;
+  }
+  for (int chosen = 0; chosen < most; ++chosen) {
     int best = -1;
-    S best_share = passing_pivot_;
+    S best_share = least;
     for (int k = 0; k < n; ++k) {
       const S share = block(k, k) / (f.own[k] + f.size.product[k]);
       if (is_done[k] || !(share > best_share)) continue;
@@ -328,7 +337,7 @@ void GraphSolver<S>::choose_rows(int c) {
     const Vector6<S> column = block.col(best);
     block -= column * column.transpose() / column[best];
   }
-  for (int k = 0; k < n; ++k) out[k] = !is_done[k] || out[k];
+  for (int k = 0; k < n; ++k) out[k] = !is_done[k] || (ranks_ == Ranks::seen && out[k]);
 }
 
 template <class S>

@@ -123,8 +123,9 @@ struct LinkRows {
 /// which so little is left that the elimination alone does not tell it from nothing, as where a motion passes
 /// a singular position; none are reinstated, and what is asked of them is not looked at. Kept: as found or
 /// seen last; states that leave their constraints by a little, as those within a step of an integrator, make
-/// redundant rows seem independent.
-enum class Ranks { found, seen, kept };
+/// redundant rows seem independent. Counted: as many of each closing as then, whichever are of most effect
+/// now; for motions that drift.
+enum class Ranks { found, seen, kept, counted };
 
 enum class Elimination { done, no_inertia, dependent_rows };
 

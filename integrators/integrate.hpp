@@ -33,19 +33,25 @@ void projected_step(System& system, M& method, typename System::Scalar& t, Flat<
                     ProjectionReport<typename System::Scalar>& report) {
   const auto before_t = t;
   const auto before = y;
+  std::string trouble;
   for (;;) {
-    method.step(system, t, y, stop);
+    try {
+      method.step(system, t, y, stop);
+    } catch (const IntegrationError& error) {
+      if (trouble.empty()) throw;
+      throw IntegrationError(fmt::format("{}; longer ones had failed so: {}", error.what(), trouble));
+    }
     const auto stepped = y;
     try {
       project(system, t, y, report);
       if (!strays<typename System::Scalar>(before, stepped, y)) return;
-      if (!method.shorten())
-        throw IntegrationError(fmt::format(
-            "row \"{}\" at t = {}: its projection moved the bodies by more than a tenth of the step; take "
-            "smaller steps, or leave their length to tolerances",
-            system.worst_row(), static_cast<double>(t)));
-    } catch (const IntegrationError&) {
+      throw IntegrationError(fmt::format(
+          "row \"{}\" at t = {}: its projection moved the bodies by more than a tenth of the step; take "
+          "smaller steps, or leave their length to tolerances",
+          system.worst_row(), static_cast<double>(t)));
+    } catch (const IntegrationError& error) {
       if (!method.shorten()) throw;
+      trouble = error.what();
     }
     t = before_t;
     y = before;

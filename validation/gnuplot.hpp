@@ -6,7 +6,7 @@
 
 namespace trivium {
 
-/// A string as gnuplot takes it.
+/// A string as gnuplot takes it, whatever is in it: control characters and backquotes become blanks.
 std::string gnuplot_quoted(std::string_view s);
 
 /// Runs a script. Throws a std::runtime_error where gnuplot is not there or fails.

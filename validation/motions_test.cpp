@@ -133,6 +133,23 @@ TEST_P(InEveryFormulation, FortyFourBarsPassTheirSingularPositions) {
   EXPECT_FALSE(motion.report.passages.empty());
 }
 
+// one of its loops needs one row of two, and each of these vanishes somewhere: neither place is singular
+TEST_P(InEveryFormulation, ChoicesOfRowsThatVanishAreNoSingularPositions) {
+  const Motion motion(catalogue_scene("parallelogram"), tight(GetParam(), "rkf78", 2));
+  EXPECT_TRUE(motion.report.passages.empty());
+  EXPECT_LE(motion.report.balance, 1e-9);
+  EXPECT_LE(motion.report.phi, 1e-13);
+}
+
+// cos(theta) = f(t) at f = -1: the crank goes on, in all formulations, at all tolerances
+TEST_P(InEveryFormulation, ACosineDriverPassesItsDeadPoint) {
+  for (const double rtol : {1e-6, 1e-8, 1e-10}) {
+    const Motion motion(catalogue_scene("uwsbel_four_link"), tight(GetParam(), "dopri5", 1, rtol));
+    EXPECT_NEAR(motion.end().state.pose[2].r[0], -2.43744228108569, 1e-9) << rtol;
+    EXPECT_LE(motion.report.phi, 1e-13);
+  }
+}
+
 TEST_P(InEveryFormulation, BricardIsThatOfAnotherMethodAtATighterTolerance) {
   static const MotionSample exact =
       Motion(catalogue_scene("bricard"), tight("r-omega", "bulirsch-stoer", 10, 1e-14)).end();
@@ -244,6 +261,18 @@ TEST_P(InEveryFormulation, DriftStaysWhereProjectionIsOffAndIsReported) {
   options.baumgarte = {30, 30};
   const Motion stabilised(catalogue_scene("heavy_top"), options);
   EXPECT_LT(stabilised.report.phi, drifting.report.phi / 10);
+}
+
+// off the constraints redundant rows look independent; how many are redundant does not change
+TEST_P(InEveryFormulation, DriftMakesNoRedundantRowIndependent) {
+  // the parallelogram until shortly before it lies flat
+  for (const auto& [name, end] : {std::pair("parallelogram", 1.525), {"bricard", 5}, {"four_bar", 5}}) {
+    SimulationOptions options = tight(GetParam(), "dopri5", end, 1e-6);
+    options.projects = false;
+    const Motion motion(catalogue_scene(name), options);
+    EXPECT_LE(motion.report.balance, 0.01) << name;
+    EXPECT_TRUE(motion.report.passages.empty());
+  }
 }
 
 TEST(TheRawChart, IsAnErrorThatNamesTheBodyWhereItIsSingular) {

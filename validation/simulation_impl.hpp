@@ -21,7 +21,7 @@ class Simulation {
       : options_(options),
         observer_(observer),
         form_(make_mechanism<S>(scene), make_state<S>(scene, S(options.start)),
-              {options.charts, options.baumgarte}) {}
+              {options.charts, options.baumgarte, options.projects}) {}
 
   SimulationReport run() {
     using namespace integrators;
