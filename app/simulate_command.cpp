@@ -84,6 +84,11 @@ class Watcher : public SimulationObserver {
   std::optional<MotionPlot> plot_;
 };
 
+/// More than a thousandth of what moves.
+bool balance_is_large(const SimulationReport& report) {
+  return !(report.balance <= 1e-3 * report.largest_kinetic + 1e-12);
+}
+
 std::vector<std::string> warnings_of(const SimulationReport& report) {
   std::vector<std::string> out;
   if (!report.passages.empty()) {
@@ -94,6 +99,11 @@ std::vector<std::string> warnings_of(const SimulationReport& report) {
                     counted(report.passages.size(), "singular position", "singular positions"),
                     report.passages.front().t));
   }
+  if (balance_is_large(report))
+    out.push_back(fmt::format(
+        "{:.1e} J are not accounted for, beside {:.1e} J of kinetic energy: the motion is not accurate; take "
+        "tighter tolerances or smaller steps",
+        report.balance, report.largest_kinetic));
   const auto drifts = [](double left) { return left > 1e-6; };
   if (drifts(report.phi) || drifts(report.phi_dot))
     out.push_back(fmt::format("constraints are violated by up to {:.1e} (positions) and {:.1e} (velocities)",

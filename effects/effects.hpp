@@ -2,6 +2,8 @@
 /// The effects of a mechanism: one vector per type, so that an absent type costs nothing. To add an effect,
 /// write its file and name it here.
 
+#include <algorithm>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -61,20 +63,22 @@ class Effects {
     for_each([&](const auto& effect) { all = all && effect.is_conservative(); });
     return all;
   }
-  /// The energy that the conservative ones store, and the power of the others.
-  Scalar conserved_energy(const EffectView<Scalar>& view) const {
+  /// What of all power is not taken from stored energy.
+  Scalar unstored_power(const EffectView<Scalar>& view) const {
     Scalar sum(0);
     for_each([&](const auto& effect) {
-      if (effect.is_conservative()) sum += effect.potential_energy(view);
+      if (!effect.is_conservative()) sum += effect.unstored_power(view);
     });
     return sum;
   }
-  Scalar other_power(const EffectView<Scalar>& view) const {
-    Scalar sum(0);
+  /// The longest step [s] after which all effects can still be followed.
+  Scalar longest_step(const EffectView<Scalar>& view) const {
+    Scalar longest = std::numeric_limits<Scalar>::max();
     for_each([&](const auto& effect) {
-      if (!effect.is_conservative()) sum += effect.power(view);
+      if constexpr (requires { effect.longest_step(view); })
+        longest = std::min(longest, Scalar(effect.longest_step(view)));
     });
-    return sum;
+    return longest;
   }
   /// Tells effects that count turns where the motion is.
   void follow(const EffectView<Scalar>& view) {

@@ -267,6 +267,13 @@ TEST(Effects, AreConservativeWhereTheyGiveBackWhatTheyStore) {
   EXPECT_FALSE((SpringDamper<double>{"", 0, 1, {}, {}, 10, 1, 1, {}}.is_conservative()));
 }
 
+TEST(Effects, TakeFromStoredEnergyAllButTheWorkOfDampersAndActuators) {
+  EXPECT_DOUBLE_EQ(about_z(10, 4, 0.2, 7.0).unstored_power(OnAnAxis(0.5, 3).view()), -(4 * 3 + 7) * 3);
+  EXPECT_DOUBLE_EQ(about_z(10, 0, 0.2, {}).unstored_power(OnAnAxis(0.5, 3).view()), 0);
+  EXPECT_DOUBLE_EQ(about_z(10, 0, 0.2, {}).longest_step(OnAnAxis(0.5, 3).view()), 1.0 / 3);
+  EXPECT_GT(about_z(10, 0, 0.2, {}).longest_step(OnAnAxis(0.5, 0).view()), 1e300);
+}
+
 TEST(TorsionalSpringDamper, DrivesThetaBackAndAPositiveActuatorDrivesItDown) {
   EXPECT_DOUBLE_EQ(OnAnAxis(0.5, 0).torque_on_j(about_z(10, 0, 0.2, {})), -3);
   EXPECT_DOUBLE_EQ(OnAnAxis(0.1, 0).torque_on_j(about_z(10, 0, 0.2, {})), 1);

@@ -41,6 +41,9 @@ struct Force {
     if (!is_conservative()) return Scalar(0);
     return -global_force(view).dot(view.motion[body].point(s_bar));
   }
+  Scalar unstored_power(const EffectView<Scalar>& view) const {
+    return is_conservative() ? Scalar(0) : power(view);
+  }
   void append_kinks(std::vector<double>& times) const { trivium::append_kinks(components, times); }
   bool is_conservative() const {
     return frame == ComponentFrame::global && components[0].is_number() && components[1].is_number() &&

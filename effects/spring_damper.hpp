@@ -30,6 +30,11 @@ struct SpringDamper {
     const Line line = measure(view);
     return -tension(line, view.t) * line.length_rate;
   }
+  /// That of the damper and the actuator.
+  Scalar unstored_power(const EffectView<Scalar>& view) const {
+    const Line line = measure(view);
+    return -(damping * line.length_rate + actuator(view.t).f) * line.length_rate;
+  }
   void append_kinks(std::vector<double>& times) const { actuator.append_kinks(times); }
   /// Zero damping and no actuator.
   bool is_conservative() const { return all(damping == Scalar(0)) && actuator == TimeFunction(0); }

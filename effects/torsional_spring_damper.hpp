@@ -3,6 +3,7 @@
 /// h(t)) along z, the opposite on body i. theta turns from u_i to u_j about z_i.
 
 #include <cmath>
+#include <limits>
 
 #include "bodies/lanes.hpp"
 #include "constraints/time_function.hpp"
@@ -30,6 +31,11 @@ struct TorsionalSpringDamper {
     return stiffness * twist * twist / 2;
   }
 
+  /// That of the damper and the actuator.
+  Scalar unstored_power(const EffectView<Scalar>& view) const {
+    const Scalar rate = angle_rate(view);
+    return -(damping * rate + actuator(view.t).f) * rate;
+  }
   void append_kinks(std::vector<double>& times) const { actuator.append_kinks(times); }
   /// Zero damping and no actuator.
   bool is_conservative() const { return all(damping == Scalar(0)) && actuator == TimeFunction(0); }
@@ -37,6 +43,13 @@ struct TorsionalSpringDamper {
   void follow(const EffectView<Scalar>& view) {
     const Scalar theta = angle(view), moved = theta - followed;
     followed = select(moved * moved > Scalar(1), theta, followed);  // seldom: every sum is rounded
+  }
+
+  /// A radian [s]; beside what `follow` leaves, twice as far is still within half a turn.
+  Scalar longest_step(const EffectView<Scalar>& view) const {
+    using std::abs;
+    const Scalar rate = abs(angle_rate(view)), never = std::numeric_limits<Scalar>::max();
+    return rate > Scalar(0) ? Scalar(1 / rate) : never;
   }
 
   /// theta, in (-pi, pi] of where it was followed to (0 at the start).

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,8 +27,8 @@ struct FirstOrderOptions {
 template <class S>
 struct MotionEnergy {
   S kinetic{0}, potential{0};
-  S conserved{0};  ///< what would not change without the work of drivers and of effects that store nothing
-  S work{0};       ///< theirs, since the start
+  S total() const { return kinetic + potential; }
+  S work{0};  ///< since the start, of drivers and of what effects do not take from stored energy
 };
 
 struct SingularPassage {
@@ -59,8 +60,8 @@ class FirstOrderForm {
     for (int k = 0; k < mechanism_.nc(); ++k)
       if (!function_of(mechanism_.rows[k]).is_constant()) drivers_.push_back(k);
     does_work_ = !drivers_.empty() || !mechanism_.effects.are_conservative();
-    for (const Joint<S>& joint : mechanism_.joints)
-      reach_ = std::max({reach_, S(joint.frame_i.point.norm()), S(joint.frame_j.point.norm())});
+    counts_turns_ = !mechanism_.effects.template all<TorsionalSpringDamper<S>>().empty();
+    way_.resize(mechanism_.nb() + 1);
     start_ = Flat::Zero(size());
     for (int b = 0; b < nb(); ++b) {
       place(start_, b) << state_[b].r, F::flat_orientation(state_[b].chart, start.pose[b].p);
@@ -79,9 +80,9 @@ class FirstOrderForm {
   }
 
   int nb() const { return mechanism_.nb(); }
-  int size() const { return tested_size() + (does_work_ ? 1 : 0); }
-  /// The numbers that errors are tested in: all but the work.
-  int tested_size() const { return (positions + velocities) * nb(); }
+  int size() const { return motion_size() + (does_work_ ? 1 : 0); }
+  /// Without the work.
+  int motion_size() const { return (positions + velocities) * nb(); }
   const Flat& start() const { return start_; }
 
   /// y' at (t, y). Throws a ModelError.
@@ -93,7 +94,7 @@ class FirstOrderForm {
       place(y_dot, b) << body.r_dot, F::flat_rate(body.chart, flat(y, b), flat_velocity(y, b));
       rate(y_dot, b) << solver_.r_ddot(b), solver_.q_ddot(b);
     }
-    if (does_work_) y_dot[tested_size()] = power(t);
+    if (does_work_) y_dot[motion_size()] = power(t);
   }
 
   // the constraints: how far y is from them, and one step of the way back
@@ -107,20 +108,35 @@ class FirstOrderForm {
     projection_.move(state_, t);
     return projection_.measure_velocities();
   }
-  /// The scene's own length and the state's speed, which violations compare with; rounding leaves some u of
-  /// them.
-  S length() const {
-    S largest = reach_;
-    for (const BodyState<F>& body : state_) largest = std::max(largest, S(body.r.norm()));
-    return largest > S(0) ? largest : S(1);
+  /// Of the violation measured last, beside the lengths or speeds of what moves together.
+  const S& relative_violation() const { return projection_.relative(); }
+  /// Whether a projection moved some assembly by more than a tenth of what the step did, and more than a
+  /// little.
+  bool strays(const Flat& before, const Flat& stepped, const Flat& projected) {
+    const auto exceeds = [&](int first, int width, const S& little) {
+      for (Way& way : way_) way = {};
+      for (int b = 0; b < nb(); ++b) {
+        Way& way = way_[projection_.assembly_of(b)];
+        const int at = first + width * b;
+        way.back += (projected.segment(at, width) - stepped.segment(at, width)).squaredNorm();
+        way.step += (stepped.segment(at, width) - before.segment(at, width)).squaredNorm();
+        way.size += stepped.segment(at, width).squaredNorm();
+      }
+      using std::sqrt;
+      return std::any_of(way_.begin(), way_.end(), [&](const Way& way) {
+        return !(sqrt(way.back) <= sqrt(way.step) / 10 + little * sqrt(way.size));
+      });
+    };
+    // another branch of velocities is as far as they are large
+    return exceeds(0, positions, S(1e-4)) || exceeds(positions * nb(), velocities, S(1e-2));
   }
-  S speed() const {
-    const S l = length();
-    S largest(0);
-    for (int b = 0; b < nb(); ++b)
-      largest = std::max(
-          {largest, S(state_[b].r_dot.norm()), S(solver_.assembly().body()[b].omega_bar.norm() * l)});
-    return largest;
+  /// The longest step [s] from here, after which turns are still counted.
+  S longest_step(const S& t, const Flat& y) {
+    if (!counts_turns_) return std::numeric_limits<S>::max();
+    load(y);
+    projection_.move(state_, t);
+    take_motion();
+    return mechanism_.effects.longest_step(view(t));
   }
   const std::string& worst_row() const { return projection_.worst_row(); }
   /// Of what was measured last; the matrix is factored where asked, else it is that of before.
@@ -162,6 +178,7 @@ class FirstOrderForm {
     refines_ = !(solver_.corrections().acceleration <= 1e-13);
     settled_t_ = t;
     settled_ = y;
+    projection_.settle();
     take_motion();
     mechanism_.effects.follow(view(t));
     return reframed;
@@ -201,8 +218,7 @@ class FirstOrderForm {
       energy.kinetic +=
           kinetic_energy(mechanism_.bodies[b], Twist<S>{motion_[b].r_dot, motion_[b].omega_bar});
     energy.potential = mechanism_.effects.potential_energy(view(t));
-    energy.conserved = energy.kinetic + mechanism_.effects.conserved_energy(view(t));
-    if (does_work_) energy.work = y[tested_size()];
+    if (does_work_) energy.work = y[motion_size()];
     return energy;
   }
 
@@ -221,7 +237,7 @@ class FirstOrderForm {
   }
   /// A number of y in words.
   std::string name_of(int index) const {
-    if (index >= tested_size()) return "the work done";
+    if (index >= motion_size()) return "the work done";
     const bool is_place = index < positions * nb();
     const int within = is_place ? index : index - positions * nb();
     return fmt::format("the {} of body \"{}\"", is_place ? "position" : "velocity",
@@ -298,10 +314,10 @@ class FirstOrderForm {
     std::copy(solver_.assembly().body().begin(), solver_.assembly().body().end(), motion_.begin());
   }
   EffectView<S> view(const S& t) const { return {mechanism_.bodies, motion_, t}; }
-  /// Of effects that store nothing, and of drivers: -lambda^T nu.
+  /// Of what effects do not take from stored energy, and of drivers: -lambda^T nu.
   S power(const S& t) {
     take_motion();
-    S sum = mechanism_.effects.other_power(view(t));
+    S sum = mechanism_.effects.unstored_power(view(t));
     if (drivers_.empty()) return sum;
     solver_.copy_lambda(lambda_);
     const auto& body = solver_.assembly().body();
@@ -321,7 +337,12 @@ class FirstOrderForm {
   VectorX<S> lambda_;
   std::vector<int> drivers_;  ///< rows that move by themselves
   bool does_work_ = false;
-  S reach_{0};
+  bool counts_turns_ = false;
+  /// Of an assembly, squares: how far a projection, a step moved it, and where it is.
+  struct Way {
+    S back{0}, step{0}, size{0};
+  };
+  std::vector<Way> way_;
   Flat start_;
   // of the last settled state
   std::optional<S> settled_t_;

@@ -150,7 +150,7 @@ TYPED_TEST(FirstOrder, CorrectsByTheLeastChangeInTheMassMetric) {
     const MatrixX<double> free = rows.kernel();
     Flat y = form.start();
     Random random(seed);
-    for (Eigen::Index k = FirstOrderForm<TypeParam>::positions * form.nb(); k < form.tested_size(); ++k)
+    for (Eigen::Index k = FirstOrderForm<TypeParam>::positions * form.nb(); k < form.motion_size(); ++k)
       y[k] += random.uniform();
     form.meet_internal(y);
     const auto before = form.physical(0, y);
@@ -189,8 +189,8 @@ TYPED_TEST(FirstOrder, PowerIsTheRateOfTheEnergyThatIsNotConserved) {
     form.derivative(0, y, y_dot);
     constexpr double h = 1e-6;
     const double rate =
-        (form.energy(h, y + h * y_dot).conserved - form.energy(-h, y - h * y_dot).conserved) / (2 * h);
-    EXPECT_NEAR(rate, y_dot[form.tested_size()], 1e-6 * (1 + std::abs(rate))) << name;
+        (form.energy(h, y + h * y_dot).total() - form.energy(-h, y - h * y_dot).total()) / (2 * h);
+    EXPECT_NEAR(rate, y_dot[form.motion_size()], 1e-6 * (1 + std::abs(rate))) << name;
   }
 }
 

@@ -21,8 +21,9 @@ class AnySystem {
   virtual void derivative(const S& t, const Flat<S>& y, Flat<S>& y_dot) = 0;
   virtual S position_violation(const S& t, const Flat<S>& y) = 0;
   virtual S velocity_violation(const S& t, const Flat<S>& y) = 0;
-  virtual S length() const = 0;
-  virtual S speed() const = 0;
+  virtual S relative_violation() const = 0;
+  virtual bool strays(const Flat<S>& before, const Flat<S>& stepped, const Flat<S>& projected) = 0;
+  virtual S longest_step(const S& t, const Flat<S>& y) = 0;
   virtual void correct_positions(Flat<S>& y, bool factor) = 0;
   virtual void correct_velocities(Flat<S>& y, bool factor) = 0;
   virtual void meet_internal(Flat<S>& y) = 0;
@@ -44,8 +45,11 @@ class Erased final : public AnySystem<typename System::Scalar> {
   void derivative(const S& t, const Flat<S>& y, Flat<S>& y_dot) override { system_.derivative(t, y, y_dot); }
   S position_violation(const S& t, const Flat<S>& y) override { return system_.position_violation(t, y); }
   S velocity_violation(const S& t, const Flat<S>& y) override { return system_.velocity_violation(t, y); }
-  S length() const override { return system_.length(); }
-  S speed() const override { return system_.speed(); }
+  S relative_violation() const override { return system_.relative_violation(); }
+  bool strays(const Flat<S>& before, const Flat<S>& stepped, const Flat<S>& projected) override {
+    return system_.strays(before, stepped, projected);
+  }
+  S longest_step(const S& t, const Flat<S>& y) override { return system_.longest_step(t, y); }
   void correct_positions(Flat<S>& y, bool factor) override { system_.correct_positions(y, factor); }
   void correct_velocities(Flat<S>& y, bool factor) override { system_.correct_velocities(y, factor); }
   void meet_internal(Flat<S>& y) override { system_.meet_internal(y); }

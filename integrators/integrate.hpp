@@ -1,6 +1,8 @@
 #pragma once
 /// A method walks a system through a grid of times.
 
+#include <string>
+
 #include "integrators/projection.hpp"
 #include "integrators/time_grid.hpp"
 
@@ -19,32 +21,35 @@ concept Method = requires(M& method, const M& constant, System& system, typename
   { constant.counters() } -> std::convertible_to<Counters>;
 };
 
-/// Whether a projection moved y by more than a tenth of what the step did, and more than a little: onto
-/// another branch of the constraints, as beside a singular position, or the step is far too long.
-template <class S>
-bool strays(const Flat<S>& before, const Flat<S>& stepped, const Flat<S>& projected) {
-  return !((projected - stepped).norm() <= (stepped - before).norm() / 10 + S(1e-4) * stepped.norm());
-}
-
-/// A step and its projection. Where that fails or strays a shorter one is taken, if the method can.
+/// A step, at most to `stop`, and its projection if it `projects`. Where that fails or strays, or the model
+/// turned out to move too fast for it, a shorter one is taken, if the method can.
 template <FirstOrderSystem System, Method<System> M>
-void projected_step(System& system, M& method, typename System::Scalar& t, Flat<typename System::Scalar>& y,
-                    const typename System::Scalar& stop, Projection<System>& project,
-                    ProjectionReport<typename System::Scalar>& report) {
+void checked_step(System& system, M& method, typename System::Scalar& t, Flat<typename System::Scalar>& y,
+                  const typename System::Scalar& stop, bool projects, Projection<System>& project,
+                  ProjectionReport<typename System::Scalar>& report) {
   const auto before_t = t;
   const auto before = y;
+  const auto longest = system.longest_step(t, y);
+  const typename System::Scalar limit = longest < stop - t ? t + longest : stop;
   std::string trouble;
   for (;;) {
     try {
-      method.step(system, t, y, stop);
+      method.step(system, t, y, limit);
     } catch (const IntegrationError& error) {
       if (trouble.empty()) throw;
       throw IntegrationError(fmt::format("{}; longer ones had failed so: {}", error.what(), trouble));
     }
     const auto stepped = y;
     try {
+      if (t - before_t > 2 * system.longest_step(t, y))
+        throw IntegrationError(
+            fmt::format("at t = {}: the step is too long to follow how far springs turn; take smaller steps, "
+                        "or leave their "
+                        "length to tolerances",
+                        static_cast<double>(t)));
+      if (!projects) return;
       project(system, t, y, report);
-      if (!strays<typename System::Scalar>(before, stepped, y)) return;
+      if (!system.strays(before, stepped, y)) return;
       throw IntegrationError(fmt::format(
           "row \"{}\" at t = {}: its projection moved the bodies by more than a tenth of the step; take "
           "smaller steps, or leave their length to tolerances",
@@ -80,10 +85,7 @@ bool integrate(System& system, M& method, const TimeGrid& grid, bool projects,
   TimeGrid::Walk<S> walk(grid);
   while (const auto stop = walk.next()) {
     while (t < stop->t) {
-      if (projects)
-        projected_step(system, method, t, y, stop->t, project, report);
-      else
-        method.step(system, t, y, stop->t);
+      checked_step(system, method, t, y, stop->t, projects, project, report);
       if (system.settle(t, y)) method.restart();
       if (at_step(t, y) == Continue::no) {
         if (!(t < stop->t) && stop->is_output) at_output(t, y);

@@ -112,6 +112,14 @@ TEST_P(ChosenStepsOf, StartAnewWhereCoordinatesChange) {
   EXPECT_EQ(run(system, GetParam(), Steps::chosen, TimeGrid(0, 2)).counters.restarts, 1);
 }
 
+TEST_P(ChosenStepsOf, AreNoLongerThanTheModelSays) {
+  Free system = oscillator();
+  system.longest = 0.01;
+  const Walked r = run(system, GetParam(), Steps::chosen, TimeGrid(0, 2), {1e-3, 1e-3});
+  EXPECT_GE(r.counters.steps, 200);
+  EXPECT_EQ(r.t.back(), 2);
+}
+
 TEST_P(ChosenStepsOf, KeepTheirOrderAcrossAKink) {
   const auto error = [&](std::vector<double> events) {
     Free system;  // y' = |t - 1 / pi|, in the error's own size

@@ -28,49 +28,46 @@ class Projection {
   void operator()(System& system, const S& t, Flat<S>& y, ProjectionReport<S>& report) {
     is_factored_ = false;
     system.meet_internal(y);
-    S found = system.position_violation(t, y);
-    S left = approach(
-        system, t, "position", found, S(system.length()), report.changes,
+    approach(
+        system, t, "position", report.position, report.position_left, report.changes,
         [&] { return S(system.position_violation(t, y)); },
         [&](bool factor) { system.correct_positions(y, factor); });
-    report.position = std::max(report.position, found);
-    report.position_left = std::max(report.position_left, left);
     system.meet_internal(y);
-    found = system.velocity_violation(t, y);
-    left = approach(
-        system, t, "velocity", found, S(system.speed()), report.changes,
+    approach(
+        system, t, "velocity", report.velocity, report.velocity_left, report.changes,
         [&] { return S(system.velocity_violation(t, y)); },
         [&](bool factor) { system.correct_velocities(y, factor); });
-    report.velocity = std::max(report.velocity, found);
-    report.velocity_left = std::max(report.velocity_left, left);
   }
 
  private:
   /// Until the violation is rounding or falls no more. Beside a singular position rows that are nearly
   /// dependent are left alone, so that more than rounding may be left for a while; but never much.
   template <class Measure, class Correct>
-  S approach(System& system, const S& t, const char* what, S violation, const S& scale, long& changes,
-             const Measure& measure, const Correct& correct) {
-    const S rounding = S(8 * std::numeric_limits<S>::epsilon()) * scale;
+  void approach(System& system, const S& t, const char* what, S& found, S& left, long& changes,
+                const Measure& measure, const Correct& correct) {
+    const S rounding = S(16 * std::numeric_limits<S>::epsilon());
+    S size = measure(), relative = system.relative_violation();
+    found = std::max(found, size);
     constexpr int most_changes = 30;
-    for (int k = 0; k < most_changes && violation > rounding; ++k) {
+    for (int k = 0; k < most_changes && relative > rounding; ++k) {
       const bool factors = !is_factored_;
       correct(factors);
       is_factored_ = true;
       ++changes;
-      const S now = measure();
-      const bool falls = now <= violation / 2;
-      violation = now;
+      size = measure();
+      const S now = system.relative_violation();
+      const bool falls = now <= relative / 2;
+      relative = now;
       if (falls) continue;
       if (factors) break;
       is_factored_ = false;  // the matrix of before is too far from that of here
     }
-    if (!(violation <= S(1e-6) * scale))
+    left = std::max(left, size);
+    if (!(relative <= S(1e-6)))
       throw IntegrationError(fmt::format(
           "row \"{}\" at t = {}: the step left its {} too far off to project back; take smaller steps or "
           "tighter tolerances",
           system.worst_row(), static_cast<double>(t), what));
-    return violation;
   }
 
   bool is_factored_ = false;

@@ -14,11 +14,12 @@ using Flat = Eigen::Matrix<S, Eigen::Dynamic, 1>;
 /// y' = f(t, y), y on the manifold that constraints leave.
 ///
 /// `derivative` may throw a std::runtime_error where y makes no sense; a method then takes a smaller step.
-/// A violation is the largest distance from a constraint, in units of the model; the model's `length` and the
-/// `speed` of the state measured last say what is large and what rounding. `correct_...` is one step of the
-/// way back from the violation measured last, by a matrix factored there or, unless `factor`, before.
-/// `settle` is told every state that the motion has reached, projected; it returns whether y is in other
-/// coordinates since, so that what a method remembers of it is void.
+/// A violation is the largest distance from a constraint, in units of the model; `relative_violation` is the
+/// one measured last beside the model's own numbers, so that rounding is some u. `correct_...` is one step of
+/// the way back from there, by a matrix factored there or, unless `factor`, before. `strays` is asked whether
+/// a projection went too far to be one, `longest_step` how long a step from a state may be for reasons of the
+/// model. `settle` is told every state that the motion has reached, projected; it returns whether y is in
+/// other coordinates since, so that what a method remembers of it is void.
 template <class System>
 concept FirstOrderSystem = requires(System& system, const typename System::Scalar& t,
                                     const Flat<typename System::Scalar>& y,
@@ -28,8 +29,9 @@ concept FirstOrderSystem = requires(System& system, const typename System::Scala
   system.derivative(t, y, changed);
   { system.position_violation(t, y) } -> std::convertible_to<typename System::Scalar>;
   { system.velocity_violation(t, y) } -> std::convertible_to<typename System::Scalar>;
-  { system.length() } -> std::convertible_to<typename System::Scalar>;
-  { system.speed() } -> std::convertible_to<typename System::Scalar>;
+  { system.relative_violation() } -> std::convertible_to<typename System::Scalar>;
+  { system.strays(y, y, y) } -> std::same_as<bool>;
+  { system.longest_step(t, y) } -> std::convertible_to<typename System::Scalar>;
   system.correct_positions(changed, factor);
   system.correct_velocities(changed, factor);
   system.meet_internal(changed);

@@ -14,6 +14,7 @@ struct Free {
   using Scalar = double;
   std::function<Flat<double>(double, const Flat<double>&)> f;
   Flat<double> y0;
+  double longest = 1e300;
   int settled = 0, changes_at = -1;  ///< the settled state at which coordinates are said to have changed
 
   int size() const { return static_cast<int>(y0.size()); }
@@ -21,8 +22,9 @@ struct Free {
   void derivative(double t, const Flat<double>& y, Flat<double>& y_dot) { y_dot = f(t, y); }
   double position_violation(double, const Flat<double>&) { return 0; }
   double velocity_violation(double, const Flat<double>&) { return 0; }
-  double length() const { return 1; }
-  double speed() const { return 1; }
+  double relative_violation() const { return 0; }
+  bool strays(const Flat<double>&, const Flat<double>&, const Flat<double>&) const { return false; }
+  double longest_step(double, const Flat<double>&) const { return longest; }
   void correct_positions(Flat<double>&, bool) {}
   void correct_velocities(Flat<double>&, bool) {}
   void meet_internal(Flat<double>&) {}
@@ -54,6 +56,10 @@ struct OnACircle : Free {
   }
   void correct_positions(Flat<double>& y, bool factor) { correct(y, 0, factor); }
   void correct_velocities(Flat<double>& y, bool factor) { correct(y, 2, factor); }
+  double relative_violation() const { return std::abs(seen); }
+  bool strays(const Flat<double>& before, const Flat<double>& stepped, const Flat<double>& projected) const {
+    return !((projected - stepped).norm() <= (stepped - before).norm() / 10 + 1e-4);
+  }
   std::string worst_row() const { return "circle"; }
 
  private:

@@ -40,12 +40,13 @@ struct SimulationReport {
   bool is_projected = true;
   integrators::ProjectionReport<double> projection;
   int reframings = 0;
-  double phi = 0, phi_dot = 0;              ///< largest at any output
+  double phi = 0, phi_dot = 0;              ///< largest after any step
   double normalisation = 0;                 ///< largest |p . p - 1| after any step
   double energy_start = 0, energy_end = 0;  ///< kinetic and potential [J]
   bool does_work = false;
-  double work = 0;     ///< of drivers and of effects that store nothing [J]
-  double balance = 0;  ///< largest change of energy that this work does not account for [J]
+  double work = 0;             ///< of drivers, and of effects as far as it is not stored [J]
+  double balance = 0;          ///< largest change of energy that this work does not account for [J]
+  double largest_kinetic = 0;  ///< what that is large beside [J]
   std::vector<SingularPassage> passages;
 };
 

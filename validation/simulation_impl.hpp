@@ -51,6 +51,7 @@ class Simulation {
           report_.normalisation =
               std::max(report_.normalisation, static_cast<double>(form_.normalisation_violation(y)));
           report_.reached = static_cast<double>(t);
+          watch(t, y, at_start);
           return observer_.step(report_.reached) ? Continue::yes : Continue::no;
         },
         [&](const S& t, const Flat& y) { show(t, y, at_start); });
@@ -80,13 +81,24 @@ class Simulation {
       sample.state.pose.push_back({scalar_cast<double>(pose.r), scalar_cast<double>(pose.p)});
     for (const Twist<S>& twist : state.twist)
       sample.state.twist.push_back({scalar_cast<double>(twist.r_dot), scalar_cast<double>(twist.omega_bar)});
-    report_.phi = std::max(report_.phi, sample.phi);
-    report_.phi_dot = std::max(report_.phi_dot, sample.phi_dot);
     report_.energy_end = sample.energy;
-    report_.work = static_cast<double>(energy.work);
-    const double unexplained = static_cast<double>(S(energy.conserved - at_start.conserved - energy.work));
-    report_.balance = std::max(report_.balance, std::abs(unexplained));
+    watch(t, y, at_start);
     observer_.sample(sample);
+  }
+
+  /// What the report says of every state.
+  void watch(const S& t, const Flat& y, const MotionEnergy<S>& at_start) {
+    const MotionEnergy<S> energy = form_.energy(t, y);
+    const auto raise = [](double& largest, const S& value) {
+      const double now = static_cast<double>(value);
+      if (!(now <= largest)) largest = now;
+    };
+    using std::abs;
+    raise(report_.phi, form_.position_violation(t, y));
+    raise(report_.phi_dot, form_.velocity_violation(t, y));
+    raise(report_.balance, S(abs(energy.total() - at_start.total() - energy.work)));
+    raise(report_.largest_kinetic, energy.kinetic);
+    report_.work = static_cast<double>(energy.work);
   }
 
   /// The choice of least |E lambda| where rows are redundant; beside a singular position it may not exist.
