@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 
 #include "bodies/euler_sequence.hpp"
 
@@ -137,6 +138,48 @@ Vector4<Scalar> multiply_parameters(const Vector4<Scalar>& p, const Vector4<Scal
   const Vector3<Scalar> e = p.template tail<3>(), d = q.template tail<3>();
   out << p[0] * q[0] - e.dot(d), p[0] * d + q[0] * e + e.cross(d);
   return out;
+}
+
+/// The inverse rotation.
+template <class Scalar>
+Vector4<Scalar> conjugate_parameters(const Vector4<Scalar>& p) {
+  return {p[0], -p[1], -p[2], -p[3]};
+}
+
+/// phi of at most half a turn with A(p) = exp(tilde(phi)): the inverse of exponential_parameters.
+template <class Scalar>
+Vector3<Scalar> rotation_vector(const Vector4<Scalar>& p) {
+  using std::atan2;
+  const Vector3<Scalar> e = p[0] < Scalar(0) ? Vector3<Scalar>(-p.template tail<3>()) : p.template tail<3>();
+  const Scalar sine = e.norm(), cosine = p[0] < Scalar(0) ? Scalar(-p[0]) : p[0];
+  return sine > Scalar(0) ? Vector3<Scalar>(2 * atan2(sine, cosine) / sine * e) : Vector3<Scalar>(2 * e);
+}
+
+/// T(phi)^-1 omega_bar = phi', where A = A_0 exp(tilde(phi)) turns with omega_bar; phi short of a full turn.
+///
+///   T^-1 = I + 1/2 tilde(phi) + (1 - x cot x) / phi^2 tilde(phi)^2,   x = |phi| / 2
+template <class Scalar>
+Vector3<Scalar> rotation_vector_rate(const Vector3<Scalar>& phi, const Vector3<Scalar>& omega_bar) {
+  using std::abs, std::cos, std::sin;
+  const Scalar squared = phi.squaredNorm() / 4;
+  Scalar share;
+  if (squared < Scalar(0.25)) {
+    // sin x - x cos x by its series, as its terms of first order cancel
+    Scalar sum = Scalar(1) / 3, power = Scalar(1) / 6, sine = 1 - squared / 6, term = -squared / 6;
+    for (int k = 2; abs(power) > sum * std::numeric_limits<Scalar>::epsilon(); ++k) {
+      power *= -squared / Scalar((2 * k) * (2 * k + 1));
+      term *= -squared / Scalar((2 * k) * (2 * k + 1));
+      sum += Scalar(2 * k) * power;
+      sine += term;
+    }
+    share = sum / sine / 4;
+  } else {
+    using std::sqrt;
+    const Scalar x = sqrt(squared);
+    share = (1 - x * cos(x) / sin(x)) / (4 * squared);
+  }
+  const Vector3<Scalar> turned = phi.cross(omega_bar);
+  return omega_bar + turned / 2 + share * phi.cross(turned);
 }
 
 /// A = R_s1(a) R_s2(b) R_s3(c).

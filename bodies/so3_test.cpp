@@ -160,5 +160,40 @@ TYPED_TEST(Rotations, AxisRotationIsTheExponentialOfItsAxis) {
   });
 }
 
+TYPED_TEST(Rotations, RotationVectorInvertsTheExponential) {
+  using S = TypeParam;
+  Random random(3);
+  for (int n = 0; n < 300; ++n) {
+    const S size = n == 0  ? S(0)
+                   : n % 2 ? S(random.uniform(0.1, 3.1))
+                           : S(std::pow(10.0, -random.uniform(0, 12)));
+    const Vector3<S> phi = size * random.direction<S>();
+    const Vector4<S> p = exponential_parameters(phi);
+    for (const int sign : {1, -1})  // p and -p are the same rotation
+      EXPECT_LE(distance(rotation_vector<S>(S(sign) * p), phi), roundings<S>(40) * static_cast<double>(size))
+          << size;
+  }
+}
+
+// A(t) = exp(tilde(phi + t phi')) turns with omega_bar, by differences in quad
+TYPED_TEST(Rotations, RotationVectorRateIsThatOfATurningBody) {
+  using S = TypeParam;
+  Random random(4);
+  for (int n = 0; n < 100; ++n) {
+    const double size = n % 3 == 0 ? random.uniform(0.9, 1.1) : random.uniform(0, 5);
+    const Vector3<Quad> phi = Quad(size) * random.direction<Quad>(), omega_bar = random.vector<Quad, 3>();
+    const Vector3<Quad> rate = rotation_vector_rate(phi, omega_bar);
+    const Quad h(1e-11);
+    const auto turned = [&](const Quad& by) {
+      return rotation_matrix(exponential_parameters<Quad>(phi + by * rate));
+    };
+    const Matrix3<Quad> W = turned(Quad(0)).transpose() * (turned(h) - turned(-h)) / (2 * h);
+    EXPECT_LE(distance(W, tilde(omega_bar)), 1e-18) << size;
+    const Vector3<S> in_s = rotation_vector_rate<S>(scalar_cast<S>(phi), scalar_cast<S>(omega_bar));
+    EXPECT_LE(distance(scalar_cast<Quad>(in_s), rate), std::max(roundings<S>(200), roundings<Quad>(200)))
+        << size;
+  }
+}
+
 }  // namespace
 }  // namespace trivium

@@ -80,6 +80,14 @@ class Effects {
     });
     return longest;
   }
+  /// Calls visit(effect) for every effect that pushes back where bodies move apart, along the gradient of one
+  /// coordinate: with a stiffness, a damping and a `gradient`.
+  template <class Visit>
+  void for_each_spring(const Visit& visit) const {
+    for_each([&](const auto& effect) {
+      if constexpr (requires(const EffectView<Scalar>& view) { effect.gradient(view); }) visit(effect);
+    });
+  }
   /// Tells effects that count turns where the motion is.
   void follow(const EffectView<Scalar>& view) {
     std::apply([&](auto&... list) { (follow_list(list, view), ...); }, lists_);

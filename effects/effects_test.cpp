@@ -304,5 +304,30 @@ TEST(TorsionalSpringDamper, HalfATurnIsPlusPi) {
   }
 }
 
+// a damper of 1 takes the square of the rate that its gradient tells
+TEST(Effects, GradientsTellHowFastTheirLengthOrAngleGrows) {
+  const auto rate_of = [](const auto& effect, const Motion& motion) {
+    const auto gradient = effect.gradient(EffectView<S>{motion.bodies, motion.start, S(0)});
+    const auto along = [&](const Wrench<S>& on, int b) {
+      return S(on.F.dot(motion.start[b].r_dot) + on.n_bar.dot(motion.start[b].omega_bar));
+    };
+    return S(along(gradient.first, effect.i) + along(gradient.second, effect.j));
+  };
+  const auto expect = [&](auto effect, const Motion& motion) {
+    effect.stiffness = S(0);
+    effect.damping = S(1);
+    const S power = effect.power(EffectView<S>{motion.bodies, motion.start, S(0)}),
+            rate = rate_of(effect, motion);
+    EXPECT_LE(std::abs(static_cast<double>(S(power + rate * rate))), 1e-30);
+    EXPECT_GT(std::abs(static_cast<double>(rate)), 1e-6);
+  };
+  for (std::uint64_t seed = 0; seed < motions; ++seed) {
+    const Motion motion(seed);
+    expect(spring(S(1), {}), motion);
+    const Motion joined = joined_motion(seed, S(1.5));
+    expect(torsional(joined, S(1), {}), joined);
+  }
+}
+
 }  // namespace
 }  // namespace trivium

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "bodies/error.hpp"
 #include "bodies/lanes.hpp"
@@ -42,6 +43,15 @@ struct SpringDamper {
   Scalar potential_energy(const EffectView<Scalar>& view) const {
     const Scalar stretch = measure(view).length - free_length;
     return stiffness * stretch * stretch / 2;
+  }
+
+  /// Of its length: what a tension of -1 does to i and to j.
+  std::pair<Wrench<Scalar>, Wrench<Scalar>> gradient(const EffectView<Scalar>& view) const {
+    const Vector3<Scalar> push = measure(view).direction;
+    std::pair<Wrench<Scalar>, Wrench<Scalar>> on;
+    on.first.add_force(-push, view.motion[i].A, s_bar_i);
+    on.second.add_force(push, view.motion[j].A, s_bar_j);
+    return on;
   }
 
  private:

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "bodies/lanes.hpp"
 #include "constraints/time_function.hpp"
@@ -64,6 +65,12 @@ struct TorsionalSpringDamper {
   Scalar angle_rate(const EffectView<Scalar>& view) const {
     const BodyMotion<Scalar>&bi = view.motion[i], &bj = view.motion[j];
     return axis(view).dot(bj.A * bj.omega_bar - bi.A * bi.omega_bar);
+  }
+  /// Of theta: what a torque of 1 does to i and to j.
+  std::pair<Wrench<Scalar>, Wrench<Scalar>> gradient(const EffectView<Scalar>& view) const {
+    const Vector3<Scalar> z = axis(view);
+    return {{Vector3<Scalar>::Zero(), -(view.motion[i].A.transpose() * z)},
+            {Vector3<Scalar>::Zero(), view.motion[j].A.transpose() * z}};
   }
 
  private:

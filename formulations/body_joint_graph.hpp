@@ -20,6 +20,9 @@ struct GraphEdge : BodyPair {
   /// The rows see how j moves relative to i and nothing else; a cd of two moving bodies also sees them turn
   /// together.
   bool is_relative = true;
+  /// A spring that gives way instead of a row that holds: never part of the tree, its one row stands for none
+  /// of the mechanism's.
+  bool is_soft = false;
 
   int size() const { return static_cast<int>(rows.size()); }
 };

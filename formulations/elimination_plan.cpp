@@ -169,7 +169,12 @@ class Planner {
   explicit Planner(BodyJointGraph graph) : ground_(graph.bodies) {
     plan_.graph = std::move(graph);
     Adjacency adjacency(plan_.graph);
+    std::vector<int> soft;
+    for (int e = 0; e < adjacency.edges(); ++e)
+      if (adjacency.edge(e).is_soft) soft.push_back(e);
+    for (const int e : soft) adjacency.remove(e);
     closing_edges_ = open_loops(adjacency);
+    closing_edges_.insert(closing_edges_.end(), soft.begin(), soft.end());
     forest_ = breadth_first(adjacency);
   }
 

@@ -45,16 +45,17 @@ class FirstOrderForm {
 
   /// Numbers of a body in the positions and in the velocities.
   static constexpr int positions = 3 + F::flat_size, velocities = 3 + F::rotational_unknowns;
+  using Velocity = Vector<S, velocities>;
 
   /// Throws a ModelError that names the body whose chart is singular.
   FirstOrderForm(const Mechanism<S>& mechanism, const MechanismState<S>& start,
                  const FirstOrderOptions& options = {})
       : mechanism_(mechanism),
-        charts_(options.charts),
         solver_(mechanism_),
-        projection_(solver_, start.t),
         state_(to_coordinates<F>(mechanism_, start, options.charts)),
         motion_(mechanism_.nb() + 1),
+        projection_(solver_, start.t),
+        charts_(options.charts),
         lambda_(mechanism_.nc()) {
     if (options.baumgarte) solver_.stabilise(*options.baumgarte);
     for (int k = 0; k < mechanism_.nc(); ++k)
@@ -94,7 +95,9 @@ class FirstOrderForm {
       place(y_dot, b) << body.r_dot, F::flat_rate(body.chart, flat(y, b), flat_velocity(y, b));
       rate(y_dot, b) << solver_.r_ddot(b), solver_.q_ddot(b);
     }
-    if (does_work_) y_dot[motion_size()] = power(t);
+    if (!does_work_) return;
+    solver_.copy_lambda(lambda_);
+    y_dot[motion_size()] = power(solver_.assembly().body(), lambda_, t);
   }
 
   // the constraints: how far y is from them, and one step of the way back
@@ -109,14 +112,14 @@ class FirstOrderForm {
     return projection_.measure_velocities();
   }
   /// Of the violation measured last, beside the lengths or speeds of what moves together.
-  const S& relative_violation() const { return projection_.relative(); }
+  const S& relative_violation() const { return projection_.measure().relative(); }
   /// Whether a projection moved some assembly by more than a tenth of what the step did, and more than a
   /// little.
   bool strays(const Flat& before, const Flat& stepped, const Flat& projected) {
     const auto exceeds = [&](int first, int width, const S& little) {
       for (Way& way : way_) way = {};
       for (int b = 0; b < nb(); ++b) {
-        Way& way = way_[projection_.assembly_of(b)];
+        Way& way = way_[projection_.measure().assembly_of(b)];
         const int at = first + width * b;
         way.back += (projected.segment(at, width) - stepped.segment(at, width)).squaredNorm();
         way.step += (stepped.segment(at, width) - before.segment(at, width)).squaredNorm();
@@ -138,7 +141,7 @@ class FirstOrderForm {
     take_motion();
     return mechanism_.effects.longest_step(view(t));
   }
-  const std::string& worst_row() const { return projection_.worst_row(); }
+  const std::string& worst_row() const { return projection_.measure().worst_row(); }
   /// Of what was measured last; the matrix is factored where asked, else it is that of before.
   void correct_positions(Flat& y, bool factor) {
     if (factor) projection_.factor();
@@ -235,15 +238,6 @@ class FirstOrderForm {
     }
     return {};
   }
-  /// A number of y in words.
-  std::string name_of(int index) const {
-    if (index >= motion_size()) return "the work done";
-    const bool is_place = index < positions * nb();
-    const int within = is_place ? index : index - positions * nb();
-    return fmt::format("the {} of body \"{}\"", is_place ? "position" : "velocity",
-                       mechanism_.body_names[within / (is_place ? positions : velocities)]);
-  }
-
   const Mechanism<S>& mechanism() const { return mechanism_; }
   bool does_work() const { return does_work_; }
   const std::vector<BodyState<F>>& state() const { return state_; }
@@ -253,7 +247,7 @@ class FirstOrderForm {
   /// say nothing then, and where a motion could go on in two ways it went as its velocities had it.
   const std::vector<SingularPassage>& passages() const { return passages_; }
 
- private:
+ protected:
   auto place(Flat& y, int b) const { return y.template segment<positions>(positions * b); }
   auto rate(Flat& y, int b) const {
     return y.template segment<velocities>(positions * nb() + velocities * b);
@@ -273,6 +267,26 @@ class FirstOrderForm {
       state_[b].q = F::from_flat(state_[b].chart, flat(y, b), flat_velocity(y, b));
     }
   }
+  EffectView<S> view(const S& t) const { return {mechanism_.bodies, motion_, t}; }
+  /// Of what effects do not take from stored energy, and of drivers: -lambda^T nu. Bodies with the ground
+  /// last.
+  template <class Body>
+  S power(const std::vector<Body>& body, const VectorX<S>& lambda, const S& t) {
+    std::copy(body.begin(), body.end(), motion_.begin());
+    S sum = mechanism_.effects.unstored_power(view(t));
+    for (const int k : drivers_) {
+      const BodyPair pair = bodies_of(mechanism_.rows[k]);
+      sum -= lambda[k] * evaluate_row(mechanism_.rows[k], body[pair.i], body[pair.j], t).nu;
+    }
+    return sum;
+  }
+
+  Mechanism<S> mechanism_;  ///< its effects count turns
+  AccelerationSolver<F> solver_;
+  std::vector<BodyState<F>> state_;
+  std::vector<BodyMotion<S>> motion_;
+
+ private:
   bool is_settled(const S& t, const Flat& y) const { return settled_t_ && *settled_t_ == t && settled_ == y; }
   void solve(const S& t, const Flat& y) {
     if (!is_settled(t, y)) solve_as(t, y, refines_ ? Refinement::as_needed : Refinement::none, Ranks::kept);
@@ -313,27 +327,8 @@ class FirstOrderForm {
   void take_motion() {
     std::copy(solver_.assembly().body().begin(), solver_.assembly().body().end(), motion_.begin());
   }
-  EffectView<S> view(const S& t) const { return {mechanism_.bodies, motion_, t}; }
-  /// Of what effects do not take from stored energy, and of drivers: -lambda^T nu.
-  S power(const S& t) {
-    take_motion();
-    S sum = mechanism_.effects.unstored_power(view(t));
-    if (drivers_.empty()) return sum;
-    solver_.copy_lambda(lambda_);
-    const auto& body = solver_.assembly().body();
-    for (const int k : drivers_) {
-      const BodyPair pair = bodies_of(mechanism_.rows[k]);
-      sum -= lambda_[k] * evaluate_row(mechanism_.rows[k], body[pair.i], body[pair.j], t).nu;
-    }
-    return sum;
-  }
-
-  Mechanism<S> mechanism_;  ///< its effects count turns
-  ChartOptions charts_;
-  AccelerationSolver<F> solver_;
   ConstraintProjection<F> projection_;
-  std::vector<BodyState<F>> state_;
-  std::vector<BodyMotion<S>> motion_;
+  ChartOptions charts_;
   VectorX<S> lambda_;
   std::vector<int> drivers_;  ///< rows that move by themselves
   bool does_work_ = false;

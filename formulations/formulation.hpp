@@ -92,6 +92,18 @@ concept Formulation = BodyKinematics<typename F::Kinematics> &&
   { F::flat_rate(chart, flat, x) } -> std::convertible_to<typename F::Flat>;
   { F::moved_flat(chart, flat, x) } -> std::convertible_to<typename F::Flat>;
   F::meet_internal(moved, moved_x);
+  // steps of implicit methods, in the same numbers: where a displacement leads, off the internal row too, and
+  // from where to where it is; how it grows where the body moves with a velocity; the way back onto the
+  // internal row and its derivative (by a share of what is added to the unknown); whether M depends on q
+  { F::displaced(chart, flat, x) } -> std::convertible_to<typename F::Flat>;
+  { F::displacement(chart, flat, flat) } -> std::convertible_to<typename F::Unknown>;
+  { F::displacement_rate(x, x) } -> std::convertible_to<typename F::Unknown>;
+  F::constrain(moved, s, moved_x);
+  F::constrain_velocity(flat, x, s, moved_x);
+  { F::inertia_is_constant } -> std::convertible_to<bool>;
+  // a generalised force without what it does to the internal row, and that as a moment in the body frame
+  { F::reduced(reduced, x) } -> std::convertible_to<Vector3<typename F::Scalar>>;
+  { F::moment(reduced, v) } -> std::convertible_to<Vector3<typename F::Scalar>>;
 };
 
 }  // namespace trivium

@@ -48,7 +48,7 @@ class GraphAssembly {
     }
     for (int e = 0; e < static_cast<int>(plan.graph.edges.size()); ++e) {
       const GraphEdge& edge = plan.graph.edges[e];
-      if (plan.rows_slot[e] < 0) continue;
+      if (plan.rows_slot[e] < 0 || edge.is_soft) continue;
       if (edge.is_point) {
         closings_.push_back({e, {mechanism, edge}});
         EdgeRows<S>& rows = matrix_.rows[plan.rows_slot[e]];
@@ -64,6 +64,8 @@ class GraphAssembly {
   GraphAssembly(const GraphAssembly&) = delete;  // solvers know where its matrix is
 
   const GraphMatrix<S>& matrix() const { return matrix_; }
+  /// For the rows of soft edges, which are not a mechanism's.
+  EdgeRows<S>& edge_rows(int slot) { return matrix_.rows[slot]; }
   /// nb + 1, the ground last.
   const std::vector<Body>& body() const { return body_; }
   const std::vector<Turning<S>>& turning() const { return turning_; }

@@ -81,6 +81,13 @@ class GraphSolver {
   /// Of ranks that are seen: leaves row k of an edge out, whatever the elimination sees of it.
   void leave_out(int edge, int k) { out_[edge][k] = true; }
 
+  /// The factorisations that follow leave out the same rows as another solver's last one, of the edges that
+  /// both have.
+  void leave_out_as(const GraphSolver& other) {
+    ranks_ = Ranks::kept;
+    std::copy_n(other.dropped_.begin(), std::min(out_.size(), other.dropped_.size()), out_.begin());
+  }
+
   /// Whether row k of an edge was left out.
   bool is_dropped(int edge, int k) const { return dropped_[edge][k]; }
   /// How many rows were.

@@ -159,7 +159,7 @@ void GraphSolver<S>::edge_defect(const GraphMatrix<S>& matrix, int e, const Grap
                                  const GraphVector<S>& solution, GraphVector<S>& defect) const {
   const GraphEdge& edge = plan_.graph.edges[e];
   const EdgeRows<S>& rows = matrix.rows[plan_.rows_slot[e]];
-  defect.edge[e] = right_side.edge[e];
+  defect.edge[e] = right_side.edge[e] + rows.compliance * solution.edge[e];
   const auto one = [&](int body, const BodyColumns<S>& C) {
     if (body == plan_.graph.bodies) return;
     for (int k = 0; k < edge.size(); ++k) {
@@ -186,7 +186,9 @@ void GraphSolver<S>::start_factors(const GraphMatrix<S>& matrix) {
     if (closing.slot_i >= 0) column_[closing.slot_i] = matrix_->rows[plan_.rows_slot[closing.edge]].C_i;
     if (closing.slot_j >= 0) column_[closing.slot_j] = matrix_->rows[plan_.rows_slot[closing.edge]].C_j;
     closing_[c].size.setZero();
-    closing_[c].own.setZero();
+    const S compliance = matrix_->rows[plan_.rows_slot[closing.edge]].compliance;
+    closing_[c].own.setConstant(compliance);
+    coupling_[plan_.diagonal_slot[c]].diagonal().setConstant(compliance);
   }
 }
 

@@ -14,8 +14,12 @@ using Columns = PaddedColumns<double, 3>;
 class RandomSystem {
  public:
   /// The last two rows of an edge may be nearly the same.
-  explicit RandomSystem(std::uint64_t seed, double apart = 1)
-      : random_(seed), apart_(apart), plan_(plan_of(seed)), matrix(plan_), right_side(plan_.graph) {
+  explicit RandomSystem(std::uint64_t seed, double apart = 1, bool has_springs = false)
+      : random_(seed),
+        apart_(apart),
+        plan_(plan_of(seed, has_springs)),
+        matrix(plan_),
+        right_side(plan_.graph) {
     const int bodies = plan_.graph.bodies;
     int size = 6 * bodies;
     for (const GraphEdge& edge : plan_.graph.edges) {
@@ -31,6 +35,8 @@ class RandomSystem {
       if (plan_.rows_slot[e] >= 0) fill_rows(e);
       for (int k = 0; k < plan_.graph.edges[e].size(); ++k) right_side.edge[e][k] = right[first_row_[e] + k];
     }
+    if (has_springs)
+      for (const EliminationPlan::Closing& closing : plan_.closings) give_way(closing.edge);
     for (int b = 0; b < bodies; ++b) right_side.body[b] = BodyPart<double>::of(right.segment<6>(6 * b));
   }
 
@@ -53,9 +59,12 @@ class RandomSystem {
   }
 
  private:
-  static EliminationPlan plan_of(std::uint64_t seed) {
+  static EliminationPlan plan_of(std::uint64_t seed, bool has_springs) {
     BodyJointGraph graph = body_joint_graph(make_mechanism<double>(test::random_scene(
         seed, {.bodies = 2 + static_cast<int>(seed % 5), .closings = static_cast<int>(seed % 3)})));
+    // between neighbours, a body and itself through the ground, and bodies that nothing else connects
+    if (has_springs)
+      for (int b = 0; b < graph.bodies; ++b) graph.edges.push_back({{b, b + 1}, {-1}, false, true, true});
     for (GraphEdge& edge : graph.edges) edge.is_relative = false;  // random rows see every motion
     return plan_elimination(graph);
   }
@@ -122,6 +131,14 @@ class RandomSystem {
     }
   }
 
+  /// Its rows are springs of compliances from stiff to soft.
+  void give_way(int e) {
+    EdgeRows<double>& rows = matrix.rows[plan_.rows_slot[e]];
+    rows.compliance = std::pow(10, random_.uniform(-8, 3));
+    for (int k = 0; k < plan_.graph.edges[e].size(); ++k)
+      dense(first_row_[e] + k, first_row_[e] + k) = -rows.compliance;
+  }
+
   test::Random random_;
   double apart_;
   EliminationPlan plan_;
@@ -142,6 +159,13 @@ TEST(GraphSolver, SolvesRowsThatAreNearlyTheSame) {
   for (const double apart : {1e-3, 1e-5, 1e-6})
     for (std::uint64_t seed = 0; seed < 100; ++seed)
       EXPECT_LE(RandomSystem(seed, apart).defect(1), 1e-13 / apart) << seed << " apart " << apart;
+}
+
+TEST(GraphSolver, SolvesRowsThatGiveWay) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    EXPECT_LE(RandomSystem(seed, 1, true).defect(), 1e-10) << seed;
+    EXPECT_LE(RandomSystem(seed, 1, true).defect(1), 1e-14) << seed;
+  }
 }
 
 }  // namespace

@@ -72,10 +72,12 @@ struct BodyColumns {
   }
 };
 
-/// The rows of any other edge.
+/// The rows of any other edge. Those of a closing may give way by their compliance times their multiplier:
+/// Phi a - compliance lambda = gamma.
 template <class S>
 struct EdgeRows {
   BodyColumns<S> C_i, C_j;
+  S compliance{0};
 };
 
 /// The matrix. The rows of a point joint in the tree stand in `point`, those of every other edge in `rows`.

@@ -172,5 +172,79 @@ TYPED_TEST(FormulationLaws, AppliedForceDoesTheWorkOfItsMoment) {
   });
 }
 
+TYPED_TEST(FormulationLaws, DisplacementLeadsFromOnePlaceToTheOther) {
+  using F = TypeParam;
+  using S = typename F::Scalar;
+  Random random(53);
+  for_all_samples<F>([&](const auto& s) {
+    const typename F::Flat from = F::flat_orientation(s.chart, s.p);
+    const typename F::Unknown by = S(0.3) * random.vector<S, F::rotational_unknowns>();
+    EXPECT_LE(distance(F::displacement(s.chart, from, F::displaced(s.chart, from, by)), by),
+              roundings<S>(2000));
+    EXPECT_LE(distance(F::displacement(s.chart, from, from), F::Unknown::Zero()), roundings<S>(2000));
+  });
+}
+
+// where a body moves with a velocity, its displacement from where it was grows by displacement_rate
+TYPED_TEST(FormulationLaws, DisplacementGrowsAsTheBodyMoves) {
+  using F = TypeParam;
+  using S = typename F::Scalar;
+  if constexpr (std::same_as<S, Quad>) {
+    Random random(54);
+    for_all_samples<F>([&](const auto& s) {
+      const typename F::Flat from = F::flat_orientation(s.chart, s.p);
+      const typename F::Unknown by = S(0.2) * random.vector<S, F::rotational_unknowns>();
+      typename F::Flat at = F::displaced(s.chart, from, by);
+      const typename F::Unknown v = F::flat_velocity(s.chart, s.q);
+      const S h(1e-11);
+      const auto after = [&](const S& t) {
+        return F::displacement(s.chart, from, F::displaced(s.chart, at, (t * v).eval()));
+      };
+      EXPECT_LE(distance((after(h) - after(-h)) / (2 * h), F::displacement_rate(by, v)), 1e-18);
+    });
+  }
+}
+
+TYPED_TEST(FormulationLaws, ConstrainMeetsTheInternalRowByItsShare) {
+  using F = TypeParam;
+  using S = typename F::Scalar;
+  Random random(55);
+  for_all_samples<F>([&](const auto& s) {
+    const typename F::Flat from = F::flat_orientation(s.chart, s.p);
+    const S share(0.01);
+    typename F::Unknown x = random.vector<S, F::rotational_unknowns>(), before = x;
+    typename F::Flat at = F::displaced(s.chart, from, (share * x).eval());
+    const typename F::Flat off = at;
+    F::constrain(at, share, x);
+    EXPECT_LE(distance(F::displaced(s.chart, off, (share * (x - before)).eval()), at), roundings<S>(100));
+    typename F::Unknown v = random.vector<S, F::rotational_unknowns>(), change = F::Unknown::Zero();
+    F::constrain_velocity(at, v, share, change);
+    v += share * change;
+    if constexpr (F::internal_constraints > 0) {
+      EXPECT_LE(std::abs(static_cast<double>(S(at.norm() - 1))), roundings<S>(10));
+      EXPECT_LE(std::abs(static_cast<double>(S(at.dot(v)))), roundings<S>(10));
+    } else {
+      EXPECT_EQ(x, before);
+      EXPECT_EQ(change, F::Unknown::Zero());
+    }
+  });
+}
+
+// what a generalised force does along the increments of the reduced unknowns, and as a moment
+TYPED_TEST(FormulationLaws, ReducedForceDoesTheSameWork) {
+  using F = TypeParam;
+  using S = typename F::Scalar;
+  Random random(56);
+  for_all_samples<F>([&](const auto& s) {
+    const typename F::Reduced body{s.body};
+    const typename F::Unknown force = random.vector<S, F::rotational_unknowns>();
+    const Vector3<S> x = random.vector<S, 3>();
+    const S work = force.dot(F::increment(body, x)), reduced = F::reduced(body, force).dot(x);
+    EXPECT_LE(std::abs(static_cast<double>(S(work - reduced))), roundings<S>(300));
+    const Vector3<S> moment = F::moment(body, F::reduced(body, F::applied_force(s.body, s.a_bar)));
+    EXPECT_LE(distance(moment, s.a_bar), roundings<S>(1000));
+  });
+}
+
 }  // namespace
 }  // namespace trivium

@@ -117,6 +117,18 @@ struct REpsilon {
   }
   static void meet_internal(Flat&, Unknown&) {}
 
+  // steps of implicit methods: angles and rates are plain numbers
+  static Flat displaced(const Chart&, const Flat& epsilon, const Unknown& change) { return epsilon + change; }
+  static Unknown displacement(const Chart&, const Flat& from, const Flat& to) { return to - from; }
+  static Unknown displacement_rate(const Unknown&, const Unknown& epsilon_dot) { return epsilon_dot; }
+  static void constrain(Flat&, const S&, Unknown&) {}
+  static void constrain_velocity(const Flat&, const Unknown&, const S&, Unknown&) {}
+  static constexpr bool inertia_is_constant = false;
+  static Vector3<S> reduced(const Reduced&, const Unknown& force) { return force; }
+  static Vector3<S> moment(const Reduced& k, const Vector3<S>& force) {
+    return k.D.transpose().inverse() * force;
+  }
+
   // conversion from and to a pose: epsilon' = D^-1 omega_bar
   static S chart_distance(const Chart& chart, const Coordinates& q) {
     using std::abs, std::cos, std::sin;

@@ -100,6 +100,25 @@ struct REpsilonOmegaFirst {
   }
   static void meet_internal(Flat&, Unknown&) {}
 
+  // steps of implicit methods: on SO(3), where velocities are
+  static Flat displaced(const Chart& chart, const Flat& epsilon, const Unknown& phi) {
+    return euler_angles<S>(
+        chart.sequence,
+        rotation_at(chart, epsilon) * rotation_matrix(exponential_parameters(phi)) * chart.C.transpose());
+  }
+  static Unknown displacement(const Chart& chart, const Flat& from, const Flat& to) {
+    return rotation_vector(
+        euler_parameters<S>(rotation_at(chart, from).transpose() * rotation_at(chart, to)));
+  }
+  static Unknown displacement_rate(const Unknown& phi, const Unknown& omega_bar) {
+    return rotation_vector_rate(phi, omega_bar);
+  }
+  static void constrain(Flat&, const S&, Unknown&) {}
+  static void constrain_velocity(const Flat&, const Unknown&, const S&, Unknown&) {}
+  static constexpr bool inertia_is_constant = true;
+  static Vector3<S> reduced(const Reduced&, const Unknown& force) { return force; }
+  static Vector3<S> moment(const Reduced&, const Vector3<S>& n_bar) { return n_bar; }
+
   // conversion from and to a pose
   static S chart_distance(const Chart& chart, const Coordinates& q) {
     return Angles::chart_distance(chart, q);
@@ -115,6 +134,9 @@ struct REpsilonOmegaFirst {
   }
 
  private:
+  static Matrix3<S> rotation_at(const Chart& chart, const Flat& epsilon) {
+    return euler_rotation(chart.sequence, epsilon) * chart.C;
+  }
   static typename Angles::Kinematics angles_at(const Chart& chart, const Coordinates& q) {
     const Vector3<S> none = Vector3<S>::Zero();
     return Angles::kinematics(chart, none, none, q);

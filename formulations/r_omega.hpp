@@ -105,6 +105,22 @@ struct ROmega {
   }
   static void meet_internal(Flat& p, Unknown&) { p /= p.norm(); }
 
+  // steps of implicit methods: on SO(3), A exp(tilde(phi))
+  static Flat displaced(const Chart& chart, const Flat& p, const Unknown& phi) {
+    return moved_flat(chart, p, phi);
+  }
+  static Unknown displacement(const Chart&, const Flat& from, const Flat& to) {
+    return rotation_vector(multiply_parameters<S>(conjugate_parameters(from), to));
+  }
+  static Unknown displacement_rate(const Unknown& phi, const Unknown& omega_bar) {
+    return rotation_vector_rate(phi, omega_bar);
+  }
+  static void constrain(Flat&, const S&, Unknown&) {}
+  static void constrain_velocity(const Flat&, const Unknown&, const S&, Unknown&) {}
+  static constexpr bool inertia_is_constant = true;
+  static Vector3<S> reduced(const Reduced&, const Unknown& force) { return force; }
+  static Vector3<S> moment(const Reduced&, const Vector3<S>& n_bar) { return n_bar; }
+
   // conversion from and to a pose
   static S chart_distance(const Chart&, const Coordinates&) { return S(1); }
   static Chart choose_chart(const ChartOptions&, const Vector4<S>&) { return {}; }

@@ -143,6 +143,22 @@ struct RP {
     p_dot -= p.dot(p_dot) * p;
   }
 
+  // steps of implicit methods: p and p' are plain numbers, kept on the unit sphere by their row
+  static Flat displaced(const Chart&, const Flat& p, const Unknown& change) { return p + change; }
+  static Unknown displacement(const Chart&, const Flat& from, const Flat& to) { return to - from; }
+  static Unknown displacement_rate(const Unknown&, const Unknown& p_dot) { return p_dot; }
+  static void constrain(Flat& p, const S& share, Unknown& p_ddot) {
+    const S size = p.norm();
+    p /= size;
+    p_ddot += (1 - size) / share * p;
+  }
+  static void constrain_velocity(const Flat& p, const Unknown& p_dot, const S& share, Unknown& p_ddot) {
+    p_ddot -= p.dot(p_dot) / (share * p.squaredNorm()) * p;
+  }
+  static constexpr bool inertia_is_constant = false;
+  static Vector3<S> reduced(const Reduced& k, const Unknown& force) { return k.G * force / 2; }
+  static Vector3<S> moment(const Reduced&, const Vector3<S>& n_bar) { return n_bar; }
+
   // conversion from and to a pose: p' = 1/2 G^T omega_bar
   static S chart_distance(const Chart&, const Coordinates&) { return S(1); }
   static Chart choose_chart(const ChartOptions&, const Vector4<S>&) { return {}; }

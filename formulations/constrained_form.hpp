@@ -1,0 +1,398 @@
+#pragma once
+/// The equations of motion of one formulation with their constraints, for implicit methods:
+///
+///   M(q) v' + Phi_q^T lambda = Q(q, v, t),   Phi(q, t) = 0
+///
+/// in the same flat numbers y = (q, v, work) as the first-order form. Residuals are in the reduced unknowns
+/// (three of rotation a body: r-p's internal row is met by `constrain`), and so is Newton's matrix
+///
+///   [ M + gamma' C + beta' K   Phi_q^T ] [ dv'     ]     [ M v' + Phi_q^T lambda - Q ]
+///   [ Phi_q                    0       ] [ dlambda ] = - [ Phi / beta'               ]
+///
+/// where beta' and gamma' say how far q and v move with v'. With its rows scaled so, its condition does not
+/// grow as the steps get small. K and C are those of springs and dampers along their own directions, each a
+/// soft row with its compliance 1 / (gamma' c + beta' k); what gyroscopic and geometric terms would add is
+/// left to the iteration, which falls by about the angle that bodies turn in a step.
+///
+/// Models integrators' ConstrainedSystem.
+
+#include <array>
+#include <vector>
+
+#include "formulations/first_order_form.hpp"
+
+namespace trivium {
+
+namespace detail {
+
+/// The mechanism's graph, with a soft edge for every spring and damper.
+template <class S>
+BodyJointGraph graph_with_springs(const Mechanism<S>& mechanism) {
+  BodyJointGraph graph = body_joint_graph(mechanism);
+  mechanism.effects.for_each_spring([&](const auto& spring) {
+    if (spring.stiffness != S(0) || spring.damping != S(0))
+      graph.edges.push_back({{spring.i, spring.j}, {-1}, false, true, true});
+  });
+  return graph;
+}
+
+}  // namespace detail
+
+template <Formulation F>
+class ConstrainedForm : public FirstOrderForm<F> {
+  using Base = FirstOrderForm<F>;
+  using Base::mechanism_, Base::state_, Base::motion_, Base::solver_;
+
+ public:
+  using S = typename F::Scalar;
+  using Flat = VectorX<S>;
+  using Base::nb;
+
+  ConstrainedForm(const Mechanism<S>& mechanism, const MechanismState<S>& start,
+                  const FirstOrderOptions& options = {})
+      : Base(mechanism, start, options),
+        newton_(plan_elimination(detail::graph_with_springs(mechanism_))),
+        at_{GraphAssembly<F>(mechanism_, newton_.plan()), GraphAssembly<F>(mechanism_, newton_.plan())},
+        measure_(mechanism_, newton_.plan().graph, start.t),
+        right_side_(newton_.plan().graph),
+        rows_(right_side_),
+        given_(right_side_),
+        change_(right_side_),
+        on_(nb() + 1),
+        wrenches_(nb() + 1),
+        size_(nb() + 1) {
+    const auto& edges = newton_.plan().graph.edges;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      if (edges[e].is_soft) soft_.push_back(static_cast<int>(e));
+  }
+
+  // y = (q, v, work): how many numbers q and v have, and lambda
+  int position_size() const { return Base::positions * nb(); }
+  int velocity_size() const { return Base::velocities * nb(); }
+  int multipliers() const { return mechanism_.nc(); }
+
+  /// v' and lambda of index 1. Throws a ModelError.
+  void accelerations(const S& t, const Flat& y, Flat& v_dot, Flat& lambda) {
+    const AccelerationSolver<F>& solved = this->solved(t, y);
+    v_dot.resize(velocity_size());
+    for (int b = 0; b < nb(); ++b) of(v_dot, b) << solved.r_ddot(b), solved.q_ddot(b);
+    lambda.resize(multipliers());
+    solved.copy_lambda(lambda);
+  }
+
+  /// y's positions, displaced from those of `from` as far as by velocities in one unit of time.
+  void displace(const Flat& from, const Flat& displacement, Flat& y) const {
+    for (int b = 0; b < nb(); ++b)
+      this->place(y, b) << from.template segment<3>(Base::positions * b) + r_of(displacement, b),
+          F::displaced(state_[b].chart, this->flat(from, b), q_of(displacement, b));
+  }
+  /// The displacement from one to another.
+  void displacement(const Flat& from, const Flat& to, Flat& displacement) const {
+    displacement.resize(velocity_size());
+    for (int b = 0; b < nb(); ++b)
+      of(displacement, b) << to.template segment<3>(Base::positions * b) -
+                                 from.template segment<3>(Base::positions * b),
+          F::displacement(state_[b].chart, this->flat(from, b), this->flat(to, b));
+  }
+  /// How a displacement from a fixed place grows where the bodies move with v.
+  void displacement_rate(const Flat& displacement, const Flat& v, Flat& rate) const {
+    rate.resize(velocity_size());
+    for (int b = 0; b < nb(); ++b)
+      of(rate, b) << r_of(v, b), F::displacement_rate(q_of(displacement, b), q_of(v, b));
+  }
+  /// Adds to v' what moves y, by `share` of it, onto the internal rows, and moves y's positions there.
+  /// Returns whether there are any such rows.
+  bool constrain(const S& share, Flat& y, Flat& v_dot) const {
+    if constexpr (F::internal_constraints == 0) {
+      return false;
+    } else {
+      for (int b = 0; b < nb(); ++b) {
+        typename F::Flat x = this->flat(y, b);
+        typename F::Unknown change = q_of(v_dot, b);
+        F::constrain(x, share, change);
+        this->place(y, b).tail(F::flat_size) = x;
+        of(v_dot, b).tail(F::rotational_unknowns) = change;
+      }
+      return true;
+    }
+  }
+
+  /// The same for their derivatives: adds to v' what moves v, by `share` of it.
+  void constrain_velocity(const S& share, const Flat& y, Flat& v_dot) const {
+    if constexpr (F::internal_constraints > 0)
+      for (int b = 0; b < nb(); ++b) {
+        typename F::Unknown change = q_of(v_dot, b);
+        F::constrain_velocity(this->flat(y, b), this->flat_velocity(y, b), share, change);
+        of(v_dot, b).tail(F::rotational_unknowns) = change;
+      }
+  }
+
+  /// Whether M does not depend on q.
+  bool inertia_is_constant() const { return F::inertia_is_constant; }
+  /// M(q) v' at y.
+  void inertia_force(const Flat& y, const Flat& v_dot, Flat& force) {
+    this->load(y);
+    force.resize(velocity_size());
+    for (int b = 0; b < nb(); ++b) {
+      const BodyState<F>& body = state_[b];
+      const RigidBody<S>& of_body = mechanism_.bodies[b];
+      of(force, b) << of_body.mass * r_of(v_dot, b),
+          F::mass_block(F::kinematics(body.chart, body.r, body.r_dot, body.q), of_body.inertia) *
+              q_of(v_dot, b);
+    }
+  }
+  /// What effects do at y.
+  void applied_force(const S& t, const Flat& y, Flat& force) {
+    this->load(y);
+    move(t);
+    apply_effects();
+    force.resize(velocity_size());
+    for (int b = 0; b < nb(); ++b)
+      of(force, b) << wrenches_[b].F, F::applied_force(at_[evaluated_].body()[b], wrenches_[b].n_bar);
+  }
+  /// Evaluates force + Phi_q^T lambda - Q, Phi and Phi_q at y, from where `newton` and `factor` take them;
+  /// `force` is what stands in the place of M v'. Returns the largest imbalance of a body, as a share of the
+  /// forces or moments on the bodies that it is connected with.
+  S balance(const S& t, const Flat& y, const Flat& force, const Flat& lambda) {
+    ++evaluations_;
+    this->load(y);
+    move(t);
+    apply_effects();
+    GraphAssembly<F>& assembly = at_[evaluated_];
+    for (const auto& link : assembly.links()) assembly.assemble_link(link, t, change_);
+    assembly.assemble_closings(t, change_);
+    measure_positions();
+    return measure_balance(assembly, force, lambda);
+  }
+  /// Phi at y alone, or Phi' where bodies were moved last, in the place of Phi; how large it is beside the
+  /// lengths or speeds of what moves together.
+  S position_rows(const S& t, const Flat& y) {
+    this->load(y);
+    move(t);
+    return measure_positions();
+  }
+  S velocity_rows() {
+    rows_.edge = right_side_.edge;
+    at_[evaluated_].velocities(t_, right_side_);
+    measure_.measure_velocities(right_side_);
+    return measure_.relative();
+  }
+  /// The largest |Phi_k| (or |Phi_k'|) of what was evaluated last, beside the lengths (or speeds) of what
+  /// moves together; and of which row.
+  const S& relative_row_violation() const { return measure_.relative(); }
+  const std::string& least_met_row() const { return measure_.worst_row(); }
+  /// Newton's matrix of what was balanced last. Throws a ModelError.
+  void factor(const S& velocity_share, const S& position_share) {
+    GraphAssembly<F>& assembly = at_[evaluated_];
+    place_springs(assembly, velocity_share, position_share);
+    newton_.leave_out_as(solver_.factors());
+    ++newton_factorisations_;
+    try {
+      newton_.factor(assembly.matrix());
+    } catch (const SingularLink& link) {
+      throw solver_.named(link, t_);
+    }
+    factored_ = evaluated_;
+  }
+  /// What removes the imbalance and the rows' violation evaluated last, by the factors at hand: added to v'
+  /// and lambda, where v' moves what the rows measure by `share`.
+  void newton(const S& share, Flat& v_dot, Flat& lambda) {
+    for (Vector6<S>& row : right_side_.edge) row /= -share;
+    solve(right_side_, v_dot, &lambda);
+  }
+  /// M x + Phi_q^T mu = 0, Phi_q x = -Phi + share Phi' of what was evaluated last, velocity rows after
+  /// positions: added to x. Where v' meets the velocity rows, it moves Phi by that share of them.
+  void project(const S& share, Flat& x) {
+    for (std::size_t e = 0; e < rows_.edge.size(); ++e)
+      rows_.edge[e] = share * right_side_.edge[e] - rows_.edge[e];
+    solve(rows_, x, nullptr);
+  }
+  /// What was evaluated last, to solve for with others of its kind: the rows by number, and what the bodies'
+  /// forces leave (reduced, in the places of velocities).
+  void take_rows(Flat& rows) const {
+    rows.resize(multipliers());
+    const auto& edges = newton_.plan().graph.edges;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      if (!edges[e].is_soft)
+        for (int k = 0; k < edges[e].size(); ++k) rows[edges[e].rows[k]] = right_side_.edge[e][k];
+  }
+  void take_imbalance(Flat& left) const {
+    left.setZero(velocity_size());
+    for (int b = 0; b < nb(); ++b) of(left, b).template head<6>() = right_side_.body[b].six();
+  }
+  /// M x + Phi_q^T mu = left, Phi_q x = rows: added to x and mu.
+  void solve(const Flat& left, const Flat& rows, Flat& x, Flat& mu) {
+    const auto& edges = newton_.plan().graph.edges;
+    for (int b = 0; b < nb(); ++b)
+      given_.body[b] = BodyPart<S>::of(left.template segment<6>(Base::velocities * b));
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      if (!edges[e].is_soft)
+        for (int k = 0; k < edges[e].size(); ++k) given_.edge[e][k] = rows[edges[e].rows[k]];
+    solve(given_, x, &mu);
+  }
+  /// The same for a generalised force, and rows that ask nothing.
+  void solve_force(const Flat& force, Flat& x, Flat& mu) {
+    for (int b = 0; b < nb(); ++b)
+      given_.body[b] = {padded<S>(r_of(force, b)),
+                        padded<S>(F::reduced(at_[factored_].body()[b], q_of(force, b)))};
+    for (Vector6<S>& rows : given_.edge) rows.setZero();
+    solve(given_, x, &mu);
+  }
+  bool has_springs() const { return !soft_.empty(); }
+  /// M x + Phi_q^T mu = force, Phi_q x = - the rows evaluated last: added to x and mu.
+  void impulse(const Flat& force, Flat& x, Flat& mu) {
+    for (int b = 0; b < nb(); ++b)
+      right_side_.body[b] = {padded<S>(r_of(force, b)),
+                             padded<S>(F::reduced(at_[factored_].body()[b], q_of(force, b)))};
+    newton(S(1), x, mu);
+  }
+  /// The rate of the work [W] where it was evaluated last.
+  S work_rate(const Flat& lambda) { return this->power(at_[evaluated_].body(), lambda, t_); }
+
+  long evaluations() const { return evaluations_; }
+  long factorisations() const { return Base::factorisations() + newton_factorisations_; }
+
+ private:
+  static auto of(Flat& v, int b) { return v.template segment<Base::velocities>(Base::velocities * b); }
+  static Vector3<S> r_of(const Flat& v, int b) { return v.template segment<3>(Base::velocities * b); }
+  static typename F::Unknown q_of(const Flat& v, int b) {
+    return v.template segment<F::rotational_unknowns>(Base::velocities * b + 3);
+  }
+
+  /// To the state that is loaded.
+  void move(const S& t) {
+    evaluated_ = 1 - factored_;
+    t_ = t;
+    for (int b = 0; b < nb(); ++b) at_[evaluated_].move_body(b, state_[b]);
+    measure_.move(at_[evaluated_].body());
+  }
+  void apply_effects() {
+    const auto& body = at_[evaluated_].body();
+    std::copy(body.begin(), body.end(), motion_.begin());
+    for (Wrench<S>& w : wrenches_) w = {};
+    mechanism_.effects.apply(this->view(t_), wrenches_);
+  }
+  S measure_positions() {
+    at_[evaluated_].positions(t_, right_side_);
+    measure_.measure_positions(right_side_);
+    return measure_.relative();
+  }
+  void solve(GraphVector<S>& right_side, Flat& x, Flat* lambda) {
+    const auto& edges = newton_.plan().graph.edges;
+    for (const int e : soft_) right_side.edge[e].setZero();
+    newton_.solve(right_side, change_);
+    for (int b = 0; b < nb(); ++b)
+      of(x, b) += (typename Base::Velocity() << unpadded<S>(change_.body[b].r),
+                   F::increment(at_[evaluated_].body()[b], unpadded<S>(change_.body[b].x)))
+                      .finished();
+    if (lambda == nullptr) return;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      if (!edges[e].is_soft)
+        for (int k = 0; k < edges[e].size(); ++k) (*lambda)[edges[e].rows[k]] += change_.edge[e][k];
+  }
+
+  /// What the multipliers do to the bodies, into on_.
+  void apply_multipliers(const GraphAssembly<F>& assembly, const Flat& lambda) {
+    std::fill(on_.begin(), on_.end(), BodyPart<S>{});
+    const auto& plan = newton_.plan();
+    for (std::size_t e = 0; e < plan.graph.edges.size(); ++e) {
+      const GraphEdge& edge = plan.graph.edges[e];
+      if (edge.is_soft || plan.rows_slot[e] < 0) continue;
+      const EdgeRows<S>& rows = assembly.matrix().rows[plan.rows_slot[e]];
+      for (int k = 0; k < edge.size(); ++k) {
+        const S& multiplier = lambda[edge.rows[k]];
+        on_[edge.i] += {multiplier * rows.C_i.r.col(k), multiplier * rows.C_i.x.col(k)};
+        on_[edge.j] += {multiplier * rows.C_j.r.col(k), multiplier * rows.C_j.x.col(k)};
+      }
+    }
+    for (const auto& link : assembly.links()) {
+      const GraphEdge& edge = plan.graph.edges[link.edge];
+      const PointRows<S>& rows = assembly.matrix().point[link.link];
+      const EliminationPlan::Link& bodies = plan.links[link.link];
+      Padded<S> f = Padded<S>::Zero();
+      for (int k = 0; k < 3; ++k) f[k] = rows.sign * lambda[edge.rows[k]];
+      Padded<S> on_child = times<S, 3>(rows.L_child, f), on_parent = -times<S, 3>(rows.L_parent, f);
+      for (int k = 3; k < edge.size(); ++k) {
+        on_child += lambda[edge.rows[k]] * rows.W_child.col(k - 3);
+        on_parent += lambda[edge.rows[k]] * rows.W_parent.col(k - 3);
+      }
+      on_[bodies.body] += {f, on_child};
+      on_[bodies.parent] += {Padded<S>(-f), on_parent};
+    }
+  }
+
+  S measure_balance(const GraphAssembly<F>& assembly, const Flat& force, const Flat& lambda) {
+    apply_multipliers(assembly, lambda);
+    for (BalanceSize& size : size_) size = {};
+    for (int b = 0; b < nb(); ++b) {
+      const typename F::Reduced& body = assembly.body()[b];
+      const Vector3<S> inertia = F::reduced(body, q_of(force, b));
+      const Vector3<S> applied = F::reduced(body, F::applied_force(body, wrenches_[b].n_bar) +
+                                                      F::velocity_force(body, mechanism_.bodies[b].inertia));
+      const Vector3<S> held_r = unpadded<S>(on_[b].r), held_x = unpadded<S>(on_[b].x);
+      const Vector3<S> left_r = wrenches_[b].F - r_of(force, b) - held_r, left_x = applied - inertia - held_x;
+      right_side_.body[b] = {padded<S>(left_r), padded<S>(left_x)};
+      const auto norm = [&](const Vector3<S>& x) { return F::moment(body, x).norm(); };
+      BalanceSize& size = size_[measure_.assembly_of(b)];
+      size.force = larger(size.force, S(wrenches_[b].F.norm() + r_of(force, b).norm() + held_r.norm()));
+      size.moment = larger(size.moment, S(norm(applied) + norm(inertia) + norm(held_x)));
+      size.force_left = larger(size.force_left, S(left_r.norm()));
+      size.moment_left = larger(size.moment_left, S(norm(left_x)));
+    }
+    S largest(0);
+    for (int b = 0; b < nb(); ++b) {
+      const BalanceSize& size = size_[measure_.assembly_of(b)];
+      const S& reach = measure_.reach_of(b);
+      const auto raise = [&](const S& left, const S& whole) {
+        if (left > largest * whole) largest = left / whole;
+      };
+      raise(size.force_left, size.force);
+      raise(size.moment_left, S(size.moment + reach * size.force));
+    }
+    return largest;
+  }
+
+  void place_springs(GraphAssembly<F>& assembly, const S& velocity_share, const S& position_share) {
+    if (soft_.empty()) return;
+    const auto& plan = newton_.plan();
+    auto edge = soft_.begin();
+    mechanism_.effects.for_each_spring([&](const auto& spring) {
+      if (spring.stiffness == S(0) && spring.damping == S(0)) return;
+      EdgeRows<S>& rows = assembly.edge_rows(plan.rows_slot[*edge++]);
+      const S given_way = velocity_share * spring.damping + position_share * spring.stiffness;
+      if (given_way == S(0)) {  // an explicit method's
+        rows = {};
+        rows.compliance = S(1);
+        return;
+      }
+      const auto gradient = spring.gradient(this->view(t_));
+      const auto put = [&](BodyColumns<S>& column, int b, const Wrench<S>& on) {
+        const typename F::Reduced& body = assembly.body()[b];
+        column.r.col(0) = padded<S>(on.F);
+        column.x.col(0) = padded<S>(F::reduced(body, F::applied_force(body, on.n_bar)));
+      };
+      put(rows.C_i, spring.i, gradient.first);
+      put(rows.C_j, spring.j, gradient.second);
+      rows.compliance = 1 / given_way;
+    });
+  }
+
+  GraphSolver<S> newton_;
+  /// What was evaluated last, and what was factored: the factors go on using their rows.
+  std::array<GraphAssembly<F>, 2> at_;
+  int evaluated_ = 0, factored_ = 1;
+  ConstraintMeasure<S> measure_;
+  GraphVector<S> right_side_, rows_, given_, change_;  ///< the bodies of rows_ stay 0
+  std::vector<BodyPart<S>> on_;
+  std::vector<Wrench<S>> wrenches_;
+  /// Of an assembly, the largest of a body: all that acts on it, and what does not balance.
+  struct BalanceSize {
+    S force{0}, moment{0}, force_left{0}, moment_left{0};
+  };
+  std::vector<BalanceSize> size_;
+  std::vector<int> soft_;  ///< edges of springs, in the effects' order
+  S t_{0};
+  long evaluations_ = 0, newton_factorisations_ = 0;
+};
+
+}  // namespace trivium

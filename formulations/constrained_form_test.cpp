@@ -1,0 +1,161 @@
+/// The equations of motion with their constraints, as implicit methods ask for them.
+
+#include "formulations/constrained_form.hpp"
+
+#include "bodies/testing.hpp"
+#include "formulations/solved_twice.hpp"
+#include "scenes/scene_file.hpp"
+#include "scenes/test_scenes.hpp"
+
+namespace trivium {
+namespace {
+
+using test::distance, test::Random;
+using Flat = VectorX<double>;
+
+template <class F>
+class Constrained : public testing::Test {};
+TYPED_TEST_SUITE(Constrained, test::AllFormulations<double>, test::FormulationNames);
+
+template <class F>
+ConstrainedForm<F> form_of(const scenes::Scene& scene) {
+  return {make_mechanism<double>(scene), make_state<double>(scene)};
+}
+scenes::Scene catalogue_scene(const std::string& name) {
+  return scenes::read_scene_file(std::string(TRIVIUM_SCENES_DIR) + "/" + name + ".json");
+}
+
+/// What a step's equations are at a state.
+template <class F>
+struct Step {
+  ConstrainedForm<F>& form;
+  Flat v_dot, lambda, force;
+
+  explicit Step(ConstrainedForm<F>& f) : form(f) { form.accelerations(0, form.start(), v_dot, lambda); }
+  double imbalance(const Flat& y) {
+    form.inertia_force(y, v_dot, force);
+    return form.balance(0, y, force, lambda);
+  }
+};
+
+TYPED_TEST(Constrained, ForcesBalanceWhereTheMotionIs) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    auto form = form_of<TypeParam>(test::varied_scene(seed));
+    Step<TypeParam> step(form);
+    EXPECT_LE(step.imbalance(form.start()), 1e-12) << seed;
+    EXPECT_LE(form.relative_row_violation(), 1e-13) << seed;
+    // states of random scenes need not move as drivers would have it
+    form.velocity_violation(0, form.start());
+    EXPECT_NEAR(form.velocity_rows(), form.relative_violation(), 1e-12) << seed;
+    // and nowhere else
+    step.v_dot[0] += 1e-3 * (1 + step.v_dot.cwiseAbs().maxCoeff());
+    EXPECT_GT(step.imbalance(form.start()), 1e-7) << seed;
+  }
+}
+
+// the equations are linear in v' and lambda, and where q and v hardly move with them, that is all
+TYPED_TEST(Constrained, NewtonFindsAccelerationsAndLambdaInOneIteration) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    auto form = form_of<TypeParam>(test::varied_scene(seed));
+    Step<TypeParam> step(form);
+    const Flat v_dot = step.v_dot, lambda = step.lambda;
+    Random random(seed);
+    // off by what keeps the rows, so that Phi = 0 asks nothing: lambda alone, of rows that are not redundant
+    for (double& x : step.lambda) x += x == 0 ? 0 : random.uniform();
+    step.imbalance(form.start());
+    form.factor(1e-12, 1e-12);
+    form.newton(1e30, step.v_dot, step.lambda);
+    EXPECT_LE(step.imbalance(form.start()), 1e-11) << seed;
+    EXPECT_LE(distance(step.v_dot, v_dot), 1e-9 * (1 + v_dot.norm())) << seed;
+  }
+}
+
+TYPED_TEST(Constrained, NewtonMeetsPositionsByTheirShare) {
+  constexpr double h = 1e-4;
+  for (const char* name : {"spatial_slider_crank", "heavy_top", "stewart_platform", "triple_pendulum"}) {
+    auto form = form_of<TypeParam>(catalogue_scene(name));
+    Step<TypeParam> step(form);
+    const Flat from = form.start(), v = from.segment(form.position_size(), form.velocity_size());
+    Flat y = from;
+    const auto place = [&] {
+      form.displace(from, Flat(h * v + h * h / 2 * step.v_dot), y);
+      if (form.constrain(h * h / 2, y, step.v_dot))
+        form.displace(from, Flat(h * v + h * h / 2 * step.v_dot), y);
+    };
+    step.v_dot.setZero();
+    place();
+    step.imbalance(y);
+    const double before = form.relative_row_violation();
+    EXPECT_GT(before, 1e-10) << name;
+    form.factor(h, h * h / 2);
+    form.newton(h * h / 2, step.v_dot, step.lambda);
+    place();
+    step.imbalance(y);
+    EXPECT_LE(form.relative_row_violation(), 1e-3 * before) << name;
+  }
+}
+
+// v' and lambda of a step that a stiff spring rules: by the matrix of M alone this would go up by h^2 k / m
+TYPED_TEST(Constrained, SpringsAreInNewtonsMatrix) {
+  auto form = form_of<TypeParam>(catalogue_scene("flyball_governor"));
+  Step<TypeParam> step(form);
+  const double h = 0.01, share = h * h / 2;
+  const Flat from = form.start(), v = from.segment(form.position_size(), form.velocity_size());
+  Flat y = from;
+  double before = 0;
+  for (int k = 0; k < 12; ++k) {
+    form.displace(from, Flat(h * v + share * step.v_dot), y);
+    if (form.constrain(share, y, step.v_dot)) form.displace(from, Flat(h * v + share * step.v_dot), y);
+    y.segment(form.position_size(), form.velocity_size()) = v + h * step.v_dot;
+    before = step.imbalance(y);
+    form.factor(h, share);
+    form.newton(share, step.v_dot, step.lambda);
+  }
+  EXPECT_LE(before, 1e-6);
+  EXPECT_LE(form.relative_row_violation(), 1e-6);
+}
+
+TYPED_TEST(Constrained, DisplacementsLeadFromStateToState) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    auto form = form_of<TypeParam>(test::varied_scene(seed));
+    const Flat from = form.start();
+    Random random(seed);
+    const Flat by =
+        Flat::NullaryExpr(form.velocity_size(), [&](Eigen::Index) { return random.uniform(-0.1, 0.1); });
+    Flat to = from, found;
+    form.displace(from, by, to);
+    form.displacement(from, to, found);
+    EXPECT_LE(distance(found, by), 1e-13) << seed;
+  }
+}
+
+TYPED_TEST(Constrained, WorkRateIsThatOfTheFirstOrderForm) {
+  for (const char* name : {"flyball_governor", "driven_crank", "basic_drivers", "open_arm_7"}) {
+    auto form = form_of<TypeParam>(catalogue_scene(name));
+    Step<TypeParam> step(form);
+    Flat y_dot;
+    form.derivative(0, form.start(), y_dot);
+    step.imbalance(form.start());
+    EXPECT_NEAR(form.work_rate(step.lambda), y_dot[form.motion_size()],
+                1e-9 * (1 + std::abs(y_dot[form.motion_size()])))
+        << name;
+  }
+}
+
+TYPED_TEST(Constrained, RedundantRowsAreLeftOutAsTheMotionHasThem) {
+  for (const char* name : {"bricard", "parallelogram", "four_bar", "door"}) {
+    auto form = form_of<TypeParam>(catalogue_scene(name));
+    Step<TypeParam> step(form);
+    const Flat v_dot = step.v_dot;
+    step.v_dot.setZero();
+    step.lambda.setZero();
+    step.imbalance(form.start());
+    form.factor(1e-12, 1e-12);
+    form.newton(1e30, step.v_dot, step.lambda);  // Phi_q v' = 0: no accelerations but those across the rows
+    EXPECT_TRUE(step.v_dot.allFinite()) << name;
+    EXPECT_LE(step.lambda.cwiseAbs().maxCoeff(), 1e6) << name;
+  }
+}
+
+}  // namespace
+}  // namespace trivium

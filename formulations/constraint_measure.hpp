@@ -1,0 +1,117 @@
+#pragma once
+/// How far a state is from its constraints, row by row, in metres or radians (per second) whatever a row's
+/// scale; and beside the numbers of what moves together, so that rounding is some u.
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "formulations/graph_solver.hpp"
+
+namespace trivium {
+
+template <class S>
+class ConstraintMeasure {
+ public:
+  /// Both must outlive this.
+  ConstraintMeasure(const Mechanism<S>& mechanism, const BodyJointGraph& graph, const S& t)
+      : mechanism_(mechanism), graph_(graph), scale_(graph.edges.size()) {
+    find_assemblies();
+    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+      scale_[e].setOnes();
+      if (graph.edges[e].is_soft) continue;
+      for (int k = 0; k < graph.edges[e].size(); ++k)
+        scale_[e][k] = row_scale(mechanism.rows[graph.edges[e].rows[k]], t);
+    }
+  }
+
+  /// To where the bodies are.
+  template <class Body>
+  void move(const std::vector<Body>& body) {
+    for (Extent& extent : extent_) {
+      extent.length = S(0);
+      extent.speed =
+          extent.fastest / 1000;  // at rest for a moment, velocities are the rounding of what they were
+    }
+    for (int b = 0; b < mechanism_.nb(); ++b) {
+      Extent& extent = extent_[assembly_[b]];
+      extent.length = larger(extent.length, S(body[b].r.norm() + extent.reach));
+      extent.speed = larger(extent.speed, S(body[b].r_dot.norm() + body[b].omega_bar.norm() * extent.reach));
+    }
+  }
+  /// The motion has reached the bodies' state.
+  void settle() {
+    for (Extent& extent : extent_) extent.fastest = larger(extent.fastest, extent.speed);
+  }
+
+  /// The largest |Phi_k| or |Phi_k'| of values as assembled.
+  S measure_positions(const GraphVector<S>& phi) { return largest(phi, &Extent::length); }
+  S measure_velocities(const GraphVector<S>& phi_dot) { return largest(phi_dot, &Extent::speed); }
+  /// Of the last measure, the largest beside the lengths or speeds of the row's own assembly.
+  const S& relative() const { return relative_; }
+  /// The row of the last measure.
+  const std::string& worst_row() const {
+    return mechanism_.row_names[graph_.edges[worst_.edge].rows[worst_.k]];
+  }
+
+  /// Bodies that rows connect, not through the ground, have the same number, below nb.
+  int assembly_of(int body) const { return assembly_[body]; }
+  /// The largest distance [m] of a joint's point from the centre of its body, in the body's assembly.
+  const S& reach_of(int body) const { return extent_[assembly_[body]].reach; }
+
+ private:
+  /// How large an assembly's numbers are.
+  struct Extent {
+    S reach{0};  ///< of the points of its joints
+    S length{0}, speed{0}, fastest{0};
+  };
+
+  void find_assemblies() {
+    const int nb = mechanism_.nb();
+    assembly_.resize(nb + 1);
+    std::iota(assembly_.begin(), assembly_.end(), 0);
+    const auto first = [&](int body) {
+      while (assembly_[body] != body) body = assembly_[body];
+      return body;
+    };
+    for (const Joint<S>& joint : mechanism_.joints)
+      if (joint.i != nb && joint.j != nb) assembly_[first(joint.i)] = first(joint.j);
+    for (int b = 0; b <= nb; ++b) assembly_[b] = first(b);
+    extent_.resize(nb + 1);
+    for (const Joint<S>& joint : mechanism_.joints) {
+      S& reach = extent_[assembly_[joint.i == nb ? joint.j : joint.i]].reach;
+      reach = std::max({reach, S(joint.frame_i.point.norm()), S(joint.frame_j.point.norm())});
+    }
+  }
+
+  S largest(const GraphVector<S>& values, S Extent::*of_assembly) {
+    using std::abs;
+    S largest(0);
+    relative_ = S(0);
+    for (std::size_t e = 0; e < values.edge.size(); ++e) {
+      const GraphEdge& edge = graph_.edges[e];
+      if (edge.is_soft) continue;
+      const S made_of = extent_[assembly_[edge.i == mechanism_.nb() ? edge.j : edge.i]].*of_assembly;
+      for (int k = 0; k < edge.size(); ++k) {
+        const S size = abs(values.edge[e][k]) / scale_[e][k];
+        if (!(size <= relative_ * made_of)) relative_ = made_of > S(0) ? S(size / made_of) : size;
+        if (size <= largest || largest != largest) continue;  // a NaN goes in and stays
+        largest = size;
+        worst_ = {static_cast<int>(e), k};
+      }
+    }
+    return largest;
+  }
+
+  const Mechanism<S>& mechanism_;
+  const BodyJointGraph& graph_;
+  std::vector<Vector6<S>> scale_;
+  std::vector<int> assembly_;  ///< by body, the ground last
+  std::vector<Extent> extent_;
+  S relative_{0};
+  EdgeRow worst_{0, 0};
+};
+
+}  // namespace trivium
