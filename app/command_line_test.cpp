@@ -239,6 +239,32 @@ TEST(Simulate, WritesEveryBodyReactionAndMultiplierAtExactTimes) {
   EXPECT_EQ(s["rows"].size(), 17u);
 }
 
+TEST(Simulate, WritesAnImplicitMethodsOwnLambdaBesideThatOfTheState) {
+  const fs::path file = fresh("motion.csv");
+  const Outcome r =
+      run("trivium simulate spatial_slider_crank --integrator generalized-alpha --step 0.005 --t-end 0.5 "
+          "--output-step 0.125 --out " +
+          file.string() + " --json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const auto lines = csv_lines(file);
+  ASSERT_EQ(lines.size(), 6u);
+  EXPECT_EQ(lines[0].back(), "raw_lambda[16]");
+  const auto at = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::find(lines[0].begin(), lines[0].end(), name) - lines[0].begin());
+  };
+  for (const int k : {0, 1, 7}) {
+    const double raw = std::stod(lines.back()[at("raw_lambda[" + std::to_string(k) + "]")]),
+                 again = std::stod(lines.back()[at("lambda[" + std::to_string(k) + "]")]);
+    EXPECT_NE(raw, again);
+    EXPECT_NEAR(raw, again, 0.05 * (1 + std::abs(again)));
+  }
+  const json s = json::parse(r.out);
+  EXPECT_GT(s["newton_iterations"], 100);
+  EXPECT_GT(s["drift"]["raw_lambda"], 0);
+  EXPECT_LE(s["drift"]["phi"], 1e-13);
+  EXPECT_FALSE(s["projection"]);
+}
+
 // p and -p are one orientation; what is written moves without jumps
 TEST(Simulate, WritesEulerParametersThatDoNotJump) {
   const fs::path file = fresh("motion.csv");
@@ -396,6 +422,13 @@ TEST(EveryProgram, AnswersMisuseWithExitCodeTwo) {
         "trivium simulate heavy_top --step 0.1 --rtol 1e-3",
         "trivium simulate heavy_top --rtol 0",
         "trivium simulate heavy_top --integrator bulirsch-stoer --step 0.1 --t-end 1",
+        "trivium simulate heavy_top --integrator generalized-alpha --t-end 1",
+        "trivium simulate heavy_top --integrator generalized-alpha --step 0.01 --t-end 1 --no-projection",
+        "trivium simulate heavy_top --integrator bdf --step 0.01 --t-end 1 --baumgarte 1 1",
+        "trivium simulate heavy_top --integrator bdf --step 0.01 --t-end 1 --order 6",
+        "trivium simulate heavy_top --integrator hht --step 0.01 --t-end 1 --rho 0.5",
+        "trivium simulate heavy_top --integrator rattle --step 0.01 --t-end 1 --formulation r-p",
+        "trivium simulate heavy_top --integrator dopri5 --full-newton",
         "trivium simulate heavy_top --baumgarte 1",
         "trivium simulate heavy_top --baumgarte nan 1",
         "trivium simulate heavy_top --plot motion.svg",

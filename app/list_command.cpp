@@ -30,12 +30,6 @@ std::vector<std::string> effect_types() {
   return names;
 }
 
-std::vector<std::string> integrator_names() {
-  std::vector<std::string> names;
-  for (const integrators::MethodInfo& method : integrators::methods()) names.emplace_back(method.name);
-  return names;
-}
-
 int run_list(bool json) {
   std::vector<scenes::Scene> all;
   for (const auto& file : catalogue()) all.push_back(scenes::read_scene_file(file));
@@ -51,7 +45,7 @@ int run_list(bool json) {
           .end_object();
     out.end_array()
         .texts("formulations", formulation_names())
-        .texts("integrators", integrator_names())
+        .texts("integrators", integrators::method_names())
         .texts("constraints", constraint_types())
         .texts("effects", effect_types())
         .end_object();
@@ -63,7 +57,7 @@ int run_list(bool json) {
     fmt::print("  {:<28} {:>10}  {}\n", scene.name, counted(scene.bodies.size(), "body", "bodies"),
                scene.description);
   fmt::print("\nformulations  {}\n", fmt::join(formulation_names(), ", "));
-  fmt::print("integrators   {}\n", fmt::join(integrator_names(), ", "));
+  fmt::print("integrators   {}\n", fmt::join(integrators::method_names(), ", "));
   fmt::print("constraints   {}\n", fmt::join(constraint_types(), ", "));
   fmt::print("effects       {}\n", fmt::join(effect_types(), ", "));
   return exit_done;

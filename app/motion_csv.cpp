@@ -8,7 +8,7 @@ namespace trivium {
 
 namespace {
 
-std::vector<std::string> header(const Mechanism<double>& mechanism) {
+std::vector<std::string> header(const Mechanism<double>& mechanism, bool has_raw_lambda) {
   std::vector<std::string> names{"t"};
   for (int b = 0; b < mechanism.nb(); ++b)
     for (const char* part : {"x", "y", "z", "e0", "e1", "e2", "e3", "vx", "vy", "vz", "wx", "wy", "wz"})
@@ -17,6 +17,8 @@ std::vector<std::string> header(const Mechanism<double>& mechanism) {
     for (const char* part : {"fx", "fy", "fz", "tx", "ty", "tz"}) names.push_back(joint.name + "." + part);
   for (int k = 0; k < mechanism.nc(); ++k) names.push_back(fmt::format("lambda[{}]", k));
   for (const char* name : {"energy", "phi", "phi_dot"}) names.emplace_back(name);
+  if (has_raw_lambda)
+    for (int k = 0; k < mechanism.nc(); ++k) names.push_back(fmt::format("raw_lambda[{}]", k));
   return names;
 }
 
@@ -31,9 +33,9 @@ std::filesystem::path target_of(const std::string& path) {
 
 }  // namespace
 
-MotionCsv::MotionCsv(const Mechanism<double>& mechanism, const std::string& file)
-    : name_(file), file_(target_of(file)) {
-  file_.write(csv_line(header(mechanism)));
+MotionCsv::MotionCsv(const Mechanism<double>& mechanism, bool has_raw_lambda, const std::string& file)
+    : name_(file), file_(target_of(file)), has_raw_lambda_(has_raw_lambda) {
+  file_.write(csv_line(header(mechanism, has_raw_lambda)));
 }
 
 void MotionCsv::add(const MotionSample& sample) {
@@ -60,6 +62,8 @@ void MotionCsv::add(const MotionSample& sample) {
   put(sample.energy);
   put(sample.phi);
   put(sample.phi_dot);
+  // at the start an implicit method has none but those of (q, v)
+  if (has_raw_lambda_) put_all(sample.raw_lambda.size() > 0 ? sample.raw_lambda : sample.lambda);
   file_.write(line + "\n");
 }
 

@@ -2,7 +2,12 @@
 
 #include <boost/multiprecision/float128.hpp>
 
+#include "integrators/bdf.hpp"
+#include "integrators/generalized_alpha.hpp"
+#include "integrators/hht.hpp"
 #include "integrators/odeint.hpp"
+#include "integrators/radau.hpp"
+#include "integrators/rattle.hpp"
 
 namespace trivium::integrators {
 
@@ -32,12 +37,26 @@ std::unique_ptr<AnyMethod<double>> chosen_adams(const Tolerances& tolerances) {
 
 const std::vector<MethodInfo>& methods() {
   static const std::vector<MethodInfo> all{
-      {"dopri5", "Dormand-Prince 5(4), explicit Runge-Kutta (Odeint)", 5, true},
-      {"rkf78", "Fehlberg 7(8), explicit Runge-Kutta (Odeint)", 8, true},
-      {"bulirsch-stoer", "Bulirsch-Stoer extrapolation, orders 4 to 16 (Odeint)", 0, false},
-      {"abm", "Adams-Bashforth-Moulton, multistep, orders 1 to 12, at given steps 5 (Odeint)", 5, true},
+      {"dopri5", "Dormand-Prince 5(4), explicit Runge-Kutta (Odeint)", 5, true, true, false},
+      {"rkf78", "Fehlberg 7(8), explicit Runge-Kutta (Odeint)", 8, true, true, false},
+      {"bulirsch-stoer", "Bulirsch-Stoer extrapolation, orders 4 to 16 (Odeint)", 0, false, true, false},
+      {"abm", "Adams-Bashforth-Moulton, multistep, orders 1 to 12, at given steps 5 (Odeint)", 5, true, true,
+       false},
+      {"generalized-alpha", "generalised-alpha on Lie groups, index 3", 2, true, false, true},
+      {"generalized-alpha-gl2", "generalised-alpha on Lie groups, stabilised index 2", 2, true, false, true},
+      {"hht", "Hilber-Hughes-Taylor, index 3", 2, true, false, true},
+      {"rattle", "RATTLE on Lie groups, symplectic, in r-omega", 2, true, false, true},
+      {"rattle4", "RATTLE composed to order 4, symplectic, in r-omega", 4, true, false, true},
+      {"radau5", "Radau IIA, stabilised index 2", 5, true, true, true},
+      {"bdf", "backward differentiation, orders 1 to 5, index 3", 0, true, false, true},
   };
   return all;
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const MethodInfo& method : methods()) names.emplace_back(method.name);
+  return names;
 }
 
 const MethodInfo* find_method(std::string_view name) {
@@ -46,38 +65,80 @@ const MethodInfo* find_method(std::string_view name) {
   return nullptr;
 }
 
+namespace {
+
+template <class Value>
+Value checked(const char* what, const std::optional<Value>& given, Value standard, Value least, Value most) {
+  const Value value = given.value_or(standard);
+  if (!(value >= least && value <= most))
+    throw UsageError(fmt::format("{} {}; accepted: {:.4g} to {:.4g}", what, value, static_cast<double>(least),
+                                 static_cast<double>(most)));
+  return value;
+}
+
+/// Throws where steps or parameters are none of the method's.
+void check(const MethodInfo& method, Steps steps, const MethodParameters& given) {
+  if (steps == Steps::given && !method.takes_given_steps)
+    throw UsageError(
+        fmt::format("{} chooses its steps by tolerances and takes no given step; give it rtol and "
+                    "atol, or take another method",
+                    method.name));
+  if (steps == Steps::chosen && !method.chooses_steps)
+    throw UsageError(fmt::format("{} takes steps of a given length; give it a step", method.name));
+  const auto only = [&](bool is_given, const char* what, std::string_view of) {
+    if (is_given && !method.name.starts_with(of))
+      throw UsageError(fmt::format("{} is a parameter of {}, and {} has none such", what, of, method.name));
+  };
+  only(given.order.has_value(), "an order", "bdf");
+  only(given.rho.has_value(), "rho", "generalized-alpha");
+  only(given.alpha.has_value(), "alpha", "hht");
+  if (given.full_newton && !method.meets_constraints)
+    throw UsageError(fmt::format("{} is explicit: it has no Newton's method", method.name));
+}
+
+}  // namespace
+
 template <class S>
-std::unique_ptr<AnyMethod<S>> make_method(std::string_view name, Steps steps, const Tolerances& tolerances) {
+std::unique_ptr<AnyMethod<S>> make_method(std::string_view name, Steps steps, const Tolerances& tolerances,
+                                          const MethodParameters& given) {
+  const MethodInfo* method = find_method(name);
+  if (method == nullptr) throw UsageError(fmt::format("there is no method \"{}\"", name));
+  check(*method, steps, given);
   const bool chosen = steps == Steps::chosen;
+  NewtonOptions newton;
+  newton.is_full = given.full_newton.value_or(false);
   if (name == "dopri5")
     return chosen ? chosen_runge_kutta<S, DormandPrince5<S>>(5, tolerances)
                   : erase<S>(GivenSteps<S, DormandPrince5<S>>());
   if (name == "rkf78")
     return chosen ? chosen_runge_kutta<S, Fehlberg78<S>>(8, tolerances)
                   : erase<S>(GivenSteps<S, Fehlberg78<S>>());
-  if (name == "bulirsch-stoer") {
-    if (!chosen)
-      throw UsageError(
-          "bulirsch-stoer chooses its orders and steps by tolerances and takes no given step; give it rtol "
-          "and "
-          "atol, or take dopri5, rkf78 or abm");
+  if (name == "bulirsch-stoer")
     return erase<S>(ChosenSteps<S, BulirschStoer<S>>(BulirschStoer<S>(S(tolerances.atol), S(tolerances.rtol)),
                                                      8, tolerances));
-  }
-  if (name == "abm") {
-    if (!chosen) return erase<S>(GivenSteps<S, AdamsBashforthMoulton<S>>());
-    if constexpr (std::is_same_v<S, double>)
-      return chosen_adams(tolerances);
-    else
-      throw UsageError("abm chooses its steps in double alone (Odeint's choice does); give it a step");
-  }
-  throw UsageError(fmt::format("there is no method \"{}\"", name));
+  if (name.starts_with("generalized-alpha"))
+    return erase<S>(GeneralizedAlpha<AnySystem<S>>(checked("rho", given.rho, 0.8, 0.0, 1.0),
+                                                   name.ends_with("gl2"), newton));
+  if (name.starts_with("rattle")) return erase<S>(Rattle<AnySystem<S>>(name == "rattle4" ? 4 : 2));
+  if (name == "hht")
+    return erase<S>(HHT<AnySystem<S>>(checked("alpha", given.alpha, -0.2, -1.0 / 3, 0.0), newton));
+  if (name == "radau5")
+    return erase<S>(
+        Radau5<AnySystem<S>>(chosen ? std::optional<Tolerances>(tolerances) : std::nullopt, newton));
+  if (name == "bdf") return erase<S>(BDF<AnySystem<S>>(checked("an order of", given.order, 2, 1, 5), newton));
+  if (!chosen) return erase<S>(GivenSteps<S, AdamsBashforthMoulton<S>>());
+  if constexpr (std::is_same_v<S, double>)
+    return chosen_adams(tolerances);
+  else
+    throw UsageError("abm chooses its steps in double alone (Odeint's choice does); give it a step");
 }
 
 using Quad =
     boost::multiprecision::number<boost::multiprecision::float128_backend, boost::multiprecision::et_off>;
 
-template std::unique_ptr<AnyMethod<double>> make_method<double>(std::string_view, Steps, const Tolerances&);
-template std::unique_ptr<AnyMethod<Quad>> make_method<Quad>(std::string_view, Steps, const Tolerances&);
+template std::unique_ptr<AnyMethod<double>> make_method<double>(std::string_view, Steps, const Tolerances&,
+                                                                const MethodParameters&);
+template std::unique_ptr<AnyMethod<Quad>> make_method<Quad>(std::string_view, Steps, const Tolerances&,
+                                                            const MethodParameters&);
 
 }  // namespace trivium::integrators

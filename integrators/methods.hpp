@@ -16,18 +16,29 @@ enum class Steps { given, chosen };
 struct MethodInfo {
   std::string_view name, summary;
   int order;  ///< of positions, velocities and lambda at given steps; 0: it varies
-  bool takes_given_steps;
+  bool takes_given_steps, chooses_steps;
+  bool meets_constraints;  ///< of positions, by its own equations: it is not projected
+};
+
+/// What some methods let one choose; absent: the default that is named.
+struct MethodParameters {
+  std::optional<int> order = {};   ///< of bdf, 1 to 5: 2
+  std::optional<double> rho = {};  ///< of generalized-alpha, in [0, 1]: 0.8, the spectral radius at infinity
+  std::optional<double> alpha = {};      ///< of hht, in [-1/3, 0]: -0.2
+  std::optional<bool> full_newton = {};  ///< of implicit methods: a matrix every iteration, not every step
 };
 
 /// In the order they are listed in.
 const std::vector<MethodInfo>& methods();
+std::vector<std::string> method_names();
 
 /// Null where there is none of this name.
 const MethodInfo* find_method(std::string_view name);
 
-/// The method, with steps of its own choice to the tolerances, or of the grid's length. Throws a
-/// UsageError where it cannot take given steps.
+/// The method, with steps of its own choice to the tolerances, or of the grid's length. Throws a UsageError
+/// where it takes no such steps, or has no such parameter.
 template <class S>
-std::unique_ptr<AnyMethod<S>> make_method(std::string_view name, Steps steps, const Tolerances& tolerances);
+std::unique_ptr<AnyMethod<S>> make_method(std::string_view name, Steps steps, const Tolerances& tolerances,
+                                          const MethodParameters& parameters = {});
 
 }  // namespace trivium::integrators

@@ -40,6 +40,60 @@ concept FirstOrderSystem = requires(System& system, const typename System::Scala
   { system.suspect(t, y) } -> std::convertible_to<std::string>;
 };
 
+/// M(q) v' + Phi_q^T lambda = Q(q, v, t), Phi(q, t) = 0 beside the same as y' = f(t, y): y begins with q and
+/// v, and what follows grows by `work_rate`. Implicit methods see q move by displacements, which are of v's
+/// kind: `displace` sets y's positions to where one leads from another's, `displacement` is the way between
+/// two, `displacement_rate` how one grows with v. `constrain` is for rows that a model keeps to itself, met
+/// by a change of v' that moves q by `share` of it; it returns whether there are any.
+///
+/// `constrain_velocity` is the same for their derivatives.
+///
+/// A step's equations have v' and lambda as unknowns, and q and v move with v' by a position and a velocity
+/// share. `balance` evaluates force + Phi_q^T lambda - Q, where the force stands for M v', and Phi: it
+/// returns the largest imbalance beside the forces at work, `relative_row_violation` that of Phi beside the
+/// model's numbers; both mean the same whatever coordinates a model uses. `velocity_rows` puts Phi' in the
+/// place of Phi, `position_rows` evaluates Phi alone. `factor` makes Newton's matrix of what was balanced
+/// last (that of M alone for shares of 0). By the matrix at hand `newton` adds what removes imbalance and
+/// rows to v' and lambda, `project` the least change that removes Phi less a share of Phi', `impulse` what a
+/// force and the rows ask for.
+///
+/// Methods of several stages take what was evaluated at each (`take_rows`, `take_imbalance`) and `solve` for
+/// a mixture: M x + Phi_q^T mu = left, Phi_q x = rows; `solve_force` for a force of v's kind. `has_springs`
+/// says whether the matrix depends on the shares.
+template <class System>
+concept ConstrainedSystem = FirstOrderSystem<System> &&
+    requires(System& system, const typename System::Scalar& t, const Flat<typename System::Scalar>& y,
+             const Flat<typename System::Scalar>& v, Flat<typename System::Scalar>& changed,
+             Flat<typename System::Scalar>& lambda) {
+  { system.position_size() } -> std::convertible_to<int>;
+  { system.velocity_size() } -> std::convertible_to<int>;
+  { system.multipliers() } -> std::convertible_to<int>;
+  system.accelerations(t, y, changed, lambda);
+  system.displace(y, v, changed);
+  system.displacement(y, y, changed);
+  system.displacement_rate(v, v, changed);
+  { system.constrain(t, changed, lambda) } -> std::same_as<bool>;
+  system.constrain_velocity(t, y, changed);
+  { system.inertia_is_constant() } -> std::same_as<bool>;
+  system.inertia_force(y, v, changed);
+  system.applied_force(t, y, changed);
+  { system.balance(t, y, v, v) } -> std::convertible_to<typename System::Scalar>;
+  { system.position_rows(t, y) } -> std::convertible_to<typename System::Scalar>;
+  { system.velocity_rows() } -> std::convertible_to<typename System::Scalar>;
+  { system.relative_row_violation() } -> std::convertible_to<typename System::Scalar>;
+  { system.least_met_row() } -> std::convertible_to<std::string>;
+  system.factor(t, t);
+  system.newton(t, changed, lambda);
+  system.project(t, changed);
+  system.impulse(v, changed, lambda);
+  system.take_rows(changed);
+  system.take_imbalance(changed);
+  system.solve(v, v, changed, lambda);
+  system.solve_force(v, changed, lambda);
+  { system.has_springs() } -> std::same_as<bool>;
+  { system.work_rate(v) } -> std::convertible_to<typename System::Scalar>;
+};
+
 /// A method gave up: says at what time, why, and what to try.
 class IntegrationError : public std::runtime_error {
  public:
@@ -60,6 +114,7 @@ struct Tolerances {
 /// What a method has done.
 struct Counters {
   long steps = 0, rejected_steps = 0, right_sides = 0, restarts = 0;
+  long iterations = 0;  ///< of Newton's method
 };
 
 }  // namespace trivium::integrators

@@ -25,7 +25,7 @@ struct Stop {
 /// given, and events.
 class TimeGrid {
  public:
-  /// Throws an UsageError where the steps do not divide the run or the outputs.
+  /// Throws a UsageError where the steps do not divide the run or the outputs.
   TimeGrid(double start, double end, std::optional<double> output_step = {}, std::optional<double> step = {},
            std::vector<double> events = {})
       : start_(start), end_(end), output_step_(output_step.value_or(end - start)), step_(step) {
@@ -35,8 +35,8 @@ class TimeGrid {
     outputs_ = number_of(output_step_);
     if (step_) {
       if (!(*step_ > 0)) throw UsageError(fmt::format("the step {} is not positive", *step_));
-      steps_ = whole(end - start, *step_, "run");
-      if (output_step) steps_per_output_ = whole(output_step_, *step_, "output step");
+      require_whole(end - start, *step_, "run");
+      if (output_step) require_whole(output_step_, *step_, "output step");
     }
     for (const double t : events)
       if (t > start && t < end) events_.push_back(t);
@@ -46,8 +46,6 @@ class TimeGrid {
 
   double start() const { return start_; }
   double end() const { return end_; }
-  const std::optional<double>& step() const { return step_; }
-  long outputs() const { return outputs_; }
 
   /// The next stop after t: an output, an event, the end of a fixed step, or the end of the run.
   template <class S>
@@ -103,7 +101,7 @@ class TimeGrid {
     if (!(ratio < 1e9)) throw UsageError(fmt::format("the output step {} makes more than 1e9 outputs", step));
     return static_cast<long>(std::floor(ratio * (1 + 1e-12)));
   }
-  static long whole(double length, double step, const char* what) {
+  static void require_whole(double length, double step, const char* what) {
     const double ratio = length / step, nearest = std::round(ratio);
     if (!(ratio < 1e15))
       throw UsageError(fmt::format("the step {} divides the {} of {} into too many", step, what, length));
@@ -111,12 +109,11 @@ class TimeGrid {
       throw UsageError(
           fmt::format("the step {} does not divide the {} of {}: the nearest that does is {:.17g}", step,
                       what, length, length / std::max(1.0, nearest)));
-    return static_cast<long>(nearest);
   }
 
   double start_, end_, output_step_;
   std::optional<double> step_;
-  long outputs_ = 0, steps_ = 0, steps_per_output_ = 0;
+  long outputs_ = 0;
   std::vector<double> events_;
 };
 

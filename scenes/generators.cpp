@@ -122,6 +122,18 @@ Scene chain(int n) {
   return scene;
 }
 
+Scene two_bars() {
+  Scene scene;
+  scene.name = "two_bars";
+  scene.description = "a double pendulum in space: two bars on revolutes along y and z";
+  const V y = V::Unit(1), z = V::Unit(2);
+  const Bar upper = hang(nullptr, y, 0.3, 0.1), lower = hang(&upper, z, 0.5, -0.2);
+  scene.bodies = {body_of("upper", upper), body_of("lower", lower)};
+  scene.constraints = {hinge("J1", ground, 0, y), hinge("J2", 0, 1, z)};
+  scene.effects.push_back(Gravity{"", {0, 0, -9.81}});
+  return scene;
+}
+
 Scene ladder(int n) {
   Scene scene = sized("ladder", n, 1, fmt::format("IFToMM A02 with {} loops", n));
   const double J = 1.0 / 12;

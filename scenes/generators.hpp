@@ -11,6 +11,9 @@ namespace trivium::scenes {
 /// turning, under gravity along -z. Throws std::invalid_argument for n < 1, as the others do.
 Scene chain(int n);
 
+/// Two of these bars at 0.3 and 0.5 rad, turning at 0.1 and -0.2 rad/s: a double pendulum in space.
+Scene two_bars();
+
 /// The N-four-bar ladder of IFToMM benchmark A02: 2 n + 1 slender rods without axial inertia, 3 n + 1
 /// revolutes about z, upright, the top moving at 1 m/s; the catalogue's n_four_bar_* with n loops.
 Scene ladder(int n);

@@ -5,53 +5,21 @@
 #include <cmath>
 #include <map>
 
-#include "scenes/scene_file.hpp"
 #include "scenes/test_scenes.hpp"
 #include "validation/reference.hpp"
-#include "validation/simulation.hpp"
+#include "validation/test_motions.hpp"
 
 namespace trivium {
 namespace {
 
-using test::Reference;
-
-scenes::Scene catalogue_scene(const std::string& name) {
-  return scenes::read_scene_file(std::string(TRIVIUM_SCENES_DIR) + "/" + name + ".json");
-}
-
-/// The samples of a run.
-constexpr bool in_quad = true;
-struct Motion : SimulationObserver {
-  std::vector<MotionSample> samples;
-  SimulationReport report;
-
-  Motion(const scenes::Scene& scene, const SimulationOptions& options, bool quad = false) {
-    report = quad ? simulate<Quad>(scene, options, *this) : simulate<double>(scene, options, *this);
-  }
-  void sample(const MotionSample& s) override { samples.push_back(s); }
-  const MotionSample& end() const { return samples.back(); }
-};
-
-SimulationOptions tight(const std::string& formulation, const std::string& method, double end,
-                        double rtol = 1e-12) {
-  SimulationOptions options;
-  options.formulation = formulation;
-  options.integrator = method;
-  options.end = end;
-  options.tolerances = {rtol, rtol / 100};
-  return options;
-}
+using test::catalogue_scene, test::in_quad, test::Motion, test::tight;
 
 class InEveryFormulation : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Motions, InEveryFormulation, testing::ValuesIn(simulated_formulations()),
-                         [](const auto& formulation) {
-                           std::string name = formulation.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Motions, InEveryFormulation, testing::ValuesIn(formulation_names()),
+                         test::formulation_in_a_name);
 
 TEST_P(InEveryFormulation, ThePendulumIsThatOfEllipticFunctions) {
-  const Reference exact("a01_pendulum");
+  const Reference exact(TRIVIUM_REFERENCE_DIR, "a01_pendulum");
   for (const char* method : {"dopri5", "rkf78", "bulirsch-stoer", "abm"}) {
     SimulationOptions options = tight(GetParam(), method, 10);
     options.output_step = 0.1;
@@ -68,7 +36,7 @@ TEST_P(InEveryFormulation, ThePendulumIsThatOfEllipticFunctions) {
 }
 
 TEST_P(InEveryFormulation, TheHeavyTopIsThatOfTheReference) {
-  const Reference exact("heavy_top");
+  const Reference exact(TRIVIUM_REFERENCE_DIR, "heavy_top");
   SimulationOptions options = tight(GetParam(), "rkf78", 2);
   options.output_step = 0.02;
   const Motion motion(catalogue_scene("heavy_top"), options);
@@ -83,7 +51,7 @@ TEST_P(InEveryFormulation, TheHeavyTopIsThatOfTheReference) {
 }
 
 TEST_P(InEveryFormulation, TheSpatialSliderCrankIsThatOfTheReference) {
-  const Reference exact("spatial_slider_crank");
+  const Reference exact(TRIVIUM_REFERENCE_DIR, "spatial_slider_crank");
   SimulationOptions options = tight(GetParam(), "rkf78", 5);
   options.output_step = 0.1;
   const Motion motion(catalogue_scene("spatial_slider_crank"), options);
@@ -93,7 +61,7 @@ TEST_P(InEveryFormulation, TheSpatialSliderCrankIsThatOfTheReference) {
 }
 
 TEST_P(InEveryFormulation, AndrewsSqueezerIsThatOfTheReference) {
-  const Reference exact("andrews_squeezer");
+  const Reference exact(TRIVIUM_REFERENCE_DIR, "andrews_squeezer");
   const Motion motion(catalogue_scene("andrews_squeezer"), tight(GetParam(), "rkf78", 0.03, 1e-13));
   const auto angle = [&](int body) {
     const auto& p = motion.end().state.pose[body].p;
@@ -120,7 +88,7 @@ TEST_P(InEveryFormulation, AndrewsSqueezerIsThatOfTheReference) {
 }
 
 TEST_P(InEveryFormulation, FortyFourBarsPassTheirSingularPositions) {
-  const Reference exact("n_four_bar_40");
+  const Reference exact(TRIVIUM_REFERENCE_DIR, "n_four_bar_40");
   SimulationOptions options = tight(GetParam(), "dopri5", 10, 1e-9);
   options.output_step = 5;
   const Motion motion(catalogue_scene("n_four_bar_40"), options);
@@ -256,7 +224,7 @@ TEST_P(InEveryFormulation, NoStepLosesCountOfTheTurns) {
 
 // rounding of a body far away or fast is none of the others'
 TEST_P(InEveryFormulation, AnotherBodySpoilsNoSingularPosition) {
-  const Reference exact("n_four_bar_1");
+  const Reference exact(TRIVIUM_REFERENCE_DIR, "n_four_bar_1");
   scenes::Scene scene = catalogue_scene("n_four_bar_1");
   scene.bodies.push_back(test::body("stone", 1e-3, {1, 1, 1}, {1000, 0, 0}));
   scene.bodies.back().velocity = {300, 0, 0};
@@ -324,7 +292,7 @@ TEST(TheRawChart, IsAnErrorThatNamesTheBodyWhereItIsSingular) {
 }
 
 TEST(Simulation, InQuadGoesBeyondDouble) {
-  const Reference exact("spatial_slider_crank");
+  const Reference exact(TRIVIUM_REFERENCE_DIR, "spatial_slider_crank");
   const Motion motion(catalogue_scene("spatial_slider_crank"), tight("r-p", "rkf78", 0.5, 1e-17), in_quad);
   EXPECT_NEAR(motion.end().state.pose[2].r[0], exact["slider_x"][5], 4e-16);
   EXPECT_LE(motion.report.phi, 1e-30);

@@ -1,5 +1,5 @@
 #pragma once
-/// Trusted numbers (validation/reference/*.csv; each says where it comes from). A support of the tests.
+/// Trusted numbers (validation/reference/*.csv; each says where it comes from).
 
 #include <fstream>
 #include <map>
@@ -8,16 +8,18 @@
 #include <string>
 #include <vector>
 
-namespace trivium::test {
+namespace trivium {
 
 /// A table of numbers by column; a first column of names is `name`.
 struct Reference {
   std::vector<std::string> names;
   std::map<std::string, std::vector<double>> columns;
 
-  explicit Reference(const std::string& name) {
-    std::ifstream file(std::string(TRIVIUM_REFERENCE_DIR) + "/" + name + ".csv");
-    if (!file) throw std::runtime_error("no reference " + name);
+  /// Throws a std::runtime_error where there is no such file.
+  Reference(const std::string& directory, const std::string& name) {
+    const std::string path = directory + "/" + name + ".csv";
+    std::ifstream file(path);
+    if (!file) throw std::runtime_error(path + ": cannot be read; TRIVIUM_REFERENCE names its folder");
     std::vector<std::string> header;
     for (std::string line; std::getline(file, line);) {
       if (line.starts_with('#')) continue;
@@ -46,4 +48,4 @@ struct Reference {
   }
 };
 
-}  // namespace trivium::test
+}  // namespace trivium

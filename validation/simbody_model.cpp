@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <memory>
 
+#include "validation/cpu_time.hpp"
 #include "validation/simbody_effects.hpp"
 
 namespace trivium::simbody {
@@ -43,6 +45,25 @@ class System {
     system_.realize(state_, SimTK::Stage::Acceleration);
   }
 
+  Motion move(Integrator which, double accuracy, const std::vector<double>& times) {
+    const std::unique_ptr<SimTK::Integrator> integrator = make(which);
+    integrator->setAccuracy(accuracy);
+    integrator->setConstraintTolerance(accuracy);
+    integrator->setAllowInterpolation(false);
+    Motion out;
+    const double start = cpu_seconds();
+    integrator->initialize(state_);
+    for (const double t : times) {
+      while (integrator->getTime() < t) integrator->stepTo(t, t);
+      state_ = integrator->getState();
+      read_states(out);
+    }
+    out.seconds = cpu_seconds() - start;
+    out.steps = integrator->getNumStepsTaken();
+    out.realizations = integrator->getNumRealizations();
+    return out;
+  }
+
   Answer answer() const {
     Answer out;
     read_bodies(out);
@@ -56,6 +77,35 @@ class System {
   }
 
  private:
+  std::unique_ptr<SimTK::Integrator> make(Integrator which) const {
+    switch (which) {
+      case Integrator::runge_kutta_merson:
+        return std::make_unique<SimTK::RungeKuttaMersonIntegrator>(system_);
+      case Integrator::runge_kutta_feldberg:
+        return std::make_unique<SimTK::RungeKuttaFeldbergIntegrator>(system_);
+      case Integrator::cpodes_adams:
+        return std::make_unique<SimTK::CPodesIntegrator>(system_, SimTK::CPodes::Adams);
+      default:
+        return std::make_unique<SimTK::CPodesIntegrator>(system_, SimTK::CPodes::BDF);
+    }
+  }
+
+  void read_states(Motion& out) const {
+    system_.realize(state_, SimTK::Stage::Velocity);
+    std::vector<BodyState> states;
+    for (int b = 0; b < static_cast<int>(model_.bodies.size()); ++b) {
+      const MobilizedBody& body = bodies_[b];
+      const Rotation& R = body.getBodyRotation(state_);
+      const SimTK::Quaternion q = R.convertRotationToQuaternion();
+      const SpatialVec& V = body.getBodyVelocity(state_);
+      states.push_back({array(body.getBodyOriginLocation(state_)),
+                        {q[0], q[1], q[2], q[3]},
+                        array(V[1]),
+                        array(~R * V[0])});
+    }
+    out.states.push_back(states);
+  }
+
   Vec3 point_on_i(const Joint& joint) const {
     return bodies_[joint.i].findStationLocationInGround(state_, vec(joint.frame_i.point));
   }
@@ -205,6 +255,17 @@ std::vector<int> mobilizers(const Model& model, Way way) {
   for (const Branch& branch : spanning_tree(model, way == Way::mobilizers))
     if (branch.joint != Branch::none) joints.push_back(branch.joint);
   return joints;
+}
+
+Motion move(const Model& model, Way way, Integrator integrator, double accuracy,
+            const std::vector<double>& times) {
+  try {
+    return System(model, way).move(integrator, accuracy, times);
+  } catch (const Refused&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Refused(on_one_line(error.what()));
+  }
 }
 
 Answer solve(const Model& model, Way way) {

@@ -156,4 +156,26 @@ class Refused : public std::runtime_error {
 /// Throws Refused, and nothing else; what it returns is finite.
 Answer solve(const Model& model, Way way);
 
+// motions, by Simbody's own integrators
+
+enum class Integrator { runge_kutta_merson, runge_kutta_feldberg, cpodes_adams, cpodes_bdf };
+
+/// Where a body is and how it moves: p of e0 first, omega_bar in the body frame.
+struct BodyState {
+  Vector3 r{};
+  std::array<double, 4> p{};
+  Vector3 r_dot{}, omega_bar{};
+};
+
+struct Motion {
+  std::vector<std::vector<BodyState>> states;  ///< of all bodies, at every time asked for
+  double seconds = 0;                          ///< of this thread's CPU, from the first state to the last
+  long steps = 0, realizations = 0;
+};
+
+/// Through the times, which Simbody's steps end at; constraints to the accuracy. Throws Refused, and nothing
+/// else.
+Motion move(const Model& model, Way way, Integrator integrator, double accuracy,
+            const std::vector<double>& times);
+
 }  // namespace trivium::simbody

@@ -3,39 +3,31 @@
 #include "formulations/r_epsilon_omega_first.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/r_p.hpp"
+#include "formulations/side_by_side.hpp"
 
 namespace trivium {
 
 namespace {
 
-/// Calls visit<F>() for every formulation.
-template <template <class> class... Fs>
-struct FormulationList {
-  template <class Visit>
-  static void for_each(const Visit& visit) {
-    (visit.template operator()<Fs>(), ...);
-  }
-};
-using Simulated = FormulationList<ROmega, RP, REpsilon, REpsilonOmegaFirst>;
+template <Formulation F>
+void simulate_if_named(const scenes::Scene& scene, const SimulationOptions& options,
+                       SimulationObserver& observer, std::optional<SimulationReport>& report) {
+  if (options.formulation == F::name) report = simulate_in<F>(scene, options, observer);
+}
 
 }  // namespace
-
-std::vector<std::string> simulated_formulations() {
-  std::vector<std::string> names;
-  Simulated::for_each([&]<template <class> class F>() { names.emplace_back(F<double>::name); });
-  return names;
-}
 
 template <class Scalar>
 SimulationReport simulate(const scenes::Scene& scene, const SimulationOptions& options,
                           SimulationObserver& observer) {
   std::optional<SimulationReport> report;
-  Simulated::for_each([&]<template <class> class F>() {
-    if (options.formulation == F<double>::name) report = simulate_in<F<Scalar>>(scene, options, observer);
-  });
+  simulate_if_named<ROmega<Scalar>>(scene, options, observer, report);
+  simulate_if_named<RP<Scalar>>(scene, options, observer, report);
+  simulate_if_named<REpsilon<Scalar>>(scene, options, observer, report);
+  simulate_if_named<REpsilonOmegaFirst<Scalar>>(scene, options, observer, report);
   if (!report)
     throw ModelError(fmt::format("there is no formulation \"{}\"; accepted: {}", options.formulation,
-                                 fmt::join(simulated_formulations(), ", ")));
+                                 fmt::join(formulation_names(), ", ")));
   return *report;
 }
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "formulations/first_order_form.hpp"
+#include "formulations/constrained_form.hpp"
 #include "formulations/reaction.hpp"
-#include "integrators/integrate.hpp"
+#include "integrators/methods.hpp"
 #include "scenes/scene.hpp"
 
 namespace trivium {
@@ -18,7 +18,11 @@ struct SimulationOptions {
   std::optional<double> step;         ///< else the method chooses, to the tolerances
   std::optional<double> output_step;  ///< else the start and the end
   integrators::Tolerances tolerances;
-  bool projects = true;
+  integrators::MethodParameters parameters;
+  bool projects = true;  ///< methods that do not meet constraints by their own equations
+  /// Whether drift and energy are looked at after every step, and lambda and reactions at outputs; a run that
+  /// is timed leaves them out.
+  bool watches = true;
   std::optional<Baumgarte> baumgarte;
   ChartOptions charts;
 };
@@ -27,17 +31,20 @@ struct SimulationOptions {
 struct MotionSample {
   MechanismState<double> state;
   std::vector<Reaction<double>> reactions;  ///< on body j of every joint: global, about its point on i
-  VectorX<double> lambda;       ///< of redundant rows those of minimum |E lambda|, where they can be had
+  VectorX<double> lambda;  ///< of (q, v); of redundant rows those of least |E lambda|, where they can be had
+  VectorX<double> raw_lambda;   ///< the method's own; empty where it has none
   double energy = 0;            ///< kinetic and potential [J]
   double phi = 0, phi_dot = 0;  ///< largest violation of any row, m or rad (per second)
 };
 
 struct SimulationReport {
   double reached = 0;
+  double seconds = 0;     ///< of this thread's CPU, from the first state to the last
   bool complete = false;  ///< not stopped from outside
   integrators::Counters counters;
   long factorisations = 0;
-  bool is_projected = true;
+  bool is_projected = true, is_implicit = false;
+  double lambda_gap = 0;  ///< of implicit methods: largest |raw lambda - lambda| of a row at an output
   integrators::ProjectionReport<double> projection;
   int reframings = 0;
   double phi = 0, phi_dot = 0;              ///< largest after any step
@@ -57,9 +64,6 @@ class SimulationObserver {
   virtual void sample(const MotionSample&) {}
   virtual bool step(double /*t*/) { return true; }
 };
-
-/// The formulations that can be simulated.
-std::vector<std::string> simulated_formulations();
 
 /// From the scene's state, taken as that at `start`. Throws a ModelError or an IntegrationError that says
 /// where and why it ended; the samples until then were shown.

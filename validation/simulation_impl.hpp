@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
-#include "integrators/methods.hpp"
+#include "validation/cpu_time.hpp"
 #include "validation/simulation.hpp"
 
 namespace trivium {
@@ -20,54 +21,86 @@ class Simulation {
   Simulation(const scenes::Scene& scene, const SimulationOptions& options, SimulationObserver& observer)
       : options_(options),
         observer_(observer),
+        is_implicit_(is_implicit(options)),
+        projects_(options.projects && !is_implicit_),
+        method_(integrators::make_method<S>(
+            options.integrator, options.step ? integrators::Steps::given : integrators::Steps::chosen,
+            options.tolerances, options.parameters)),
         form_(make_mechanism<S>(scene), make_state<S>(scene, S(options.start)),
-              {options.charts, options.baumgarte, options.projects}) {}
+              {options.charts, options.baumgarte, projects_ || is_implicit_}) {}
 
   SimulationReport run() {
     using namespace integrators;
     const TimeGrid grid(options_.start, options_.end, options_.output_step, options_.step,
                         form_.mechanism().kinks());
-    const auto method = make_method<S>(options_.integrator, options_.step ? Steps::given : Steps::chosen,
-                                       options_.tolerances);
-    Erased<FirstOrderForm<F>> system(form_);
+    Erased<ConstrainedForm<F>> system(form_);
     ProjectionReport<S> projection;
     const MotionEnergy<S> at_start = form_.energy(S(options_.start), form_.start());
-    report_.is_projected = options_.projects;
+    report_.is_projected = projects_;
+    report_.is_implicit = is_implicit_;
     report_.does_work = form_.does_work();
-    report_.energy_start = static_cast<double>(S(at_start.kinetic + at_start.potential));
-    const auto finish = [&] {
-      report_.counters = method->counters();
-      report_.factorisations = form_.factorisations();
-      report_.reframings = form_.reframings();
-      report_.passages = form_.passages();
-      report_.projection = {static_cast<double>(projection.position),
-                            static_cast<double>(projection.velocity),
-                            static_cast<double>(projection.position_left),
-                            static_cast<double>(projection.velocity_left), projection.changes};
-    };
+    report_.energy_start = static_cast<double>(at_start.total());
+    const double start = cpu_seconds();
     report_.complete = integrate<AnySystem<S>, AnyMethod<S>>(
-        system, *method, grid, options_.projects, projection,
+        system, *method_, grid, projects_, projection,
         [&](const S& t, const Flat& y) {
-          report_.normalisation =
-              std::max(report_.normalisation, static_cast<double>(form_.normalisation_violation(y)));
           report_.reached = static_cast<double>(t);
-          watch(t, y, at_start);
+          if (options_.watches) watch(t, y, at_start);
           return observer_.step(report_.reached) ? Continue::yes : Continue::no;
         },
-        [&](const S& t, const Flat& y) { show(t, y, at_start); });
-    finish();
+        [&](const S& t, const Flat& y) {
+          if (options_.watches)
+            show(t, y, at_start);
+          else
+            observer_.sample({state_at(t, y), {}, {}, {}, 0, 0, 0});
+        });
+    report_.seconds = cpu_seconds() - start;
+    report_.counters = method_->counters();
+    report_.factorisations = form_.factorisations();
+    report_.reframings = form_.reframings();
+    report_.passages = form_.passages();
+    report_.projection = {static_cast<double>(projection.position), static_cast<double>(projection.velocity),
+                          static_cast<double>(projection.position_left),
+                          static_cast<double>(projection.velocity_left), projection.changes};
     return report_;
   }
 
  private:
+  /// Throws a UsageError where what is asked for does not go with it.
+  static bool is_implicit(const SimulationOptions& options) {
+    const integrators::MethodInfo* method = integrators::find_method(options.integrator);
+    const bool is = method != nullptr && method->meets_constraints;
+    if (is && !options.projects && !options.baumgarte)
+      throw integrators::UsageError(
+          fmt::format("{} meets constraints by its own equations: there is no projection to leave out",
+                      options.integrator));
+    if (is && options.baumgarte)
+      throw integrators::UsageError(fmt::format(
+          "{} solves for positions on the constraints, which Baumgarte's stabilisation has no part in",
+          options.integrator));
+    return is;
+  }
+
+  /// What a state's report and sample both say.
+  struct Seen {
+    MotionEnergy<S> energy;
+    double phi, phi_dot;
+  };
+
   void show(const S& t, const Flat& y, const MotionEnergy<S>& at_start) {
+    const Seen seen = watch(t, y, at_start);
     MotionSample sample;
-    const MotionEnergy<S> energy = form_.energy(t, y);
-    sample.energy = static_cast<double>(S(energy.kinetic + energy.potential));
-    sample.phi = static_cast<double>(form_.position_violation(t, y));
-    sample.phi_dot = static_cast<double>(form_.velocity_violation(t, y));
+    sample.energy = static_cast<double>(seen.energy.total());
+    sample.phi = seen.phi;
+    sample.phi_dot = seen.phi_dot;
     const VectorX<S> lambda = lambda_at(t, y);
     sample.lambda = scalar_cast<double>(lambda);
+    if (const VectorX<S>* raw = method_->lambda()) {
+      sample.raw_lambda = scalar_cast<double>(*raw);
+      const VectorX<S> apart = *raw - form_.solved(t, y).lambda();
+      if (apart.size() > 0)
+        report_.lambda_gap = std::max(report_.lambda_gap, scalar_cast<double>(apart).cwiseAbs().maxCoeff());
+    }
     const auto equations = equations_of_motion<F>(form_.mechanism(), form_.state(), t);
     for (const Joint<S>& joint : form_.mechanism().joints) {
       const Reaction<S> r =
@@ -75,30 +108,37 @@ class Simulation {
       sample.reactions.push_back(
           {scalar_cast<double>(r.force), scalar_cast<double>(r.torque), scalar_cast<double>(r.point)});
     }
-    const MechanismState<S> state = form_.physical(t, y);
-    sample.state.t = static_cast<double>(t);
-    for (const Pose<S>& pose : state.pose)
-      sample.state.pose.push_back({scalar_cast<double>(pose.r), scalar_cast<double>(pose.p)});
-    for (const Twist<S>& twist : state.twist)
-      sample.state.twist.push_back({scalar_cast<double>(twist.r_dot), scalar_cast<double>(twist.omega_bar)});
+    sample.state = state_at(t, y);
     report_.energy_end = sample.energy;
-    watch(t, y, at_start);
     observer_.sample(sample);
   }
 
+  MechanismState<double> state_at(const S& t, const Flat& y) {
+    const MechanismState<S> state = form_.physical(t, y);
+    MechanismState<double> shown{static_cast<double>(t), {}, {}};
+    for (const Pose<S>& pose : state.pose)
+      shown.pose.push_back({scalar_cast<double>(pose.r), scalar_cast<double>(pose.p)});
+    for (const Twist<S>& twist : state.twist)
+      shown.twist.push_back({scalar_cast<double>(twist.r_dot), scalar_cast<double>(twist.omega_bar)});
+    return shown;
+  }
+
   /// What the report says of every state.
-  void watch(const S& t, const Flat& y, const MotionEnergy<S>& at_start) {
-    const MotionEnergy<S> energy = form_.energy(t, y);
-    const auto raise = [](double& largest, const S& value) {
-      const double now = static_cast<double>(value);
+  Seen watch(const S& t, const Flat& y, const MotionEnergy<S>& at_start) {
+    const Seen seen{form_.energy(t, y), static_cast<double>(form_.position_violation(t, y)),
+                    static_cast<double>(form_.velocity_violation(t, y))};
+    const auto raise = [](double& largest, double now) {
       if (!(now <= largest)) largest = now;
     };
     using std::abs;
-    raise(report_.phi, form_.position_violation(t, y));
-    raise(report_.phi_dot, form_.velocity_violation(t, y));
-    raise(report_.balance, S(abs(energy.total() - at_start.total() - energy.work)));
-    raise(report_.largest_kinetic, energy.kinetic);
-    report_.work = static_cast<double>(energy.work);
+    raise(report_.normalisation, static_cast<double>(form_.normalisation_violation(y)));
+    raise(report_.phi, seen.phi);
+    raise(report_.phi_dot, seen.phi_dot);
+    raise(report_.balance,
+          static_cast<double>(S(abs(seen.energy.total() - at_start.total() - seen.energy.work))));
+    raise(report_.largest_kinetic, static_cast<double>(seen.energy.kinetic));
+    report_.work = static_cast<double>(seen.energy.work);
+    return seen;
   }
 
   /// The choice of least |E lambda| where rows are redundant; beside a singular position it may not exist.
@@ -114,7 +154,9 @@ class Simulation {
 
   const SimulationOptions& options_;
   SimulationObserver& observer_;
-  FirstOrderForm<F> form_;
+  const bool is_implicit_, projects_;
+  std::unique_ptr<integrators::AnyMethod<S>> method_;
+  ConstrainedForm<F> form_;
   SimulationReport report_;
 };
 

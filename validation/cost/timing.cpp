@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <string>
+
+#include "validation/cpu_time.hpp"
 
 namespace trivium::cost {
 
@@ -67,14 +68,9 @@ std::vector<double> median_microseconds(const std::vector<std::function<void()>>
 }
 
 double seconds_of(const std::function<void()>& work) {
-  const auto now = [] {
-    timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-  };
-  const double start = now();
+  const double start = cpu_seconds();
   work();
-  return now() - start;
+  return cpu_seconds() - start;
 }
 
 }  // namespace trivium::cost

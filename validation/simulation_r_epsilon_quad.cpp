@@ -3,8 +3,6 @@
 
 namespace trivium {
 
-template SimulationReport simulate_in<REpsilon<double>>(const scenes::Scene&, const SimulationOptions&,
-                                                        SimulationObserver&);
 template SimulationReport simulate_in<REpsilon<Quad>>(const scenes::Scene&, const SimulationOptions&,
                                                       SimulationObserver&);
 

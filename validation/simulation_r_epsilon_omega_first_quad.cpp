@@ -3,9 +3,6 @@
 
 namespace trivium {
 
-template SimulationReport simulate_in<REpsilonOmegaFirst<double>>(const scenes::Scene&,
-                                                                  const SimulationOptions&,
-                                                                  SimulationObserver&);
 template SimulationReport simulate_in<REpsilonOmegaFirst<Quad>>(const scenes::Scene&,
                                                                 const SimulationOptions&,
                                                                 SimulationObserver&);

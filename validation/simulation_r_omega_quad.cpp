@@ -3,8 +3,6 @@
 
 namespace trivium {
 
-template SimulationReport simulate_in<ROmega<double>>(const scenes::Scene&, const SimulationOptions&,
-                                                      SimulationObserver&);
 template SimulationReport simulate_in<ROmega<Quad>>(const scenes::Scene&, const SimulationOptions&,
                                                     SimulationObserver&);
 

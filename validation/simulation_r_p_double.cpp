@@ -5,7 +5,5 @@ namespace trivium {
 
 template SimulationReport simulate_in<RP<double>>(const scenes::Scene&, const SimulationOptions&,
                                                   SimulationObserver&);
-template SimulationReport simulate_in<RP<Quad>>(const scenes::Scene&, const SimulationOptions&,
-                                                SimulationObserver&);
 
 }  // namespace trivium

@@ -1,0 +1,101 @@
+/// The laws that make a formula one of its order.
+
+#include <gtest/gtest.h>
+
+#include "integrators/bdf.hpp"
+#include "integrators/methods.hpp"
+#include "integrators/radau.hpp"
+#include "integrators/test_systems.hpp"
+
+namespace trivium::integrators {
+namespace {
+
+// y = t^m, y_n+1 at t = 1 and steps of 1
+TEST(BackwardFormula, IsExactForPolynomialsOfItsOrder) {
+  for (int order = 1; order <= 5; ++order) {
+    const BackwardFormula f = BackwardFormula::of_order(order);
+    for (int m = 0; m <= order + 1; ++m) {
+      double sum = m * f.b;
+      for (int j = 0; j < order; ++j) sum += f.c[j] * std::pow(-j, m);
+      if (m <= order)
+        EXPECT_EQ(sum, f.divisor) << order << " " << m;
+      else
+        EXPECT_NE(sum, f.divisor) << order;
+    }
+  }
+}
+
+TEST(Radau, MeetsTheOrderConditionsOfFive) {
+  const RadauCoefficients<double> r;
+  for (int q = 1; q <= 5; ++q) {
+    double sum = 0;
+    for (int j = 0; j < 3; ++j) sum += r.a[2][j] * std::pow(r.c[j], q - 1);
+    EXPECT_NEAR(sum, 1.0 / q, 1e-15) << q;
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int q = 1; q <= 3; ++q) {
+      double sum = 0;
+      for (int j = 0; j < 3; ++j) sum += r.a[i][j] * std::pow(r.c[j], q - 1);
+      EXPECT_NEAR(sum, std::pow(r.c[i], q) / q, 1e-15) << i << " " << q;
+    }
+}
+
+TEST(Radau, ItsInverseIsThatOfItsMatrix) {
+  const RadauCoefficients<double> r;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      double product = 0;
+      for (int k = 0; k < 3; ++k) product += r.a[i][k] * r.inverse[k][j];
+      EXPECT_NEAR(product, i == j, 1e-14);
+    }
+}
+
+// so that the iteration on springs comes to its end where they are infinitely stiff
+TEST(Radau, ItsDiagonalLeavesWhatIsNilpotent) {
+  const RadauCoefficients<double> r;
+  Eigen::Matrix3d N;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) N(i, j) = (i == j) - r.a[i][j] / r.d[i];
+  EXPECT_LE((N * N * N).norm(), 1e-13);
+}
+
+// the estimate is of order 3: it sees nothing of a polynomial of degree 3
+TEST(Radau, ItsErrorEstimateIsOfOrderThree) {
+  const RadauCoefficients<double> r;
+  for (int m = 1; m <= 4; ++m) {
+    double sum = m == 1 ? r.gamma : 0;  // y = t^m from t = 0, in a step of 1
+    for (int i = 0; i < 3; ++i) sum += r.error[i] * std::pow(r.c[i], m);
+    if (m <= 3)
+      EXPECT_NEAR(sum, 0, 1e-15) << m;
+    else
+      EXPECT_GT(std::abs(sum), 1e-3);
+  }
+}
+
+TEST(ImplicitMethods, RefuseASystemWithoutItsConstraints) {
+  for (const char* name : {"generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "rattle", "radau5"}) {
+    test::OnACircle system;
+    Erased<test::OnACircle> erased(system);
+    const auto method = make_method<double>(name, Steps::given, {});
+    double t = 0;
+    Flat<double> y = system.start();
+    EXPECT_THROW(method->step(erased, t, y, 0.1), UsageError) << name;
+  }
+}
+
+TEST(ImplicitMethods, RefuseParametersThatAreNotTheirs) {
+  const auto make = [](const char* name, const MethodParameters& given) {
+    make_method<double>(name, Steps::given, {}, given);
+  };
+  EXPECT_NO_THROW(make("bdf", {.order = 5}));
+  EXPECT_THROW(make("bdf", {.order = 6}), UsageError);
+  EXPECT_THROW(make("bdf", {.order = 0}), UsageError);
+  EXPECT_THROW(make("hht", {.order = 2}), UsageError);
+  EXPECT_NO_THROW(make("generalized-alpha-gl2", {.rho = 1.0}));
+  EXPECT_THROW(make("generalized-alpha", {.rho = 1.1}), UsageError);
+  EXPECT_THROW(make("hht", {.alpha = 0.1}), UsageError);
+  EXPECT_THROW(make("dopri5", {.full_newton = true}), UsageError);
+}
+
+}  // namespace
+}  // namespace trivium::integrators

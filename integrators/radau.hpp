@@ -1,0 +1,359 @@
+#pragma once
+/// Radau IIA of order 5 on the stabilised index 2 (Gear, Gupta and Leimkuhler): Hairer and Wanner, Solving
+/// Ordinary Differential Equations II (1996), IV.8 and VII. Stages i = 1, 2, 3, the last at the end of the
+/// step:
+///
+///   V_i = v_n + h sum a_ij V'_j,   Q_i = q_n o exp(theta_i),   theta_i = h sum a_ij (T(theta_j)^-1 V_j +
+///   s_j) M(Q_i) V'_i + Phi_q^T lambda_i = Q(Q_i, V_i, t_i) Phi(Q_i, t_i) = 0,   Phi_q V_i = nu,   M s_i +
+///   Phi_q^T mu_i = 0
+///
+/// Rows are met through A^-1, which the constraints' own part of Newton's matrix asks for; springs stand in
+/// it with shares h d_i of the diagonal D for which I - D^-1 A is nilpotent (van der Houwen and Sommeijer,
+/// 1991), so that all matrices are real and those of M. Order 5 in positions and velocities, 3 in its own
+/// lambda.
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "integrators/newton.hpp"
+#include "integrators/odeint.hpp"
+#include "integrators/start.hpp"
+
+namespace trivium::integrators {
+
+/// The method's coefficients.
+template <class S>
+struct RadauCoefficients {
+  std::array<S, 3> c, d, error;
+  std::array<std::array<S, 3>, 3> a, inverse;  ///< A and A^-1
+  S gamma;  ///< of the error's estimate: h gamma f(y_n) + sum error_i (Y_i - y_n)
+
+  RadauCoefficients() {
+    using std::pow, std::sqrt;
+    const S r = sqrt(S(6));
+    c = {(4 - r) / 10, (4 + r) / 10, S(1)};
+    a = {{{(88 - 7 * r) / 360, (296 - 169 * r) / 1800, (-2 + 3 * r) / 225},
+          {(296 + 169 * r) / 1800, (88 + 7 * r) / 360, (-2 - 3 * r) / 225},
+          {(16 - r) / 36, (16 + r) / 36, S(1) / 9}}};
+    invert();
+    d = {S(0.3203827776857808), S(0.1399668046773267), S(0.3716674595229115)};
+    gamma = (6 + pow(S(81), S(1) / 3) - pow(S(9), S(1) / 3)) / 30;  // the real eigenvalue of A
+    error = {gamma / 3 * (-13 - 7 * r), gamma / 3 * (-13 + 7 * r), -gamma / 3};
+  }
+
+ private:
+  void invert() {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const int k = (j + 1) % 3, l = (j + 2) % 3, m = (i + 1) % 3, n = (i + 2) % 3;
+        inverse[i][j] = a[k][m] * a[l][n] - a[k][n] * a[l][m];
+      }
+    const S determinant = a[0][0] * inverse[0][0] + a[0][1] * inverse[1][0] + a[0][2] * inverse[2][0];
+    for (auto& row : inverse)
+      for (S& x : row) x /= determinant;
+  }
+};
+
+template <ConstrainedSystem System>
+class Radau5 {
+ public:
+  using S = typename System::Scalar;
+
+  /// Steps of its own choice to the tolerances, or of the grid's length.
+  Radau5(std::optional<Tolerances> tolerances, const NewtonOptions& newton)
+      : tolerances_(tolerances), newton_(newton) {}
+
+  void step(System& system, S& t, Flat<S>& y, const S& stop) {
+    if (!has_begun_) begin(system, t, y, stop);
+    if (!tolerances_) {
+      advance(system, t, stop - t, y);
+      accept(stop - t, y);
+      t = stop;
+      return;
+    }
+    for (std::string trouble;;) {
+      if (choice_.is_too_small(t)) give_up(system, t, y, trouble);
+      const S h = choice_.length(t, stop);
+      S next;
+      try {
+        const S error = advance(system, t, h, y);
+        using std::pow;
+        const S factor = error > S(0) ? S(S(0.9) * pow(error, S(-0.25))) : S(8);
+        next = h * std::min(S(8), std::max(S(0.2), factor));
+        if (error <= S(1)) {
+          S moved = t + h;
+          accept(h, y);
+          choice_.accept(t, moved, stop, next);
+          return;
+        }
+        trouble.clear();
+      } catch (const std::runtime_error& failure) {
+        trouble = failure.what();
+        next = h / 4;
+      }
+      choice_.reject(next);
+      ++counters_.rejected_steps;
+    }
+  }
+  void restart() {
+    has_begun_ = false;
+    choice_.restart();
+    ++counters_.restarts;
+  }
+  bool shorten() {
+    if (!tolerances_) return false;
+    has_begun_ = false;
+    choice_.shorten();
+    --counters_.steps;
+    ++counters_.rejected_steps;
+    return true;
+  }
+  const Counters& counters() const { return counters_; }
+  const Flat<S>* lambda() const { return has_begun_ ? &stage_[2].lambda : nullptr; }
+
+ private:
+  struct Stage {
+    Flat<S> v_dot, lambda, shift;  ///< unknowns
+    Flat<S> v, theta, rate, y;     ///< where they lead
+    Flat<S> left, phi, phi_dot;    ///< what is left to solve
+  };
+
+  void begin(System& system, const S& t, const Flat<S>& y, const S& stop) {
+    const int nv = system.velocity_size();
+    nq_ = system.position_size();
+    nv_ = nv;
+    nc_ = system.multipliers();
+    const S h = stop - t;
+    const Start<S> start(system, t, y, tolerances_ ? h / 1000 : h, counters_);
+    for (Stage& stage : stage_) {
+      stage.v_dot = start.v_dot;
+      stage.lambda = start.lambda;
+      stage.shift.setZero(nv);
+    }
+    last_ = stage_;
+    last_h_.reset();
+    v_dot_n_ = start.v_dot;
+    if (tolerances_ && !choice_.has_begun())
+      choice_.begin(first_step(system, t, y, 3, *tolerances_, counters_.right_sides));
+    has_begun_ = true;
+  }
+
+  /// Solves the stages of a step; y stays. Returns the estimated error, in tolerances.
+  S advance(System& system, const S& t, const S& h, const Flat<S>& y) {
+    predict(h);
+    if (solve_stages(system, t, h, y)) return error_of(system, h, y);
+    // after a transient what the last stages foretell may be far off
+    for (int i = 0; i < 3; ++i) {
+      stage_[i].v_dot = last_[2].v_dot;
+      stage_[i].lambda = last_[2].lambda;
+      stage_[i].shift.setZero();
+    }
+    if (solve_stages(system, t, h, y)) return error_of(system, h, y);
+    const bool of_rows = !(system.relative_row_violation() <= S(1e-8));
+    throw IntegrationError(fmt::format("at t = {}: Newton's method does not converge: {}; take smaller steps",
+                                       static_cast<double>(t),
+                                       of_rows ? fmt::format("row \"{}\" is not met", system.least_met_row())
+                                               : std::string("forces do not balance")));
+  }
+
+  /// From the stages as predicted; whether they came to solve their equations.
+  bool solve_stages(System& system, const S& t, const S& h, const Flat<S>& y) {
+    const Flat<S> v = y.segment(nq_, nv_);
+    anderson_.clear();
+    S before = std::numeric_limits<S>::max();
+    const S enough = std::max(S(newton_.tolerance), rounding);
+    bool is_factored = false;
+    for (int k = 0, rises = 0; k < 40 && rises < 5; ++k) {
+      place(system, h, y, v);
+      meet_internal(system, h, y, v);
+      S imbalance(0), violation(0);
+      for (const int i : {0, 2, 1}) {  // the matrix is that of the last, which stands in the middle
+        Stage& stage = stage_[i];
+        if (!stage.v_dot.allFinite() || !stage.lambda.allFinite()) return false;
+        system.inertia_force(stage.y, stage.v_dot, force_);
+        imbalance =
+            std::max(imbalance, S(system.balance(t + coefficients_.c[i] * h, stage.y, force_, stage.lambda)));
+        ++counters_.right_sides;
+        violation = std::max(violation, S(system.relative_row_violation()));
+        system.take_rows(stage.phi);
+        violation = std::max(violation, S(system.velocity_rows()));
+        system.take_rows(stage.phi_dot);
+        system.take_imbalance(stage.left);
+        stage_work_[i] = y.size() > nq_ + nv_ ? S(system.work_rate(stage.lambda)) : S(0);
+      }
+      const S now = imbalance / enough + violation / rounding;
+      if (imbalance <= enough && violation <= rounding) return true;
+      const bool falls = now <= before / 2;
+      if (!falls) {
+        if (imbalance <= 1000 * enough && violation <= 1000 * rounding) return true;
+        ++rises;
+        is_factored = false;
+      }
+      before = now;
+      if (!is_factored) anderson_.clear();
+      correct(system, h, is_factored && !newton_.is_full);
+      is_factored = true;
+      ++counters_.iterations;
+    }
+    return false;
+  }
+
+  /// On from the last step's stages, by the polynomial through them.
+  void predict(const S& h) {
+    if (!last_h_) {
+      stage_ = last_;
+      return;
+    }
+    const auto& c = coefficients_.c;
+    std::array<std::array<S, 3>, 3> weight;
+    for (int i = 0; i < 3; ++i) {
+      const S x = 1 + c[i] * h / *last_h_;
+      for (int j = 0; j < 3; ++j) {
+        weight[i][j] = S(1);
+        for (int k = 0; k < 3; ++k)
+          if (k != j) weight[i][j] *= (x - c[k]) / (c[j] - c[k]);
+      }
+    }
+    for (int i = 0; i < 3; ++i) {
+      stage_[i].v_dot =
+          weight[i][0] * last_[0].v_dot + weight[i][1] * last_[1].v_dot + weight[i][2] * last_[2].v_dot;
+      stage_[i].lambda =
+          weight[i][0] * last_[0].lambda + weight[i][1] * last_[1].lambda + weight[i][2] * last_[2].lambda;
+      stage_[i].shift.setZero();
+    }
+  }
+
+  Flat<S> mixed(const std::array<S, 3>& row, Flat<S> Stage::*of) const {
+    return row[0] * (stage_[0].*of) + row[1] * (stage_[1].*of) + row[2] * (stage_[2].*of);
+  }
+
+  void place(System& system, const S& h, const Flat<S>& y, const Flat<S>& v) {
+    for (int i = 0; i < 3; ++i) {
+      stage_[i].v = v + h * mixed(coefficients_.a[i], &Stage::v_dot);
+      stage_[i].rate = stage_[i].v + stage_[i].shift;
+    }
+    // theta depends on its own rate where positions are a group
+    S before = std::numeric_limits<S>::max();
+    for (int k = 0; k < 50; ++k) {
+      S moved(0);
+      for (int i = 0; i < 3; ++i) {
+        const Flat<S> theta = h * mixed(coefficients_.a[i], &Stage::rate);
+        moved = k == 0 ? before : std::max(moved, S((theta - stage_[i].theta).norm()));
+        stage_[i].theta = theta;
+      }
+      if (k > 0 && (moved == S(0) || !(moved < before))) break;
+      before = moved;
+      for (Stage& stage : stage_) {
+        system.displacement_rate(stage.theta, stage.v, stage.rate);
+        stage.rate += stage.shift;
+      }
+    }
+    for (Stage& stage : stage_) {
+      stage.y = y;
+      system.displace(y, stage.theta, stage.y);
+      stage.y.segment(nq_, nv_) = stage.v;
+    }
+  }
+  /// Rows that a model keeps to itself, through A^-1 as the others.
+  void meet_internal(System& system, const S& h, const Flat<S>& y, const Flat<S>& v) {
+    std::array<Flat<S>, 3> moved, turned;
+    bool has_rows = false;
+    for (int i = 0; i < 3; ++i) {
+      moved[i].setZero(nv_);
+      turned[i].setZero(nv_);
+      has_rows = system.constrain(S(1), stage_[i].y, moved[i]);
+      if (has_rows) system.constrain_velocity(S(1), stage_[i].y, turned[i]);
+    }
+    if (!has_rows) return;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        stage_[i].shift += coefficients_.inverse[i][j] / h * moved[j];
+        stage_[i].v_dot += coefficients_.inverse[i][j] / h * turned[j];
+      }
+    place(system, h, y, v);
+  }
+
+  void correct(System& system, const S& h, bool is_factored) {
+    change_.setZero(3 * (2 * nv_ + nc_));
+    Flat<S> rows, x, mu;
+    for (int i = 0; i < 3; ++i) {
+      const auto& inverse = coefficients_.inverse[i];
+      const S share = h * coefficients_.d[i];
+      if (!is_factored || system.has_springs()) system.factor(share, S(share * share));
+      is_factored = true;
+      rows = mixed(inverse, &Stage::phi_dot) / -h;
+      x.setZero(nv_);
+      mu.setZero(nc_);
+      system.solve(stage_[i].left, rows, x, mu);
+      change_.segment(i * nv_, nv_) = x;
+      change_.segment(3 * nv_ + i * nc_, nc_) = mu;
+      rows = stage_[i].phi_dot + mixed(inverse, &Stage::phi) / -h;
+      x.setZero();
+      system.solve(Flat<S>::Zero(nv_), rows, x, mu);
+      change_.segment(3 * (nv_ + nc_) + i * nv_, nv_) = x;
+    }
+    const Flat<S>& step = anderson_.step(change_, 3 * nv_);
+    for (int i = 0; i < 3; ++i) {
+      stage_[i].v_dot += step.segment(i * nv_, nv_);
+      stage_[i].lambda += step.segment(3 * nv_ + i * nc_, nc_);
+      stage_[i].shift += step.segment(3 * (nv_ + nc_) + i * nv_, nv_);
+    }
+  }
+
+  /// Of order 3, filtered by the matrix of springs: what it would damp is no error.
+  S error_of(System& system, const S& h, const Flat<S>& y) {
+    if (!tolerances_) return S(0);
+    const Flat<S> v = y.segment(nq_, nv_);
+    const auto& e = coefficients_.error;
+    const S& gamma = coefficients_.gamma;
+    const Flat<S> off_v = gamma * h * v_dot_n_ + e[0] * (stage_[0].v - v) + e[1] * (stage_[1].v - v) +
+                          e[2] * (stage_[2].v - v),
+                  off_q = gamma * h * v + e[0] * stage_[0].theta + e[1] * stage_[1].theta +
+                          e[2] * stage_[2].theta;
+    system.inertia_force(y, off_v, force_);
+    Flat<S> x = Flat<S>::Zero(nv_), mu = Flat<S>::Zero(nc_);
+    system.solve_force(force_, x, mu);
+    const S size_q = y.head(nq_).cwiseAbs().maxCoeff();
+    S sum(0);
+    for (int k = 0; k < nv_; ++k) {
+      using std::abs;
+      const S of_v = x[k] / (S(tolerances_->atol) +
+                             S(tolerances_->rtol) * std::max(S(abs(v[k])), S(abs(stage_[2].v[k])))),
+              of_q = off_q[k] / (S(tolerances_->atol) + S(tolerances_->rtol) * size_q);
+      sum += of_v * of_v + of_q * of_q;
+    }
+    using std::sqrt;
+    return sqrt(sum / (2 * nv_));
+  }
+
+  void accept(const S& h, Flat<S>& y) {
+    const S work = y.size() > nq_ + nv_ ? y[nq_ + nv_] : S(0);
+    y = stage_[2].y;
+    if (y.size() > nq_ + nv_)
+      y[nq_ + nv_] =
+          work + h * (coefficients_.a[2][0] * stage_work_[0] + coefficients_.a[2][1] * stage_work_[1] +
+                      coefficients_.a[2][2] * stage_work_[2]);
+    last_ = stage_;
+    v_dot_n_ = stage_[2].v_dot;
+    last_h_ = h;
+    ++counters_.steps;
+  }
+
+  const S rounding = 16 * std::numeric_limits<S>::epsilon();
+  const RadauCoefficients<S> coefficients_;
+  std::optional<Tolerances> tolerances_;
+  NewtonOptions newton_;
+  StepChoice<S> choice_;
+  Anderson<S> anderson_;
+  std::array<Stage, 3> stage_, last_;
+  std::array<S, 3> stage_work_;
+  std::optional<S> last_h_;
+  Flat<S> v_dot_n_, force_, change_;
+  int nq_ = 0, nv_ = 0, nc_ = 0;
+  bool has_begun_ = false;
+  Counters counters_;
+};
+
+}  // namespace trivium::integrators

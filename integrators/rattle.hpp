@@ -1,0 +1,167 @@
+#pragma once
+/// RATTLE on a Lie group: the variational integrator of the discrete Lagrangian h (1/2 Omega^T M Omega - V),
+/// with q_n+1 = q_n o exp(theta), theta = h Omega, and constraints on positions and velocities. Symplectic
+/// where forces have a potential, of order 2. Hairer, Lubich and Wanner, Geometric Numerical Integration
+/// (2006), VII.1 and VII.5; Lee, Leok and McClamroch, Computer Methods in Applied Mechanics and Engineering
+/// 196 (2007).
+///
+///   T(theta)^-1 M theta / h = M v_n + h/2 (f_n - Phi_q^T lambda_n),      Phi(q_n+1, t_n+1) = 0
+///   M v_n+1 = T(-theta)^-1 M theta / h + h/2 (f_n+1 - Phi_q^T mu_n+1),    Phi_q v_n+1 = nu
+///
+/// T is that of displacement_rate, and f what effects do: gyroscopic terms are in T. Composed three times
+/// (Suzuki, Yoshida) it has order 4. Its own multipliers are mu_n+1, less what mu_n and lambda_n tell of its
+/// error: of order 2.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "integrators/start.hpp"
+
+namespace trivium::integrators {
+
+template <ConstrainedSystem System>
+class Rattle {
+ public:
+  using S = typename System::Scalar;
+
+  /// Of order 2 or 4.
+  explicit Rattle(int order) : is_composed_(order == 4) {}
+
+  void step(System& system, S& t, Flat<S>& y, const S& stop) {
+    using std::pow;
+    if (!system.inertia_is_constant())
+      throw UsageError(
+          "rattle needs coordinates in which the mass matrix does not depend on positions, as in r-omega");
+    const S h = stop - t;
+    if (!has_begun_) begin(system, t, y, h);
+    if (is_composed_) {
+      const S outer = 1 / (2 - pow(S(2), S(1) / 3)) * h, inner = h - 2 * outer;
+      advance(system, t, outer, y);
+      advance(system, t + outer, inner, y);
+      advance(system, stop - outer, outer, y);
+    } else {
+      advance(system, t, h, y);
+    }
+    work_.add(system, lambda_, h, y);
+    t = stop;
+    ++counters_.steps;
+  }
+  void restart() {
+    has_begun_ = false;
+    ++counters_.restarts;
+  }
+  bool shorten() { return false; }
+  const Counters& counters() const { return counters_; }
+  const Flat<S>* lambda() const { return has_begun_ ? &lambda_ : nullptr; }
+
+ private:
+  void begin(System& system, const S& t, const Flat<S>& y, const S& h) {
+    const Start<S> start(system, t, y, h, counters_);
+    none_.setZero(system.velocity_size());
+    lambda_ = last_mu_ = start.lambda;
+    last_h_ = S(0);
+    factor(system, t, y);
+    // what constraints do: M v' and the gyroscopic forces less what effects do
+    const Flat<S> v = y.segment(system.position_size(), system.velocity_size());
+    const S small = 1 / (1024 * (1 + v.norm()));
+    Flat<S> forward, back;
+    system.inertia_force(y, v, momentum_);
+    system.displacement_rate(small * v, momentum_, forward);
+    system.displacement_rate(-small * v, momentum_, back);
+    system.inertia_force(y, start.v_dot, held_);
+    system.applied_force(t, y, force_);
+    held_ += (forward - back) / small - force_;
+    work_.begin(start.work_rate);
+    has_begun_ = true;
+  }
+
+  void advance(System& system, const S& t, const S& h, Flat<S>& y) {
+    const int nq = system.position_size(), nv = system.velocity_size();
+    const Flat<S> from = y, v = y.segment(nq, nv);
+    system.applied_force(t, y, force_);
+    system.inertia_force(y, v, momentum_);
+    Flat<S> known = h * momentum_ + h * h / 2 * (force_ + held_), theta = h * v;
+    mu_.setZero(system.multipliers());
+    approach(
+        system, t + h, known,
+        [&] {
+          system.displace(from, theta, y);
+          system.inertia_force(y, theta, momentum_);
+          system.displacement_rate(theta, momentum_, rate_);
+          left_ = known - rate_;
+          return S(system.position_rows(t + h, y));
+        },
+        [&] {
+          theta += change_;
+          known += momentum_of(system, y, change_) - left_;  // by what constraints do
+        });
+    // lambda_n and mu_n are off by as much to either side, in proportion to the step after and before
+    const Flat<S> off = h / (h + last_h_) * 2 / (h * h) * mu_;
+    system.inertia_force(y, theta, momentum_);
+    system.displacement_rate(-theta, momentum_, rate_);
+    const Flat<S> arriving = rate_ / h;
+    y.segment(nq, nv) = theta / h;
+    factor(system, t + h, y);
+    held_.setZero(nv);
+    mu_.setZero();
+    approach(
+        system, t + h, arriving,
+        [&] {
+          system.applied_force(t + h, y, force_);
+          left_ = arriving + h / 2 * (force_ + held_) - momentum_of(system, y, y.segment(nq, nv));
+          return S(system.velocity_rows());
+        },
+        [&] {
+          y.segment(nq, nv) += change_;
+          held_ += 2 / h * (momentum_of(system, y, change_) - left_);
+        });
+    last_mu_ = 2 / h * mu_;
+    last_h_ = h;
+    lambda_ = last_mu_ + off;
+  }
+
+  /// To rounding, by the matrix at hand: `look` leaves what does not balance in left_ and returns the rows'
+  /// violation, `move` takes what would mend it from change_.
+  template <class Look, class Move>
+  void approach(System& system, const S& t, const Flat<S>& beside, const Look& look, const Move& move) {
+    const S rounding = 16 * std::numeric_limits<S>::epsilon();
+    S before = std::numeric_limits<S>::max();
+    for (int k = 0; k < 50; ++k) {
+      const S rows = look(), size = beside.norm();
+      const S unbalanced = size > S(0) ? S(left_.norm() / size) : left_.norm();
+      const S now = std::max(rows, unbalanced);
+      if (now <= rounding / 4 || (now <= 64 * rounding && !(now <= before / 2))) return;
+      if (k > 5 && !(now <= before)) break;
+      before = now;
+      change_.setZero(none_.size());
+      system.impulse(left_, change_, mu_);
+      move();
+      ++counters_.iterations;
+    }
+    throw IntegrationError(fmt::format("row \"{}\" at t = {}: the step does not meet it; take smaller steps",
+                                       system.least_met_row(), static_cast<double>(t)));
+  }
+
+  void factor(System& system, const S& t, const Flat<S>& y) {
+    system.balance(t, y, none_, lambda_);
+    system.factor(S(0), S(0));
+    ++counters_.right_sides;
+  }
+  Flat<S> momentum_of(System& system, const Flat<S>& y, const Flat<S>& v) {
+    Flat<S> momentum;
+    system.inertia_force(y, v, momentum);
+    return momentum;
+  }
+
+  const bool is_composed_;
+  bool has_begun_ = false;
+  Flat<S> lambda_, mu_, force_, momentum_, rate_, left_, change_, none_;
+  Flat<S> held_, last_mu_;  ///< what constraints do at the last state
+  S last_h_{0};
+  WorkByTrapezoids<S> work_;
+  Counters counters_;
+};
+
+}  // namespace trivium::integrators

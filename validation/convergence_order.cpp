@@ -1,0 +1,307 @@
+/// Does every method converge with its published order, in every formulation? The errors of positions,
+/// velocities, lambda (of the state) and of the method's own lambda at the end of a run, in quad so that no
+/// rounding hides them, at steps that halve.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "formulations/side_by_side.hpp"
+#include "validation/gnuplot.hpp"
+#include "validation/program.hpp"
+#include "validation/progress.hpp"
+#include "validation/simulation.hpp"
+#include "validation/text_output.hpp"
+
+namespace trivium {
+
+namespace {
+
+/// Observed and published orders may differ by this.
+constexpr double tolerance = 0.2;
+
+struct Case {
+  std::string label, method;
+  integrators::MethodParameters parameters;
+  int order, raw_order;  ///< of the method's own lambda; 0: it has none
+  int steps;             ///< of the coarsest run
+  /// Where the mass matrix depends on the position the order falls, to between 1 and what it is elsewhere.
+  bool needs_constant_mass = false;
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> all{{"dopri5", "dopri5", {}, 5, 0, 20},
+                        {"rkf78", "rkf78", {}, 8, 0, 3},
+                        {"abm", "abm", {}, 5, 0, 160},
+                        {"generalized-alpha", "generalized-alpha", {}, 2, 2, 100},
+                        {"generalized-alpha-gl2", "generalized-alpha-gl2", {}, 2, 2, 50},
+                        {"hht", "hht", {.alpha = -0.2}, 2, 2, 200, true},
+                        {"hht, alpha = 0", "hht", {.alpha = 0.0}, 2, 0, 50},
+                        {"radau5", "radau5", {}, 5, 3, 20},
+                        {"rattle", "rattle", {}, 2, 2, 50},
+                        {"rattle4", "rattle4", {}, 4, 2, 20}};
+  for (int k = 1; k <= 5; ++k)
+    all.push_back({fmt::format("bdf{}", k), "bdf", {.order = k}, k, k, k < 3 ? 400 : 100});
+  return all;
+}
+
+constexpr std::array<const char*, 4> quantities{"r", "v", "lambda", "raw lambda"};
+using Errors = std::array<double, 4>;
+
+/// Of one case in one formulation.
+struct Row {
+  std::string scene, formulation, error;
+  Case of;
+  std::vector<double> h;
+  std::vector<Errors> errors;
+
+  bool solved() const { return error.empty(); }
+  bool has(int quantity) const { return quantity < 3 || of.raw_order > 0; }
+  double observed(int quantity, std::size_t level) const {
+    return std::log2(errors[level - 1][quantity] / errors[level][quantity]);
+  }
+  double observed(int quantity) const { return observed(quantity, h.size() - 1); }
+  /// Whether the formulation's mass matrix lets the order fall.
+  bool may_fall() const { return of.needs_constant_mass && formulation != "r-omega" && !is_omega_first(); }
+  bool is_omega_first() const { return formulation.ends_with("omega-first"); }
+  int published(int quantity) const { return quantity == 3 ? of.raw_order : of.order; }
+  std::string expected(int quantity) const {
+    return may_fall() ? fmt::format("1..{}", published(quantity)) : std::to_string(published(quantity));
+  }
+  bool passed(int quantity) const {
+    const double found = observed(quantity), p = published(quantity);
+    if (!may_fall()) return std::abs(found - p) <= tolerance;
+    // of r the part of order 1 is small, and may first cancel that of order 2
+    return found <= p + tolerance && (quantity == 0 || found >= 1 - tolerance);
+  }
+  bool passed() const {
+    if (!solved()) return false;
+    for (int k = 0; k < 4; ++k)
+      if (has(k) && !passed(k)) return false;
+    return true;
+  }
+};
+
+class End : public SimulationObserver {
+ public:
+  void sample(const MotionSample& sample) override { last = sample; }
+  MotionSample last;
+};
+
+MotionSample end_of(const scenes::Scene& scene, const SimulationOptions& options) {
+  End end;
+  simulate<Quad>(scene, options, end);
+  return end.last;
+}
+
+Errors errors_of(const MotionSample& found, const MotionSample& exact) {
+  Errors e{};
+  for (std::size_t b = 0; b < exact.state.pose.size(); ++b) {
+    const Pose<double>&pose = found.state.pose[b], &true_pose = exact.state.pose[b];
+    const Twist<double>&twist = found.state.twist[b], &true_twist = exact.state.twist[b];
+    e[0] = std::max({e[0], (pose.r - true_pose.r).norm(),
+                     2 * std::min((pose.p - true_pose.p).norm(), (pose.p + true_pose.p).norm())});
+    e[1] = std::max(
+        {e[1], (twist.r_dot - true_twist.r_dot).norm(), (twist.omega_bar - true_twist.omega_bar).norm()});
+  }
+  e[2] = (found.lambda - exact.lambda).norm();
+  e[3] = found.raw_lambda.size() > 0 ? (found.raw_lambda - exact.lambda).norm() : 0;
+  return e;
+}
+
+Row measure(const NamedScene& named, const std::string& formulation, const Case& of, double t_end, int levels,
+            const MotionSample& exact) {
+  Row row{named.scene.name, formulation, "", of, {}, {}};
+  try {
+    SimulationOptions options;
+    options.formulation = formulation;
+    options.integrator = of.method;
+    options.parameters = of.parameters;
+    options.end = t_end;
+    for (int level = 0; level < levels; ++level) {
+      row.h.push_back(t_end / (of.steps << level));
+      options.step = row.h.back();
+      row.errors.push_back(errors_of(end_of(named.scene, options), exact));
+    }
+  } catch (const std::runtime_error& error) {
+    row.error = name_source(named.source, error.what());
+  }
+  return row;
+}
+
+std::vector<std::string> columns() {
+  return {"scene", "formulation", "method", "quantity", "h", "error", "order", "published", "verdict"};
+}
+
+std::string text(const std::vector<Row>& rows) {
+  std::string out;
+  ErrorLines errors;
+  for (std::size_t first = 0; first < rows.size();) {
+    Table table({"method", "formulation", "published", "r", "v", "lambda", "raw lambda", "verdict"});
+    const std::string& scene = rows[first].scene;
+    for (; first < rows.size() && rows[first].scene == scene; ++first) {
+      const Row& row = rows[first];
+      std::vector<std::string> line{row.of.label, row.formulation, row.expected(0)};
+      for (int k = 0; k < 4; ++k)
+        line.push_back(!row.solved() || !row.has(k)
+                           ? "-"
+                           : fmt::format("{:.2f} ({:.0e})", row.observed(k), row.errors.back()[k]));
+      line.push_back(!row.solved() ? "ERROR" : row.passed() ? "ok" : "DIFFERS");
+      table.add(line);
+      if (!row.solved()) errors.add(row.error, row.formulation + ", " + row.of.label);
+    }
+    out += fmt::format("{}: observed orders, and in brackets the error at the finest step\n\n{}\n", scene,
+                       table.text());
+  }
+  return out + errors.text();
+}
+
+std::string json(const std::vector<Row>& rows, bool passed) {
+  JsonWriter out;
+  out.begin_object().flag("passed", passed).begin_array("orders");
+  for (const Row& row : rows) {
+    out.begin_object()
+        .text("scene", row.scene)
+        .text("formulation", row.formulation)
+        .text("method", row.of.label);
+    if (row.solved())
+      for (int k = 0; k < 4; ++k)
+        if (row.has(k)) out.number(quantities[k], row.observed(k));
+    out.number("published", row.of.order).flag("passed", row.passed());
+    if (!row.solved()) out.text("error", row.error);
+    out.end_object();
+  }
+  return out.end_array().end_object().str();
+}
+
+/// Errors over steps, a panel a quantity and a line a method, of one scene in one formulation; with triangles
+/// of the slopes.
+void plot(const std::vector<Row>& rows, const std::string& scene, const std::string& formulation,
+          const std::string& file) {
+  std::string data;
+  std::array<std::vector<std::string>, 4> curves;
+  std::array<std::map<int, std::array<double, 2>>, 4> lowest;  // by order: where its lowest line begins
+  for (const Row& row : rows) {
+    if (row.scene != scene || row.formulation != formulation || !row.solved()) continue;
+    const std::size_t n = curves[0].size() + 1;
+    data += fmt::format("$m{} << EOD\n", n);
+    for (std::size_t level = 0; level < row.h.size(); ++level)
+      data += fmt::format("{:.9g} {:.3e}\n", row.h[level], fmt::join(row.errors[level], " "));
+    data += "EOD\n";
+    for (int k = 0; k < 4; ++k) {
+      curves[k].push_back(row.has(k)
+                              ? fmt::format("$m{} using 1:{} with linespoints lw 1.5 pt 7 ps 0.6 lc {} dt {} "
+                                            "title {}",
+                                            n, k + 2, n % 8 + 1, n / 8 + 1, gnuplot_quoted(row.of.label))
+                              : "");
+      if (!row.has(k)) continue;
+      auto& low = lowest[k]
+                      .try_emplace(row.published(k), std::array{row.h.back(), row.errors.back()[k]})
+                      .first->second;
+      if (row.errors.back()[k] < low[1]) low = {row.h.back(), row.errors.back()[k]};
+    }
+  }
+  std::string panels;
+  for (int k = 0; k < 4; ++k) {
+    std::erase(curves[k], "");
+    panels += "unset object\nunset label\n";
+    int n = 0;
+    for (const auto& [order, from] : lowest[k]) {
+      // below the line: one step to the right, and up by the order
+      const double h = from[0], wide = 1.7 * h, low = from[1] / 4, high = low * std::pow(1.7, order);
+      panels += fmt::format(
+          "set object {0} polygon from {1:.5g},{2:.5g} to {3:.5g},{2:.5g} to {3:.5g},{4:.5g} to "
+          "{1:.5g},{2:.5g} "
+          "fillstyle empty border lc 'gray40'\nset label {0} '{5}' at {6:.5g},{7:.5g} textcolor 'gray40'\n",
+          ++n, h, low, wide, high, order, 1.05 * wide, std::sqrt(low * high));
+    }
+    panels +=
+        fmt::format("set ylabel {}\nplot {}\n", gnuplot_quoted(std::string("error of ") + quantities[k]),
+                    fmt::join(curves[k], ", \\\n  "));
+  }
+  run_gnuplot(fmt::format(
+      "{}set terminal svg size 1500,1000 noenhanced font 'sans,11' background '#ffffff'\nset output {}\n"
+      "set multiplot layout 2,2 title {}\nset grid\nset logscale xy\nset format '%.0e'\nset xlabel 'h [s]'\n"
+      "set key outside right top font ',9'\n{}unset multiplot\n",
+      data, gnuplot_quoted(file), gnuplot_quoted(fmt::format("{}, {}", scene, formulation)), panels));
+}
+
+struct Options {
+  double t_end = 0.1;
+  int levels = 3;
+  std::string plot, plotted = "r-omega";
+  std::vector<std::string> methods;
+};
+
+int run(const Program& program, const Options& options) {
+  std::vector<NamedScene> scenes = program.scenes(0);
+  if (!program.names_scenes())
+    std::erase_if(scenes, [](const NamedScene& s) { return s.scene.name != "spatial_slider_crank"; });
+  std::vector<Case> chosen = cases();
+  if (!options.methods.empty())
+    std::erase_if(chosen, [&](const Case& c) {
+      return std::find(options.methods.begin(), options.methods.end(), c.method) == options.methods.end();
+    });
+  std::vector<Row> rows;
+  Progress progress("convergence_order", scenes.size() * formulation_names().size() * chosen.size());
+  bool solved = true, passed = true;
+  for (const NamedScene& named : scenes) {
+    SimulationOptions reference;
+    reference.integrator = "rkf78";
+    reference.end = options.t_end;
+    reference.tolerances = {1e-19, 1e-21};
+    const MotionSample exact = end_of(named.scene, reference);
+    for (const Case& of : chosen)
+      for (const std::string& formulation : formulation_names()) {
+        progress.step();
+        // rattle is a method of SO(3)
+        if (of.method.starts_with("rattle") &&
+            !(formulation == "r-omega" || formulation.ends_with("omega-first")))
+          continue;
+        rows.push_back(measure(named, formulation, of, options.t_end, options.levels, exact));
+        solved = solved && rows.back().solved();
+        passed = passed && rows.back().passed();
+      }
+  }
+  ResultsFile file("convergence_order", columns());
+  for (const Row& row : rows)
+    for (int k = 0; k < 4; ++k)
+      for (std::size_t level = 0; row.solved() && row.has(k) && level < row.h.size(); ++level)
+        file.add({row.scene, row.formulation, row.of.label, quantities[k], results_number(row.h[level]),
+                  results_number(row.errors[level][k]),
+                  level > 0 ? results_number(row.observed(k, level)) : "none", row.expected(k),
+                  level + 1 < row.h.size() ? "none"
+                  : row.passed(k)          ? "ok"
+                                           : "DIFFERS"});
+  program.write(file);
+  if (!options.plot.empty() && !rows.empty()) plot(rows, rows.front().scene, options.plotted, options.plot);
+  fmt::print("{}", program.json() ? json(rows, passed) : text(rows));
+  return batch_exit(solved, passed);
+}
+
+}  // namespace
+
+}  // namespace trivium
+
+int main(int argc, char** argv) {
+  using namespace trivium;
+  Program program("Does every method converge with its published order, in every formulation?",
+                  "convergence_order", "spatial_slider_crank");
+  Options options;
+  program.options().add_option("--t-end", options.t_end, "The end of the runs [s]")->capture_default_str();
+  program.options()
+      .add_option("--levels", options.levels, "How many steps, each half of the one before")
+      ->check(CLI::Range(2, 8))
+      ->capture_default_str();
+  program.options()
+      .add_option("--method", options.methods, "These methods alone")
+      ->check(CLI::IsMember(integrators::method_names()));
+  program.options().add_option("--plot", options.plot, "Draw errors over steps to this SVG file");
+  program.options()
+      .add_option("--plotted", options.plotted, "The formulation that is drawn")
+      ->check(CLI::IsMember(formulation_names()))
+      ->capture_default_str();
+  return program.run(argc, argv, [&] { return run(program, options); });
+}

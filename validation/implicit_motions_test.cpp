@@ -1,0 +1,148 @@
+/// Motions by implicit and symplectic methods, in every formulation.
+
+#include <cmath>
+
+#include "scenes/test_scenes.hpp"
+#include "validation/test_motions.hpp"
+
+namespace trivium {
+namespace {
+
+using test::catalogue_scene, test::Motion, test::tight;
+
+SimulationOptions stepping(const std::string& formulation, const std::string& method, double end,
+                           double step) {
+  SimulationOptions options;
+  options.formulation = formulation;
+  options.integrator = method;
+  options.end = end;
+  options.step = step;
+  return options;
+}
+
+/// Largest distance of a body between the ends of two motions.
+double apart(const Motion& a, const Motion& b) {
+  double largest = 0;
+  for (std::size_t k = 0; k < a.end().state.pose.size(); ++k)
+    largest = std::max(largest, (a.end().state.pose[k].r - b.end().state.pose[k].r).norm());
+  return largest;
+}
+
+const std::vector<std::string> general{"generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "radau5"};
+
+class Implicit : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Motions, Implicit, testing::ValuesIn(formulation_names()),
+                         test::formulation_in_a_name);
+
+// the governor's damper alone asks of an explicit method steps below 1e-3 s
+TEST_P(Implicit, StepsOfAStiffGovernorAreSetByAccuracy) {
+  static const Motion exact(catalogue_scene("flyball_governor"), tight("r-omega", "rkf78", 2, 1e-11));
+  for (const std::string& method : general) {
+    const Motion coarse(catalogue_scene("flyball_governor"), stepping(GetParam(), method, 2, 0.01));
+    const Motion fine(catalogue_scene("flyball_governor"), stepping(GetParam(), method, 2, 0.005));
+    EXPECT_LE(apart(fine, exact), 4e-3) << method;
+    EXPECT_GE(apart(coarse, exact), 1.5 * apart(fine, exact)) << method;
+    EXPECT_LE(static_cast<double>(fine.report.counters.iterations), 9.0 * 400) << method;
+  }
+  try {
+    const Motion explicit_one(catalogue_scene("flyball_governor"), stepping(GetParam(), "dopri5", 2, 0.01));
+    EXPECT_GE(apart(explicit_one, exact), 0.1);
+  } catch (const std::runtime_error&) {
+  }
+}
+
+TEST_P(Implicit, PositionsStayOnTheirConstraintsAndVelocitiesToTheMethodsError) {
+  for (const char* name : {"spatial_slider_crank", "bricard", "four_bar", "stewart_platform"})
+    for (const std::string& method : general) {
+      const Motion motion(catalogue_scene(name), stepping(GetParam(), method, 0.5, 0.0025));
+      EXPECT_LE(motion.report.phi, 1e-12) << name << " " << method;
+      const bool is_stabilised = method.ends_with("gl2") || method == "radau5";
+      EXPECT_LE(motion.report.phi_dot, is_stabilised ? 1e-10 : 0.2) << name << " " << method;
+    }
+}
+
+// steps of its own choice, too: a tenth of those of an explicit method
+TEST_P(Implicit, RadauChoosesLongStepsInAStiffMotion) {
+  static const Motion exact(catalogue_scene("flyball_governor"), tight("r-omega", "rkf78", 1, 1e-11));
+  const Motion motion(catalogue_scene("flyball_governor"), tight(GetParam(), "radau5", 1, 1e-6));
+  const Motion by_dopri5(catalogue_scene("flyball_governor"), tight(GetParam(), "dopri5", 1, 1e-6));
+  EXPECT_LE(apart(motion, exact), 1e-5);
+  EXPECT_LE(motion.report.counters.steps + motion.report.counters.rejected_steps,
+            by_dopri5.report.counters.steps / 5);
+}
+
+// one method, one step: formulations differ by its error, and less by its order
+TEST_P(Implicit, LambdaOfTheFormulationsMeetsAtTheMethodsOrder) {
+  const auto gap = [&](const std::string& method, double h) {
+    const Motion motion(catalogue_scene("spatial_slider_crank"), stepping(GetParam(), method, 0.1, h));
+    const Motion by_omega(catalogue_scene("spatial_slider_crank"), stepping("r-omega", method, 0.1, h));
+    return (motion.end().lambda - by_omega.end().lambda).norm();
+  };
+  if (GetParam() == "r-omega") return;
+  for (const char* method : {"generalized-alpha", "generalized-alpha-gl2", "bdf"}) {
+    const double coarse = gap(method, 1e-3), fine = gap(method, 2.5e-4);
+    EXPECT_LE(coarse, 1e-3) << method;
+    EXPECT_LE(fine, coarse / 10 + 1e-10) << method;
+  }
+}
+
+TEST_P(Implicit, RedundantMechanismsPassTheirSingularPositions) {
+  const Motion exact(catalogue_scene("n_four_bar_2"), tight("r-omega", "dopri5", 3, 1e-10));
+  for (const char* method : {"generalized-alpha", "bdf"}) {
+    const Motion motion(catalogue_scene("n_four_bar_2"), stepping(GetParam(), method, 3, 0.0025));
+    EXPECT_LE(apart(motion, exact), 5e-3) << method;
+  }
+}
+
+TEST_P(Implicit, ChangesOfChartAndKinksRestartAMethod) {
+  const Motion exact(catalogue_scene("heavy_top"), tight("r-omega", "rkf78", 0.3, 1e-11));
+  for (const std::string& method : general) {
+    if (method == "hht") continue;  // of order 1 here: convergence_order shows it
+    SimulationOptions options = stepping(GetParam(), method, 0.3, 1e-4);
+    options.parameters.order = method == "bdf" ? std::optional<int>(4) : std::nullopt;
+    const Motion motion(catalogue_scene("heavy_top"), options);
+    EXPECT_LE(apart(motion, exact), 2e-4) << method;
+    EXPECT_EQ(motion.report.reframings > 0, motion.report.counters.restarts > 0) << method;
+  }
+}
+
+TEST_P(Implicit, FullNewtonFindsTheSameMotion) {
+  for (const std::string& method : general) {
+    SimulationOptions options = stepping(GetParam(), method, 0.2, 0.002);
+    const Motion modified(catalogue_scene("stewart_platform"), options);
+    options.parameters.full_newton = true;
+    const Motion full(catalogue_scene("stewart_platform"), options);
+    EXPECT_LE(apart(full, modified), 1e-9) << method;
+    EXPECT_GE(full.report.factorisations, modified.report.factorisations) << method;
+  }
+}
+
+// two methods for the work too, of dampers and drivers
+TEST_P(Implicit, WorkAccountsForTheEnergy) {
+  for (const char* name : {"driven_crank", "open_arm_7"})
+    for (const std::string& method : general) {
+      const Motion motion(catalogue_scene(name), stepping(GetParam(), method, 0.5, 0.001));
+      EXPECT_GT(std::abs(motion.report.work), 1e-3) << name;
+      EXPECT_LE(motion.report.balance, 2e-2 * (1 + motion.report.largest_kinetic)) << name << " " << method;
+    }
+}
+
+TEST(Rattle, KeepsTheEnergyBoundedAndTheConstraintsMet) {
+  for (const char* name : {"a01_pendulum", "heavy_top", "bricard"}) {
+    const double step = std::string(name) == "heavy_top" ? 1e-3 : 0.02;
+    const Motion some(catalogue_scene(name), stepping("r-omega", "rattle", 10, step));
+    const Motion more(catalogue_scene(name), stepping("r-omega", "rattle", 100, step));
+    EXPECT_LE(more.report.balance, 1.5 * some.report.balance) << name;
+    EXPECT_LE(more.report.phi, 1e-13) << name;
+    EXPECT_LE(more.report.phi_dot, 1e-11) << name;
+  }
+}
+
+TEST(Rattle, IsRefusedWhereTheMassMatrixDependsOnThePosition) {
+  for (const char* formulation : {"r-p", "r-epsilon"})
+    EXPECT_THROW(Motion(catalogue_scene("heavy_top"), stepping(formulation, "rattle", 0.1, 0.001)),
+                 integrators::UsageError);
+}
+
+}  // namespace
+}  // namespace trivium

@@ -1,0 +1,25 @@
+/// What a hundred thousand periods leave.
+
+#include "validation/test_motions.hpp"
+
+namespace trivium {
+namespace {
+
+using test::catalogue_scene, test::Motion;
+
+// of the pendulum of A01, at a hundred steps a period
+TEST(Rattle, KeepsTheEnergyOfAHundredThousandPeriods) {
+  SimulationOptions options;
+  options.integrator = "rattle";
+  options.step = 0.025;
+  options.end = 250;
+  const Motion some(catalogue_scene("a01_pendulum"), options);
+  options.end = 250000;
+  const Motion all(catalogue_scene("a01_pendulum"), options);
+  EXPECT_LE(all.report.balance, 1.1 * some.report.balance);
+  EXPECT_LE(all.report.phi, 1e-13);
+  EXPECT_LE(all.report.phi_dot, 1e-12);
+}
+
+}  // namespace
+}  // namespace trivium
