@@ -1,0 +1,74 @@
+/// One line a method: the observed orders of r, v, lambda and its own lambda, in every formulation.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "paper/statistics.hpp"
+#include "paper/table.hpp"
+
+namespace trivium::paper {
+
+namespace {
+
+const std::vector<std::string> formulations{"r-omega", "r-p", "r-epsilon"},
+    quantities{"r", "v", "lambda", "raw lambda"};
+
+struct Line {
+  std::string published;
+  std::map<std::pair<std::string, std::string>, double> order;  ///< by formulation and quantity
+};
+
+Tex order_cell(const Line& line, const std::string& formulation, const std::string& quantity) {
+  const auto found = line.order.find({formulation, quantity});
+  return found == line.order.end() ? Tex{"--"} : Tex{fmt::format("{:.2f}", found->second)};
+}
+
+}  // namespace
+
+std::string convergence_order_table(Results& results, Numbers& numbers) {
+  const ResultsTable& table = results["convergence_order"];
+  std::vector<std::string> methods;
+  std::map<std::string, Line> lines;
+  Sample distance;
+  std::size_t failed = 0, compared = 0;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const std::string& verdict = table.text(row, "verdict");
+    if (verdict == "none") continue;  // not the finest step
+    const std::string &method = table.text(row, "method"), &formulation = table.text(row, "formulation"),
+                      &quantity = table.text(row, "quantity"), &published = table.text(row, "published");
+    if (!lines.contains(method)) methods.push_back(method);
+    const double order = table.number(row, "order");
+    lines[method].order[{formulation, quantity}] = order;
+    if (quantity == "r" && formulation == "r-omega") lines[method].published = published;
+    ++compared;
+    if (verdict != "ok") ++failed;
+    if (published.size() == 1) distance.add(std::abs(order - std::stod(published)), method);
+  }
+  std::vector<TexColumn> columns{{"l", {"method"}}, {"r", {"published"}}};
+  for (std::size_t k = 0; k < formulations.size(); ++k)
+    for (const char* heading : {"$r$", "$v$", "$\\lambda$", "raw"}) columns.push_back({"r", {heading}});
+  TexTable out(columns);
+  out.head(
+      {"& & \\multicolumn{4}{c}{\\romega} & \\multicolumn{4}{c}{\\rp} & \\multicolumn{4}{c}{\\reps} \\\\"});
+  for (const std::string& method : methods) {
+    const Line& line = lines[method];
+    std::vector<Tex> cells{text(method), text(line.published)};
+    for (const std::string& formulation : formulations)
+      for (const std::string& quantity : quantities) cells.push_back(order_cell(line, formulation, quantity));
+    out.add(cells);
+  }
+  numbers.define("OrdersCompared", integer(compared));
+  numbers.define("OrdersFailed", integer(failed));
+  numbers.define("OrdersWorst", ratio_in_text(distance.worst()));
+  numbers.define("OrdersWorstMethod", text(distance.worst_name()));
+  const Line& hht = lines["hht"];
+  for (const auto& [formulation, macro] :
+       {std::pair("r-omega", "ROmega"), {"r-p", "RP"}, {"r-epsilon", "REpsilon"}})
+    if (const auto found = hht.order.find({formulation, "r"}); found != hht.order.end())
+      numbers.define(std::string("OrderHht") + macro, {fmt::format("{:.2f}", found->second)});
+  return out.str("results/convergence_order.csv");
+}
+
+}  // namespace trivium::paper
