@@ -63,7 +63,10 @@ class Radau5 {
 
   /// Steps of its own choice to the tolerances, or of the grid's length.
   Radau5(std::optional<Tolerances> tolerances, const NewtonOptions& newton)
-      : tolerances_(tolerances), newton_(newton) {}
+      : tolerances_(tolerances), newton_(newton) {
+    // what Newton's method leaves would stand in the estimated error, which grows no smaller with the step
+    if (tolerances) newton_.tolerance = std::min(newton_.tolerance, tolerances->rtol / 100);
+  }
 
   void step(System& system, S& t, Flat<S>& y, const S& stop) {
     if (!has_begun_) begin(system, t, y, stop);

@@ -33,7 +33,7 @@ struct Case {
 
 std::vector<Case> cases() {
   std::vector<Case> all{{"dopri5", "dopri5", {}, 5, 0, 20},
-                        {"rkf78", "rkf78", {}, 8, 0, 3},
+                        {"rkf78", "rkf78", {}, 8, 0, 4},
                         {"abm", "abm", {}, 5, 0, 160},
                         {"generalized-alpha", "generalized-alpha", {}, 2, 2, 100},
                         {"generalized-alpha-gl2", "generalized-alpha-gl2", {}, 2, 2, 50},

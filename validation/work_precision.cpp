@@ -22,7 +22,7 @@ namespace {
 constexpr std::array targets{1e-3, 1e-6, 1e-9};
 /// The lengths of the catalogue's runs [s]; 1 elsewhere. That of the four-bars ends before they lie flat.
 const std::map<std::string, double> lengths{
-    {"two_bars", 10}, {"a01_pendulum", 10},    {"n_four_bar_2", 1},    {"andrews_squeezer", 0.05},
+    {"two_bars", 10}, {"a01_pendulum", 10},    {"n_four_bar_2", 0.6},  {"andrews_squeezer", 0.05},
     {"bricard", 5},   {"flyball_governor", 1}, {"stewart_platform", 2}};
 
 struct Options {
