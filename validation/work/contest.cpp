@@ -13,7 +13,7 @@ namespace {
 
 constexpr int outputs = 10;
 /// No run is repeated beyond this [s].
-constexpr double enough = 5;
+constexpr double enough = 1;
 
 class Samples : public SimulationObserver {
  public:
@@ -118,8 +118,8 @@ Reference reference_of(const TimedMotion& motion) {
 std::vector<Entry> entries(bool quick) {
   std::vector<Entry> all;
   const auto tolerances =
-      quick ? std::vector<double>{1e-5, 1e-9} : std::vector<double>{1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13};
-  const auto steps = quick ? std::vector<double>{200} : std::vector<double>{200, 800, 3200, 12800};
+      quick ? std::vector<double>{1e-5, 1e-9} : std::vector<double>{1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
+  const auto steps = quick ? std::vector<double>{200} : std::vector<double>{200, 800, 3200};
   for (const char* formulation : {"r-omega", "r-p", "r-epsilon"}) {
     for (const char* method : {"dopri5", "rkf78", "bulirsch-stoer", "abm", "radau5"})
       for (const double rtol : tolerances) all.push_back({"trivium", formulation, method, rtol, {}});
