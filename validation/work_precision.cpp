@@ -27,7 +27,7 @@ const std::map<std::string, double> lengths{
 
 struct Options {
   bool quick = false;
-  int repetitions = 9;
+  int repetitions = 5;
   std::string plots;
 };
 
