@@ -5,6 +5,18 @@
 
 namespace trivium::paper {
 
+namespace {
+
+/// A quantity with its unit: a square is raised.
+Tex quantity(const std::string& plain) {
+  const std::size_t square = plain.find("^2");
+  if (square == std::string::npos) return text(plain);
+  return {text(plain.substr(0, square)).source + "\\textsuperscript{2}" +
+          text(plain.substr(square + 2)).source};
+}
+
+}  // namespace
+
 std::string analytic_solutions_table(Results& results, Numbers& numbers) {
   const ResultsTable& table = results["analytic_solutions"];
   const std::vector<std::string> formulations{"r-omega", "r-p", "r-epsilon", "r-epsilon-omega-first"};
@@ -21,7 +33,7 @@ std::string analytic_solutions_table(Results& results, Numbers& numbers) {
   for (std::size_t first = 0; first < table.rows.size(); first += n) {
     const std::string& problem = table.text(first, "problem");
     if (!last.empty() && problem != last) out.rule();
-    std::vector<Tex> cells{text(problem == last ? "" : problem), text(table.text(first, "quantity"))};
+    std::vector<Tex> cells{text(problem == last ? "" : problem), quantity(table.text(first, "quantity"))};
     last = problem;
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t row = first + k;

@@ -35,7 +35,7 @@ std::string who(const ResultsTable& table, std::size_t row) {
 std::string work_precision_table(Results& results, Numbers& numbers) {
   const ResultsTable& table = results["work_precision"];
   TexTable out({{"l", {"scene"}},
-                {"S[table-format=1.0e-1]", {"error [\\unit{\\metre}]"}},
+                {"S[table-format=1.1e-1]", {"error [\\unit{\\metre}]"}},
                 {"l", {"our cheapest"}},
                 {"S[table-format=3.2]", {"[\\unit{\\milli\\second}]"}},
                 {"l", {"Simbody's cheapest"}},
