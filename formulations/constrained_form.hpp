@@ -25,13 +25,20 @@ namespace trivium {
 
 namespace detail {
 
-/// The mechanism's graph, with a soft edge for every spring and damper.
+/// Calls visit(effect) for every spring or damper that resists.
+template <class S, class Visit>
+void for_each_resisting_spring(const Effects<S>& effects, const Visit& visit) {
+  effects.for_each_spring([&](const auto& spring) {
+    if (spring.stiffness != S(0) || spring.damping != S(0)) visit(spring);
+  });
+}
+
+/// The mechanism's graph, with a soft edge for each of them.
 template <class S>
 BodyJointGraph graph_with_springs(const Mechanism<S>& mechanism) {
   BodyJointGraph graph = body_joint_graph(mechanism);
-  mechanism.effects.for_each_spring([&](const auto& spring) {
-    if (spring.stiffness != S(0) || spring.damping != S(0))
-      graph.edges.push_back({{spring.i, spring.j}, {-1}, false, true, true});
+  for_each_resisting_spring(mechanism.effects, [&](const auto& spring) {
+    graph.edges.push_back({{spring.i, spring.j}, {-1}, false, true, true});
   });
   return graph;
 }
@@ -154,7 +161,6 @@ class ConstrainedForm : public FirstOrderForm<F> {
   /// `force` is what stands in the place of M v'. Returns the largest imbalance of a body, as a share of the
   /// forces or moments on the bodies that it is connected with.
   S balance(const S& t, const Flat& y, const Flat& force, const Flat& lambda) {
-    ++evaluations_;
     this->load(y);
     move(t);
     apply_effects();
@@ -211,10 +217,7 @@ class ConstrainedForm : public FirstOrderForm<F> {
   /// forces leave (reduced, in the places of velocities).
   void take_rows(Flat& rows) const {
     rows.resize(multipliers());
-    const auto& edges = newton_.plan().graph.edges;
-    for (std::size_t e = 0; e < edges.size(); ++e)
-      if (!edges[e].is_soft)
-        for (int k = 0; k < edges[e].size(); ++k) rows[edges[e].rows[k]] = right_side_.edge[e][k];
+    for_each_row([&](std::size_t e, int k, int row) { rows[row] = right_side_.edge[e][k]; });
   }
   void take_imbalance(Flat& left) const {
     left.setZero(velocity_size());
@@ -222,34 +225,26 @@ class ConstrainedForm : public FirstOrderForm<F> {
   }
   /// M x + Phi_q^T mu = left, Phi_q x = rows: added to x and mu.
   void solve(const Flat& left, const Flat& rows, Flat& x, Flat& mu) {
-    const auto& edges = newton_.plan().graph.edges;
     for (int b = 0; b < nb(); ++b)
       given_.body[b] = BodyPart<S>::of(left.template segment<6>(Base::velocities * b));
-    for (std::size_t e = 0; e < edges.size(); ++e)
-      if (!edges[e].is_soft)
-        for (int k = 0; k < edges[e].size(); ++k) given_.edge[e][k] = rows[edges[e].rows[k]];
+    for_each_row([&](std::size_t e, int k, int row) { given_.edge[e][k] = rows[row]; });
     solve(given_, x, &mu);
   }
   /// The same for a generalised force, and rows that ask nothing.
   void solve_force(const Flat& force, Flat& x, Flat& mu) {
-    for (int b = 0; b < nb(); ++b)
-      given_.body[b] = {padded<S>(r_of(force, b)),
-                        padded<S>(F::reduced(at_[factored_].body()[b], q_of(force, b)))};
+    put_force(force, given_);
     for (Vector6<S>& rows : given_.edge) rows.setZero();
     solve(given_, x, &mu);
   }
   bool has_springs() const { return !soft_.empty(); }
   /// M x + Phi_q^T mu = force, Phi_q x = - the rows evaluated last: added to x and mu.
   void impulse(const Flat& force, Flat& x, Flat& mu) {
-    for (int b = 0; b < nb(); ++b)
-      right_side_.body[b] = {padded<S>(r_of(force, b)),
-                             padded<S>(F::reduced(at_[factored_].body()[b], q_of(force, b)))};
+    put_force(force, right_side_);
     newton(S(1), x, mu);
   }
   /// The rate of the work [W] where it was evaluated last.
   S work_rate(const Flat& lambda) { return this->power(at_[evaluated_].body(), lambda, t_); }
 
-  long evaluations() const { return evaluations_; }
   long factorisations() const { return Base::factorisations() + newton_factorisations_; }
 
  private:
@@ -278,17 +273,27 @@ class ConstrainedForm : public FirstOrderForm<F> {
     return measure_.relative();
   }
   void solve(GraphVector<S>& right_side, Flat& x, Flat* lambda) {
-    const auto& edges = newton_.plan().graph.edges;
     for (const int e : soft_) right_side.edge[e].setZero();
     newton_.solve(right_side, change_);
     for (int b = 0; b < nb(); ++b)
       of(x, b) += (typename Base::Velocity() << unpadded<S>(change_.body[b].r),
                    F::increment(at_[evaluated_].body()[b], unpadded<S>(change_.body[b].x)))
                       .finished();
-    if (lambda == nullptr) return;
+    if (lambda != nullptr)
+      for_each_row([&](std::size_t e, int k, int row) { (*lambda)[row] += change_.edge[e][k]; });
+  }
+  void put_force(const Flat& force, GraphVector<S>& right_side) const {
+    for (int b = 0; b < nb(); ++b)
+      right_side.body[b] = {padded<S>(r_of(force, b)),
+                            padded<S>(F::reduced(at_[factored_].body()[b], q_of(force, b)))};
+  }
+  /// Calls visit(edge, k, row) for the mechanism's rows.
+  template <class Visit>
+  void for_each_row(const Visit& visit) const {
+    const auto& edges = newton_.plan().graph.edges;
     for (std::size_t e = 0; e < edges.size(); ++e)
       if (!edges[e].is_soft)
-        for (int k = 0; k < edges[e].size(); ++k) (*lambda)[edges[e].rows[k]] += change_.edge[e][k];
+        for (int k = 0; k < edges[e].size(); ++k) visit(e, k, edges[e].rows[k]);
   }
 
   /// What the multipliers do to the bodies, into on_.
@@ -356,11 +361,10 @@ class ConstrainedForm : public FirstOrderForm<F> {
     if (soft_.empty()) return;
     const auto& plan = newton_.plan();
     auto edge = soft_.begin();
-    mechanism_.effects.for_each_spring([&](const auto& spring) {
-      if (spring.stiffness == S(0) && spring.damping == S(0)) return;
+    detail::for_each_resisting_spring(mechanism_.effects, [&](const auto& spring) {
       EdgeRows<S>& rows = assembly.edge_rows(plan.rows_slot[*edge++]);
-      const S given_way = velocity_share * spring.damping + position_share * spring.stiffness;
-      if (given_way == S(0)) {  // an explicit method's
+      const S resistance = velocity_share * spring.damping + position_share * spring.stiffness;
+      if (resistance == S(0)) {  // an explicit method's
         rows = {};
         rows.compliance = S(1);
         return;
@@ -373,7 +377,7 @@ class ConstrainedForm : public FirstOrderForm<F> {
       };
       put(rows.C_i, spring.i, gradient.first);
       put(rows.C_j, spring.j, gradient.second);
-      rows.compliance = 1 / given_way;
+      rows.compliance = 1 / resistance;
     });
   }
 
@@ -392,7 +396,7 @@ class ConstrainedForm : public FirstOrderForm<F> {
   std::vector<BalanceSize> size_;
   std::vector<int> soft_;  ///< edges of springs, in the effects' order
   S t_{0};
-  long evaluations_ = 0, newton_factorisations_ = 0;
+  long newton_factorisations_ = 0;
 };
 
 }  // namespace trivium

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <vector>
 
+#include "formulations/assemblies.hpp"
 #include "formulations/graph_solver.hpp"
 
 namespace trivium {
@@ -17,8 +17,12 @@ class ConstraintMeasure {
  public:
   /// Both must outlive this.
   ConstraintMeasure(const Mechanism<S>& mechanism, const BodyJointGraph& graph, const S& t)
-      : mechanism_(mechanism), graph_(graph), scale_(graph.edges.size()) {
-    find_assemblies();
+      : mechanism_(mechanism),
+        graph_(graph),
+        scale_(graph.edges.size()),
+        assembly_(assemblies_of(graph)),
+        extent_(assembly_.size()) {
+    measure_reaches();
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {
       scale_[e].setOnes();
       if (graph.edges[e].is_soft) continue;
@@ -68,18 +72,8 @@ class ConstraintMeasure {
     S length{0}, speed{0}, fastest{0};
   };
 
-  void find_assemblies() {
+  void measure_reaches() {
     const int nb = mechanism_.nb();
-    assembly_.resize(nb + 1);
-    std::iota(assembly_.begin(), assembly_.end(), 0);
-    const auto first = [&](int body) {
-      while (assembly_[body] != body) body = assembly_[body];
-      return body;
-    };
-    for (const Joint<S>& joint : mechanism_.joints)
-      if (joint.i != nb && joint.j != nb) assembly_[first(joint.i)] = first(joint.j);
-    for (int b = 0; b <= nb; ++b) assembly_[b] = first(b);
-    extent_.resize(nb + 1);
     for (const Joint<S>& joint : mechanism_.joints) {
       S& reach = extent_[assembly_[joint.i == nb ? joint.j : joint.i]].reach;
       reach = std::max({reach, S(joint.frame_i.point.norm()), S(joint.frame_j.point.norm())});

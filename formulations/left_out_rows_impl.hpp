@@ -12,9 +12,9 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <random>
 
+#include "formulations/assemblies.hpp"
 #include "formulations/graph_solver.hpp"
 
 namespace trivium {
@@ -41,19 +41,9 @@ class GraphSolver<S>::Geometry {
   explicit Geometry(const EliminationPlan& plan)
       : matrix_(plan),
         solver_(plan),
-        assembly_(plan.graph.bodies),
+        assembly_(assemblies_of(plan.graph)),
         lever2_(plan.graph.bodies),
-        holding_(lever2_) {
-    std::iota(assembly_.begin(), assembly_.end(), 0);
-    const auto first = [&](int body) {
-      while (assembly_[body] != body) body = assembly_[body] = assembly_[assembly_[body]];
-      return body;
-    };
-    for (const GraphEdge& edge : plan.graph.edges)
-      if (edge.i != plan.graph.bodies && edge.j != plan.graph.bodies)
-        assembly_[first(edge.i)] = first(edge.j);
-    for (int& body : assembly_) body = first(body);
-  }
+        holding_(lever2_) {}
 
   void factor(const GraphMatrix<S>& matrix) {
     matrix_.point = matrix.point;

@@ -118,12 +118,7 @@ class BDF {
       to.segment(nq, nv) = v_;
     };
     StepUnknowns<S> x{predicted(&Point::v_dot), predicted(&Point::lambda), {}};
-    newton_(
-        system, t, {b * b, b}, place,
-        [&](const Flat<S>& at, const Flat<S>& v_dot, Flat<S>& force) {
-          system.inertia_force(at, v_dot, force);
-        },
-        y, x, counters_);
+    newton_(system, t, {b * b, b}, place, y, x, counters_);
     if (y.size() > nq + nv) y[nq + nv] = known[nv] + b * system.work_rate(x.lambda);
     push({y, x.v_dot, x.lambda});
   }

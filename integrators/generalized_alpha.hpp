@@ -14,7 +14,6 @@
 /// the first step, whether M depends on q or not.
 
 #include <optional>
-#include <utility>
 
 #include "integrators/newton.hpp"
 #include "integrators/start.hpp"
@@ -42,7 +41,7 @@ class GeneralizedAlpha {
     const Shares<S> shares{h * h * beta_ * per_a, h * gamma_ * per_a};
     const int nq = system.position_size(), nv = system.velocity_size();
     const Flat<S> v = y.segment(nq, nv), from = y;
-    const Flat<S> known = (alpha_f_ * v_dot_ - alpha_m_ * a_) / (1 - alpha_m_);
+    const Flat<S> known = (alpha_f_ * v_dot_.now() - alpha_m_ * a_) / (1 - alpha_m_);
     const auto place = [&](const StepUnknowns<S>& x, Flat<S>& to) {
       next_a_ = known + per_a * x.v_dot;
       displacement_ = h * v + h * h * ((S(0.5) - beta_) * a_ + beta_ * next_a_);
@@ -50,19 +49,12 @@ class GeneralizedAlpha {
       system.displace(from, displacement_, to);
       to.segment(nq, nv) = v + h * ((1 - gamma_) * a_ + gamma_ * next_a_);
     };
-    // on from the last step, along a line
     const S ahead = h / *last_h_;
-    StepUnknowns<S> x{v_dot_ + ahead * (v_dot_ - v_dot_before_), lambda_ + ahead * (lambda_ - lambda_before_),
-                      Flat<S>::Zero(is_stabilised_ ? nv : 0)};
-    newton_(
-        system, stop, shares, place,
-        [&](const Flat<S>& at, const Flat<S>& v_dot, Flat<S>& force) {
-          system.inertia_force(at, v_dot, force);
-        },
-        y, x, counters_);
+    StepUnknowns<S> x{v_dot_.ahead(ahead), lambda_.ahead(ahead), Flat<S>::Zero(is_stabilised_ ? nv : 0)};
+    newton_(system, stop, shares, place, y, x, counters_);
     work_.add(system, x.lambda, h, y);
-    v_dot_before_ = std::exchange(v_dot_, x.v_dot);
-    lambda_before_ = std::exchange(lambda_, x.lambda);
+    v_dot_.push(x.v_dot);
+    lambda_.push(x.lambda);
     a_ = next_a_;
     last_h_ = h;
     t = stop;
@@ -74,16 +66,14 @@ class GeneralizedAlpha {
   }
   bool shorten() { return false; }
   const Counters& counters() const { return counters_; }
-  const Flat<S>* lambda() const { return last_h_ ? &lambda_ : nullptr; }
+  const Flat<S>* lambda() const { return last_h_ ? &lambda_.now() : nullptr; }
 
  private:
   void begin(System& system, const S& t, const Flat<S>& y, const S& h) {
     const Start<S> start(system, t, y, h, counters_);
-    v_dot_ = start.v_dot;
-    lambda_ = start.lambda;
-    a_ = v_dot_ + (alpha_m_ - alpha_f_) * h * start.v_ddot;
-    v_dot_before_ = v_dot_ - h * start.v_ddot;
-    lambda_before_ = lambda_ - h * start.lambda_dot;
+    v_dot_.begin(start.v_dot, start.v_ddot, h);
+    lambda_.begin(start.lambda, start.lambda_dot, h);
+    a_ = start.v_dot + (alpha_m_ - alpha_f_) * h * start.v_ddot;
     last_h_ = h;
     work_.begin(start.work_rate);
   }
@@ -91,7 +81,8 @@ class GeneralizedAlpha {
   const bool is_stabilised_;
   const S alpha_m_, alpha_f_, gamma_, beta_;
   Newton<System> newton_;
-  Flat<S> v_dot_, lambda_, a_, v_dot_before_, lambda_before_, next_a_, displacement_;
+  Line<S> v_dot_, lambda_;
+  Flat<S> a_, next_a_, displacement_;
   WorkByTrapezoids<S> work_;
   std::optional<S> last_h_;
   Counters counters_;

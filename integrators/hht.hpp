@@ -10,7 +10,6 @@
 /// < 0 the order falls to 1.
 
 #include <optional>
-#include <utility>
 
 #include "integrators/newton.hpp"
 #include "integrators/start.hpp"
@@ -29,26 +28,25 @@ class HHT {
     const S h = stop - t;
     if (!last_h_) begin(system, t, y, h);
     const int nq = system.position_size(), nv = system.velocity_size();
-    const Flat<S> v = y.segment(nq, nv), from = y;
+    const Flat<S> v = y.segment(nq, nv), from = y, a = a_.now();
     // Newton's unknown is a_n+1 / (1 + alpha), with which M stands alone
     const S per_x = 1 + alpha_;
     const auto place = [&](const StepUnknowns<S>& x, Flat<S>& to) {
-      displacement_ = h * v + h * h * ((S(0.5) - beta_) * a_ + beta_ * per_x * x.v_dot);
+      displacement_ = h * v + h * h * ((S(0.5) - beta_) * a + beta_ * per_x * x.v_dot);
       system.displace(from, displacement_, to);
-      to.segment(nq, nv) = v + h * ((1 - gamma_) * a_ + gamma_ * per_x * x.v_dot);
+      to.segment(nq, nv) = v + h * ((1 - gamma_) * a + gamma_ * per_x * x.v_dot);
     };
     const auto force = [&](const Flat<S>& at, const Flat<S>& x, Flat<S>& total) {
       system.inertia_force(at, x, inertia_);
       total = inertia_ - alpha_ / per_x * g_;
     };
     const S ahead = h / *last_h_;
-    StepUnknowns<S> x{
-        (a_ + ahead * (a_ - a_before_)) / per_x, lambda_ + ahead * (lambda_ - lambda_before_), {}};
-    newton_(system, stop, {h * h * beta_ * per_x, h * gamma_ * per_x}, place, force, y, x, counters_);
+    StepUnknowns<S> x{a_.ahead(ahead) / per_x, lambda_.ahead(ahead), {}};
+    newton_(system, stop, {h * h * beta_ * per_x, h * gamma_ * per_x}, place, y, x, counters_, force);
     work_.add(system, x.lambda, h, y);
     g_ = alpha_ / per_x * g_ - inertia_;
-    a_before_ = std::exchange(a_, Flat<S>(per_x * x.v_dot));
-    lambda_before_ = std::exchange(lambda_, x.lambda);
+    a_.push(per_x * x.v_dot);
+    lambda_.push(x.lambda);
     last_h_ = h;
     t = stop;
     ++counters_.steps;
@@ -59,16 +57,14 @@ class HHT {
   }
   bool shorten() { return false; }
   const Counters& counters() const { return counters_; }
-  const Flat<S>* lambda() const { return last_h_ ? &lambda_ : nullptr; }
+  const Flat<S>* lambda() const { return last_h_ ? &lambda_.now() : nullptr; }
 
  private:
   void begin(System& system, const S& t, const Flat<S>& y, const S& h) {
     const Start<S> start(system, t, y, h, counters_);
-    a_ = start.v_dot;
-    lambda_ = start.lambda;
-    a_before_ = a_ - h * start.v_ddot;
-    lambda_before_ = lambda_ - h * start.lambda_dot;
-    system.inertia_force(y, a_, inertia_);
+    a_.begin(start.v_dot, start.v_ddot, h);
+    lambda_.begin(start.lambda, start.lambda_dot, h);
+    system.inertia_force(y, start.v_dot, inertia_);
     g_ = -inertia_;
     last_h_ = h;
     work_.begin(start.work_rate);
@@ -76,7 +72,8 @@ class HHT {
 
   const S alpha_, gamma_, beta_;
   Newton<System> newton_;
-  Flat<S> a_, lambda_, g_, a_before_, lambda_before_, displacement_, inertia_;
+  Line<S> a_, lambda_;
+  Flat<S> g_, displacement_, inertia_;
   WorkByTrapezoids<S> work_;
   std::optional<S> last_h_;
   Counters counters_;

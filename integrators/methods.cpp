@@ -80,8 +80,8 @@ Value checked(const char* what, const std::optional<Value>& given, Value standar
 void check(const MethodInfo& method, Steps steps, const MethodParameters& given) {
   if (steps == Steps::given && !method.takes_given_steps)
     throw UsageError(
-        fmt::format("{} chooses its steps by tolerances and takes no given step; give it rtol and "
-                    "atol, or take another method",
+        fmt::format("{} chooses its steps by tolerances and takes no given step; give it rtol and atol, or "
+                    "take another method",
                     method.name));
   if (steps == Steps::chosen && !method.chooses_steps)
     throw UsageError(fmt::format("{} takes steps of a given length; give it a step", method.name));

@@ -31,6 +31,17 @@ struct StepUnknowns {
   Flat<S> v_dot, lambda, shift;
 };
 
+/// Says which row is not met, or that forces do not balance, by what was evaluated last.
+template <ConstrainedSystem System>
+[[noreturn]] void throw_not_converged(System& system, const typename System::Scalar& t) {
+  using S = typename System::Scalar;
+  const bool of_rows = !(system.relative_row_violation() <= S(1e-8));
+  throw IntegrationError(fmt::format("at t = {}: Newton's method does not converge: {}; take smaller steps",
+                                     static_cast<double>(t),
+                                     of_rows ? fmt::format("row \"{}\" is not met", system.least_met_row())
+                                             : std::string("forces do not balance")));
+}
+
 template <ConstrainedSystem System>
 class Newton {
  public:
@@ -38,11 +49,20 @@ class Newton {
 
   explicit Newton(const NewtonOptions& options) : options_(options) {}
 
-  /// `place(x, y)` moves y to where the unknowns lead, `force(y, v_dot, f)` is what stands in the place of M
-  /// v'. Throws an IntegrationError that names the row, or says that forces do not balance.
+  /// `place(x, y)` moves y to where the unknowns lead; `force(y, v_dot, f)` is what stands in the place of M
+  /// v', which it is unless given. Throws an IntegrationError that names the row, or says that forces do not
+  /// balance.
+  template <class Place>
+  void operator()(System& system, const S& t, const Shares<S>& shares, const Place& place, Flat<S>& y,
+                  StepUnknowns<S>& x, Counters& counters) {
+    (*this)(system, t, shares, place, y, x, counters,
+            [&](const Flat<S>& at, const Flat<S>& v_dot, Flat<S>& force) {
+              system.inertia_force(at, v_dot, force);
+            });
+  }
   template <class Place, class Force>
-  void operator()(System& system, const S& t, const Shares<S>& shares, const Place& place, const Force& force,
-                  Flat<S>& y, StepUnknowns<S>& x, Counters& counters) {
+  void operator()(System& system, const S& t, const Shares<S>& shares, const Place& place, Flat<S>& y,
+                  StepUnknowns<S>& x, Counters& counters, const Force& force) {
     const bool is_stabilised = x.shift.size() > 0;
     const Eigen::Index nv = x.v_dot.size(), nc = x.lambda.size();
     bool is_fresh = false;
@@ -60,12 +80,12 @@ class Newton {
       ++counters.right_sides;
       S violation = system.relative_row_violation();
       if (is_stabilised) violation = std::max(violation, S(system.velocity_rows()));
-      if (imbalance <= enough() && violation <= rounding()) return;
+      if (imbalance <= enough() && violation <= rounding<S>()) return;
       // what falls no more by a matrix made there is rounding, or no solution
-      const S now = imbalance / enough() + violation / rounding();
+      const S now = imbalance / enough() + violation / rounding<S>();
       const bool falls = now <= before / 2;
       if (!falls && is_fresh) {
-        if (imbalance <= S(1e3) * enough() && violation <= S(1e3) * rounding()) return;
+        if (imbalance <= S(1e3) * enough() && violation <= S(1e3) * rounding<S>()) return;
         ++rises;
       }
       before = now;
@@ -91,21 +111,13 @@ class Newton {
       if (is_stabilised) x.shift += step.tail(nv);
       ++counters.iterations;
     }
-    fail(system, t);
+    throw_not_converged(system, t);
   }
 
  private:
   static constexpr int most_iterations = 40, most_rises = 5;
 
-  S enough() const { return std::max(S(options_.tolerance), rounding()); }
-  static S rounding() { return S(16 * std::numeric_limits<S>::epsilon()); }
-  [[noreturn]] static void fail(System& system, const S& t) {
-    const bool of_rows = !(system.relative_row_violation() <= S(1e-8));
-    throw IntegrationError(fmt::format("at t = {}: Newton's method does not converge: {}; take smaller steps",
-                                       static_cast<double>(t),
-                                       of_rows ? fmt::format("row \"{}\" is not met", system.least_met_row())
-                                               : std::string("forces do not balance")));
-  }
+  S enough() const { return std::max(S(options_.tolerance), rounding<S>()); }
 
   NewtonOptions options_;
   Anderson<S> anderson_;

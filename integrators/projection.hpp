@@ -45,11 +45,10 @@ class Projection {
   template <class Measure, class Correct>
   void approach(System& system, const S& t, const char* what, S& found, S& left, long& changes,
                 const Measure& measure, const Correct& correct) {
-    const S rounding = S(16 * std::numeric_limits<S>::epsilon());
     S size = measure(), relative = system.relative_violation();
     found = std::max(found, size);
     constexpr int most_changes = 30;
-    for (int k = 0; k < most_changes && relative > rounding; ++k) {
+    for (int k = 0; k < most_changes && relative > rounding<S>(); ++k) {
       const bool factors = !is_factored_;
       correct(factors);
       is_factored_ = true;

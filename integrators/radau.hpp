@@ -3,15 +3,18 @@
 /// Ordinary Differential Equations II (1996), IV.8 and VII. Stages i = 1, 2, 3, the last at the end of the
 /// step:
 ///
-///   V_i = v_n + h sum a_ij V'_j,   Q_i = q_n o exp(theta_i),   theta_i = h sum a_ij (T(theta_j)^-1 V_j +
-///   s_j) M(Q_i) V'_i + Phi_q^T lambda_i = Q(Q_i, V_i, t_i) Phi(Q_i, t_i) = 0,   Phi_q V_i = nu,   M s_i +
-///   Phi_q^T mu_i = 0
+///   V_i = v_n + h sum a_ij V'_j,   M(Q_i) V'_i + Phi_q^T lambda_i = Q(Q_i, V_i, t_i),   Phi_q V_i = nu
+///
+///   Q_i = q_n o exp(theta_i),   theta_i = h sum a_ij (T(theta_j)^-1 V_j + s_j)
+///
+///   Phi(Q_i, t_i) = 0,   M s_i + Phi_q^T mu_i = 0
 ///
 /// Rows are met through A^-1, which the constraints' own part of Newton's matrix asks for; springs stand in
 /// it with shares h d_i of the diagonal D for which I - D^-1 A is nilpotent (van der Houwen and Sommeijer,
 /// 1991), so that all matrices are real and those of M. Order 5 in positions and velocities, 3 in its own
 /// lambda.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -86,9 +89,8 @@ class Radau5 {
         const S factor = error > S(0) ? S(S(0.9) * pow(error, S(-0.25))) : S(8);
         next = h * std::min(S(8), std::max(S(0.2), factor));
         if (error <= S(1)) {
-          S moved = t + h;
           accept(h, y);
-          choice_.accept(t, moved, stop, next);
+          choice_.accept(t, S(t + h), stop, next);
           return;
         }
         trouble.clear();
@@ -117,27 +119,24 @@ class Radau5 {
   const Flat<S>* lambda() const { return has_begun_ ? &stage_[2].lambda : nullptr; }
 
  private:
-  struct Stage {
-    Flat<S> v_dot, lambda, shift;  ///< unknowns
-    Flat<S> v, theta, rate, y;     ///< where they lead
-    Flat<S> left, phi, phi_dot;    ///< what is left to solve
+  /// What the next step goes on from.
+  struct Known {
+    Flat<S> v_dot, lambda;
+  };
+  struct Stage : Known {
+    Flat<S> shift;               ///< the third unknown
+    Flat<S> v, theta, rate, y;   ///< where they lead
+    Flat<S> left, phi, phi_dot;  ///< what is left to solve
   };
 
   void begin(System& system, const S& t, const Flat<S>& y, const S& stop) {
-    const int nv = system.velocity_size();
     nq_ = system.position_size();
-    nv_ = nv;
+    nv_ = system.velocity_size();
     nc_ = system.multipliers();
     const S h = stop - t;
     const Start<S> start(system, t, y, tolerances_ ? h / 1000 : h, counters_);
-    for (Stage& stage : stage_) {
-      stage.v_dot = start.v_dot;
-      stage.lambda = start.lambda;
-      stage.shift.setZero(nv);
-    }
-    last_ = stage_;
+    last_.fill({start.v_dot, start.lambda});
     last_h_.reset();
-    v_dot_n_ = start.v_dot;
     if (tolerances_ && !choice_.has_begun())
       choice_.begin(first_step(system, t, y, 3, *tolerances_, counters_.right_sides));
     has_begun_ = true;
@@ -147,18 +146,9 @@ class Radau5 {
   S advance(System& system, const S& t, const S& h, const Flat<S>& y) {
     predict(h);
     if (solve_stages(system, t, h, y)) return error_of(system, h, y);
-    // after a transient what the last stages foretell may be far off
-    for (int i = 0; i < 3; ++i) {
-      stage_[i].v_dot = last_[2].v_dot;
-      stage_[i].lambda = last_[2].lambda;
-      stage_[i].shift.setZero();
-    }
+    stay();  // after a transient what the last stages foretell may be far off
     if (solve_stages(system, t, h, y)) return error_of(system, h, y);
-    const bool of_rows = !(system.relative_row_violation() <= S(1e-8));
-    throw IntegrationError(fmt::format("at t = {}: Newton's method does not converge: {}; take smaller steps",
-                                       static_cast<double>(t),
-                                       of_rows ? fmt::format("row \"{}\" is not met", system.least_met_row())
-                                               : std::string("forces do not balance")));
+    throw_not_converged(system, t);
   }
 
   /// From the stages as predicted; whether they came to solve their equations.
@@ -166,7 +156,7 @@ class Radau5 {
     const Flat<S> v = y.segment(nq_, nv_);
     anderson_.clear();
     S before = std::numeric_limits<S>::max();
-    const S enough = std::max(S(newton_.tolerance), rounding);
+    const S rounding = integrators::rounding<S>(), enough = std::max(S(newton_.tolerance), rounding);
     bool is_factored = false;
     for (int k = 0, rises = 0; k < 40 && rises < 5; ++k) {
       place(system, h, y, v);
@@ -205,31 +195,34 @@ class Radau5 {
 
   /// On from the last step's stages, by the polynomial through them.
   void predict(const S& h) {
-    if (!last_h_) {
-      stage_ = last_;
-      return;
-    }
+    if (!last_h_) return stay();
     const auto& c = coefficients_.c;
-    std::array<std::array<S, 3>, 3> weight;
     for (int i = 0; i < 3; ++i) {
       const S x = 1 + c[i] * h / *last_h_;
-      for (int j = 0; j < 3; ++j) {
-        weight[i][j] = S(1);
+      std::array<S, 3> weight{S(1), S(1), S(1)};
+      for (int j = 0; j < 3; ++j)
         for (int k = 0; k < 3; ++k)
-          if (k != j) weight[i][j] *= (x - c[k]) / (c[j] - c[k]);
-      }
-    }
-    for (int i = 0; i < 3; ++i) {
-      stage_[i].v_dot =
-          weight[i][0] * last_[0].v_dot + weight[i][1] * last_[1].v_dot + weight[i][2] * last_[2].v_dot;
-      stage_[i].lambda =
-          weight[i][0] * last_[0].lambda + weight[i][1] * last_[1].lambda + weight[i][2] * last_[2].lambda;
-      stage_[i].shift.setZero();
+          if (k != j) weight[j] *= (x - c[k]) / (c[j] - c[k]);
+      begin_stage(i, mixed(weight, last_, &Known::v_dot), mixed(weight, last_, &Known::lambda));
     }
   }
+  /// As at the end of the last step.
+  void stay() {
+    for (int i = 0; i < 3; ++i) begin_stage(i, last_[2].v_dot, last_[2].lambda);
+  }
+  void begin_stage(int i, const Flat<S>& v_dot, const Flat<S>& lambda) {
+    stage_[i].v_dot = v_dot;
+    stage_[i].lambda = lambda;
+    stage_[i].shift.setZero(nv_);
+  }
 
-  Flat<S> mixed(const std::array<S, 3>& row, Flat<S> Stage::*of) const {
-    return row[0] * (stage_[0].*of) + row[1] * (stage_[1].*of) + row[2] * (stage_[2].*of);
+  template <class T, class Part>
+  static Flat<S> mixed(const std::array<S, 3>& row, const std::array<T, 3>& stages, Flat<S> Part::*of) {
+    return row[0] * (stages[0].*of) + row[1] * (stages[1].*of) + row[2] * (stages[2].*of);
+  }
+  template <class Part>
+  Flat<S> mixed(const std::array<S, 3>& row, Flat<S> Part::*of) const {
+    return mixed(row, stage_, of);
   }
 
   void place(System& system, const S& h, const Flat<S>& y, const Flat<S>& v) {
@@ -311,10 +304,9 @@ class Radau5 {
     const Flat<S> v = y.segment(nq_, nv_);
     const auto& e = coefficients_.error;
     const S& gamma = coefficients_.gamma;
-    const Flat<S> off_v = gamma * h * v_dot_n_ + e[0] * (stage_[0].v - v) + e[1] * (stage_[1].v - v) +
+    const Flat<S> off_v = gamma * h * last_[2].v_dot + e[0] * (stage_[0].v - v) + e[1] * (stage_[1].v - v) +
                           e[2] * (stage_[2].v - v),
-                  off_q = gamma * h * v + e[0] * stage_[0].theta + e[1] * stage_[1].theta +
-                          e[2] * stage_[2].theta;
+                  off_q = gamma * h * v + mixed(e, &Stage::theta);
     system.inertia_force(y, off_v, force_);
     Flat<S> x = Flat<S>::Zero(nv_), mu = Flat<S>::Zero(nc_);
     system.solve_force(force_, x, mu);
@@ -338,22 +330,21 @@ class Radau5 {
       y[nq_ + nv_] =
           work + h * (coefficients_.a[2][0] * stage_work_[0] + coefficients_.a[2][1] * stage_work_[1] +
                       coefficients_.a[2][2] * stage_work_[2]);
-    last_ = stage_;
-    v_dot_n_ = stage_[2].v_dot;
+    std::copy(stage_.begin(), stage_.end(), last_.begin());
     last_h_ = h;
     ++counters_.steps;
   }
 
-  const S rounding = 16 * std::numeric_limits<S>::epsilon();
   const RadauCoefficients<S> coefficients_;
   std::optional<Tolerances> tolerances_;
   NewtonOptions newton_;
   StepChoice<S> choice_;
   Anderson<S> anderson_;
-  std::array<Stage, 3> stage_, last_;
+  std::array<Stage, 3> stage_;
+  std::array<Known, 3> last_;
   std::array<S, 3> stage_work_;
   std::optional<S> last_h_;
-  Flat<S> v_dot_n_, force_, change_;
+  Flat<S> force_, change_;
   int nq_ = 0, nv_ = 0, nc_ = 0;
   bool has_begun_ = false;
   Counters counters_;

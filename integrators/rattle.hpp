@@ -62,17 +62,12 @@ class Rattle {
     none_.setZero(system.velocity_size());
     lambda_ = last_mu_ = start.lambda;
     last_h_ = S(0);
+    // what constraints do: what does not balance with their multipliers, less what does not without
     factor(system, t, y);
-    // what constraints do: M v' and the gyroscopic forces less what effects do
-    const Flat<S> v = y.segment(system.position_size(), system.velocity_size());
-    const S small = 1 / (1024 * (1 + v.norm()));
-    Flat<S> forward, back;
-    system.inertia_force(y, v, momentum_);
-    system.displacement_rate(small * v, momentum_, forward);
-    system.displacement_rate(-small * v, momentum_, back);
-    system.inertia_force(y, start.v_dot, held_);
-    system.applied_force(t, y, force_);
-    held_ += (forward - back) / small - force_;
+    system.take_imbalance(held_);
+    system.balance(t, y, none_, Flat<S>::Zero(system.multipliers()));
+    system.take_imbalance(left_);
+    held_ -= left_;
     work_.begin(start.work_rate);
     has_begun_ = true;
   }
@@ -126,13 +121,12 @@ class Rattle {
   /// violation, `move` takes what would mend it from change_.
   template <class Look, class Move>
   void approach(System& system, const S& t, const Flat<S>& beside, const Look& look, const Move& move) {
-    const S rounding = 16 * std::numeric_limits<S>::epsilon();
     S before = std::numeric_limits<S>::max();
     for (int k = 0; k < 50; ++k) {
       const S rows = look(), size = beside.norm();
       const S unbalanced = size > S(0) ? S(left_.norm() / size) : left_.norm();
       const S now = std::max(rows, unbalanced);
-      if (now <= rounding / 4 || (now <= 64 * rounding && !(now <= before / 2))) return;
+      if (now <= rounding<S>() / 4 || (now <= 64 * rounding<S>() && !(now <= before / 2))) return;
       if (k > 5 && !(now <= before)) break;
       before = now;
       change_.setZero(none_.size());

@@ -41,6 +41,23 @@ struct Start {
   }
 };
 
+/// A quantity at the ends of the last two steps, and on along the line through them.
+template <class S>
+class Line {
+ public:
+  void begin(const Flat<S>& value, const Flat<S>& rate, const S& h) {
+    now_ = value;
+    before_ = value - h * rate;
+  }
+  const Flat<S>& now() const { return now_; }
+  /// So many of the last step's lengths ahead.
+  Flat<S> ahead(const S& steps) const { return now_ + steps * (now_ - before_); }
+  void push(Flat<S> value) { before_ = std::exchange(now_, std::move(value)); }
+
+ private:
+  Flat<S> now_, before_;
+};
+
 /// The work behind q and v in y, where a system has it: by trapezoids, of order 2.
 template <class S>
 class WorkByTrapezoids {

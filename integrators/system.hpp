@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <concepts>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -105,6 +106,12 @@ class UsageError : public IntegrationError {
  public:
   using IntegrationError::IntegrationError;
 };
+
+/// What rounding may leave of a measure beside the model's own numbers.
+template <class S>
+S rounding() {
+  return S(16 * std::numeric_limits<S>::epsilon());
+}
 
 /// What a method may miss: errors of each number up to atol + rtol |number|, per step.
 struct Tolerances {

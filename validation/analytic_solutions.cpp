@@ -46,12 +46,6 @@ class Errors {
   std::vector<Check> checks_;
 };
 
-class Samples : public SimulationObserver {
- public:
-  void sample(const MotionSample& s) override { all.push_back(s); }
-  std::vector<MotionSample> all;
-};
-
 std::vector<MotionSample> motion(const scenes::Scene& scene, const std::string& formulation, double end,
                                  double output_step) {
   Samples samples;

@@ -64,8 +64,7 @@ struct Row {
   }
   double observed(int quantity) const { return observed(quantity, h.size() - 1); }
   /// Whether the formulation's mass matrix lets the order fall.
-  bool may_fall() const { return of.needs_constant_mass && formulation != "r-omega" && !is_omega_first(); }
-  bool is_omega_first() const { return formulation.ends_with("omega-first"); }
+  bool may_fall() const { return of.needs_constant_mass && !inertia_is_constant(formulation); }
   int published(int quantity) const { return quantity == 3 ? of.raw_order : of.order; }
   std::string expected(int quantity) const {
     return may_fall() ? fmt::format("1..{}", published(quantity)) : std::to_string(published(quantity));
@@ -84,16 +83,10 @@ struct Row {
   }
 };
 
-class End : public SimulationObserver {
- public:
-  void sample(const MotionSample& sample) override { last = sample; }
-  MotionSample last;
-};
-
 MotionSample end_of(const scenes::Scene& scene, const SimulationOptions& options) {
-  End end;
-  simulate<Quad>(scene, options, end);
-  return end.last;
+  Samples samples;
+  simulate<Quad>(scene, options, samples);
+  return samples.all.back();
 }
 
 Errors errors_of(const MotionSample& found, const MotionSample& exact) {
@@ -256,10 +249,7 @@ int run(const Program& program, const Options& options) {
     for (const Case& of : chosen)
       for (const std::string& formulation : formulation_names()) {
         progress.step();
-        // rattle is a method of SO(3)
-        if (of.method.starts_with("rattle") &&
-            !(formulation == "r-omega" || formulation.ends_with("omega-first")))
-          continue;
+        if (of.method.starts_with("rattle") && !inertia_is_constant(formulation)) continue;
         rows.push_back(measure(named, formulation, of, options.t_end, options.levels, exact));
         solved = solved && rows.back().solved();
         passed = passed && rows.back().passed();

@@ -7,9 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
-#include <random>
 
+#include "validation/interleaved.hpp"
 #include "validation/program.hpp"
 #include "validation/progress.hpp"
 #include "validation/simulation.hpp"
@@ -46,11 +45,7 @@ struct Run {
   double ratio = 0;  ///< of medians, to r-omega
 
   bool solved() const { return failure.empty(); }
-  double median() const {
-    std::vector<double> s = seconds;
-    std::sort(s.begin(), s.end());
-    return (s[(s.size() - 1) / 2] + s[s.size() / 2]) / 2;
-  }
+  double median() const { return median_of(seconds); }
   double microseconds_per_step() const { return 1e6 * median() / static_cast<double>(steps); }
   double per_step(long count) const { return static_cast<double>(count) / static_cast<double>(steps); }
 };
@@ -77,26 +72,22 @@ std::vector<Run> measure(const NamedScene& named, const Options& options, Progre
   for (const Method& method : methods())
     for (const std::string& formulation : formulations())
       runs.push_back({named.scene.name, formulation, "", &method});
-  std::vector<std::size_t> order(runs.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::mt19937_64 random(1);
-  for (int k = 0; k < options.repetitions; ++k) {
-    std::shuffle(order.begin(), order.end(), random);
-    for (const std::size_t n : order) {
-      Run& run = runs[n];
-      if (!run.solved()) continue;
-      try {
-        const SimulationReport report = simulate_once(named.scene, run, options);
-        run.seconds.push_back(report.seconds);
-        run.steps = report.counters.steps;
-        run.iterations = report.counters.iterations;
-        run.evaluations = report.counters.right_sides;
-      } catch (const std::runtime_error& error) {
-        run.failure = name_source(named.source, error.what());
-      }
-    }
-    progress.step();
-  }
+  interleave(
+      runs.size(), options.repetitions,
+      [&](std::size_t n) {
+        Run& run = runs[n];
+        if (!run.solved()) return;
+        try {
+          const SimulationReport report = simulate_once(named.scene, run, options);
+          run.seconds.push_back(report.seconds);
+          run.steps = report.counters.steps;
+          run.iterations = report.counters.iterations;
+          run.evaluations = report.counters.right_sides;
+        } catch (const std::runtime_error& error) {
+          run.failure = name_source(named.source, error.what());
+        }
+      },
+      [&] { progress.step(); });
   for (std::size_t n = 0; n < runs.size(); ++n) {
     const Run& by_omega = runs[n - n % formulations().size()];
     if (runs[n].solved() && by_omega.solved()) runs[n].ratio = runs[n].median() / by_omega.median();

@@ -9,26 +9,28 @@ namespace trivium {
 
 namespace {
 
-template <Formulation F>
-void simulate_if_named(const scenes::Scene& scene, const SimulationOptions& options,
-                       SimulationObserver& observer, std::optional<SimulationReport>& report) {
-  if (options.formulation == F::name) report = simulate_in<F>(scene, options, observer);
+/// use.operator()<F>() of the formulation of that name.
+template <class Scalar, class Use>
+auto with_formulation(const std::string& name, const Use& use) {
+  if (name == ROmega<Scalar>::name) return use.template operator()<ROmega<Scalar>>();
+  if (name == RP<Scalar>::name) return use.template operator()<RP<Scalar>>();
+  if (name == REpsilon<Scalar>::name) return use.template operator()<REpsilon<Scalar>>();
+  if (name == REpsilonOmegaFirst<Scalar>::name) return use.template operator()<REpsilonOmegaFirst<Scalar>>();
+  throw ModelError(fmt::format("there is no formulation \"{}\"; accepted: {}", name,
+                               fmt::join(formulation_names(), ", ")));
 }
 
 }  // namespace
 
+bool inertia_is_constant(const std::string& formulation) {
+  return with_formulation<double>(formulation, []<Formulation F>() { return F::inertia_is_constant; });
+}
+
 template <class Scalar>
 SimulationReport simulate(const scenes::Scene& scene, const SimulationOptions& options,
                           SimulationObserver& observer) {
-  std::optional<SimulationReport> report;
-  simulate_if_named<ROmega<Scalar>>(scene, options, observer, report);
-  simulate_if_named<RP<Scalar>>(scene, options, observer, report);
-  simulate_if_named<REpsilon<Scalar>>(scene, options, observer, report);
-  simulate_if_named<REpsilonOmegaFirst<Scalar>>(scene, options, observer, report);
-  if (!report)
-    throw ModelError(fmt::format("there is no formulation \"{}\"; accepted: {}", options.formulation,
-                                 fmt::join(formulation_names(), ", ")));
-  return *report;
+  return with_formulation<Scalar>(options.formulation,
+                                  [&]<Formulation F>() { return simulate_in<F>(scene, options, observer); });
 }
 
 template SimulationReport simulate<double>(const scenes::Scene&, const SimulationOptions&,

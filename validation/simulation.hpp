@@ -65,6 +65,17 @@ class SimulationObserver {
   virtual bool step(double /*t*/) { return true; }
 };
 
+/// Keeps what it sees.
+class Samples : public SimulationObserver {
+ public:
+  void sample(const MotionSample& s) override { all.push_back(s); }
+  std::vector<MotionSample> all;
+};
+
+/// Whether the mass matrix of a formulation does not depend on positions. Throws a ModelError where there is
+/// no such formulation.
+bool inertia_is_constant(const std::string& formulation);
+
 /// From the scene's state, taken as that at `start`. Throws a ModelError or an IntegrationError that says
 /// where and why it ended; the samples until then were shown.
 template <class Scalar>

@@ -9,12 +9,12 @@
 
 #include "scenes/generators.hpp"
 #include "validation/gnuplot.hpp"
+#include "validation/precision/contest.hpp"
 #include "validation/program.hpp"
 #include "validation/progress.hpp"
 #include "validation/text_output.hpp"
-#include "validation/work/contest.hpp"
 
-namespace trivium::work {
+namespace trivium::precision {
 
 namespace {
 
@@ -228,7 +228,11 @@ int run(const Program& program, const Options& options) {
     std::fflush(stdout);
     if (!options.plots.empty()) plot(contests.back(), options.plots);
   }
-  if (!program.json()) fmt::print("Times are medians of {} repetitions.\n", options.repetitions);
+  if (!program.json())
+    fmt::print(
+        "Times are medians of {} repetitions, fewer of runs that take long; the CSV has their intervals, of "
+        "confidence {:.2f}.\n",
+        options.repetitions, confidence(options.repetitions));
   ResultsFile file("work_precision", columns());
   for (const Contest& c : contests)
     for (const Outcome& o : c.outcomes) file.add(fields(c, o));
@@ -239,18 +243,18 @@ int run(const Program& program, const Options& options) {
 
 }  // namespace
 
-}  // namespace trivium::work
+}  // namespace trivium::precision
 
 int main(int argc, char** argv) {
   using namespace trivium;
   Program program("What does accuracy cost in time? SCENE may also be two_bars, a double pendulum in space.",
                   "work_precision", "two_bars, IFToMM A01 to A05 and the Stewart platform");
-  work::Options options;
+  precision::Options options;
   program.options().add_flag("--quick", options.quick, "Two tolerances and one step for every method");
   program.options()
       .add_option("--repetitions", options.repetitions, "Of every run that is timed")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   program.options().add_option("--plot", options.plots, "Write SCENE.svg and SCENE.pdf to this folder");
-  return program.run(argc, argv, [&] { return work::run(program, options); });
+  return program.run(argc, argv, [&] { return precision::run(program, options); });
 }

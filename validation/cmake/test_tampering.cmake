@@ -35,9 +35,8 @@ function(expect exit_code what)
 endfunction()
 
 # Two ways to change a number: by a factor that its rule must see (10^4 of what is rounding, the leading digit of a
-# count or of a time), and in its last digit, which only the checksum can. Files of timings are not made again: for them
-# the checksum
-# alone stands.
+# count or of a time), and in its last digit, which only the checksum can. Files of timings are not made again: for
+# them the checksum alone stands.
 set(exponent "([0-9]\\.[0-9]+e-)1([4-9])" "\\10\\2" ",[1-4]([0-9][0-9]+)(,|\n)" ",9\\1\\2"
     ",[1-4](\\.[0-9]+e)" ",9\\1")
 set(digit "([0-9]\\.[0-9]+)[0-8](e-[0-9]+)" "\\19\\2" ",([0-9]+)[0-8](,|\n)" ",\\19\\2")

@@ -1,10 +1,10 @@
 #include <stdexcept>
 
-#include "validation/work/contest.hpp"
+#include "validation/precision/contest.hpp"
 
-namespace trivium::work {
+namespace trivium::precision {
 
 std::vector<Entry> peer_entries(bool) { return {}; }
 PeerMotion peer_motion(const TimedMotion&, const Entry&) { throw std::runtime_error("Simbody is not there"); }
 
-}  // namespace trivium::work
+}  // namespace trivium::precision

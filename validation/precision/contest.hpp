@@ -9,7 +9,7 @@
 
 #include "validation/simulation.hpp"
 
-namespace trivium::work {
+namespace trivium::precision {
 
 struct TimedMotion {
   scenes::Scene scene;
@@ -85,4 +85,4 @@ struct PeerMotion {
 /// Throws a std::runtime_error.
 PeerMotion peer_motion(const TimedMotion& motion, const Entry& entry);
 
-}  // namespace trivium::work
+}  // namespace trivium::precision

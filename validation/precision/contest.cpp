@@ -1,25 +1,19 @@
-#include "validation/work/contest.hpp"
+#include "validation/precision/contest.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 
-namespace trivium::work {
+#include "validation/interleaved.hpp"
+namespace trivium::precision {
 
 namespace {
 
 constexpr int outputs = 10;
 /// No run is repeated beyond this [s].
 constexpr double enough = 1;
-
-class Samples : public SimulationObserver {
- public:
-  void sample(const MotionSample& s) override { all.push_back(s); }
-  std::vector<MotionSample> all;
-};
 
 SimulationOptions options_of(const TimedMotion& motion, const Entry& entry) {
   SimulationOptions options;
@@ -85,7 +79,7 @@ double time_once(const TimedMotion& motion, const Entry& entry) {
 Seconds summary(std::vector<double> seconds) {
   std::sort(seconds.begin(), seconds.end());
   const std::size_t n = seconds.size(), in = n >= 5 ? 1 : 0;
-  return {seconds.front(), (seconds[(n - 1) / 2] + seconds[n / 2]) / 2, seconds[in], seconds[n - 1 - in]};
+  return {seconds.front(), median_of(seconds), seconds[in], seconds[n - 1 - in]};
 }
 
 }  // namespace
@@ -125,7 +119,7 @@ std::vector<Entry> entries(bool quick) {
       for (const double rtol : tolerances) all.push_back({"trivium", formulation, method, rtol, {}});
     for (const char* method :
          {"generalized-alpha", "generalized-alpha-gl2", "hht", "rattle", "rattle4", "bdf"}) {
-      if (std::string(method).starts_with("rattle") && std::string(formulation) != "r-omega") continue;
+      if (std::string(method).starts_with("rattle") && !inertia_is_constant(formulation)) continue;
       integrators::MethodParameters parameters;
       if (std::string(method) == "bdf") parameters.order = 4;
       for (const double n : steps) all.push_back({"trivium", formulation, method, {}, 1 / n, parameters});
@@ -149,18 +143,14 @@ std::vector<Outcome> contest(const TimedMotion& motion, const Reference& referen
     }
     step();
   }
-  std::vector<std::size_t> order(entries.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::mt19937_64 random(1);
   std::vector<std::vector<double>> seconds(entries.size());
-  for (int k = 0; k < repetitions; ++k) {
-    std::shuffle(order.begin(), order.end(), random);
-    for (const std::size_t n : order) {
-      const double spent = std::accumulate(seconds[n].begin(), seconds[n].end(), 0.0);
-      if (outcomes[n].solved() && spent < enough) seconds[n].push_back(time_once(motion, entries[n]));
-    }
-    step();
-  }
+  interleave(
+      entries.size(), repetitions,
+      [&](std::size_t n) {
+        const double spent = std::accumulate(seconds[n].begin(), seconds[n].end(), 0.0);
+        if (outcomes[n].solved() && spent < enough) seconds[n].push_back(time_once(motion, entries[n]));
+      },
+      step);
   for (std::size_t n = 0; n < entries.size(); ++n)
     if (outcomes[n].solved() && repetitions > 0) outcomes[n].seconds = summary(seconds[n]);
   return outcomes;
@@ -172,4 +162,4 @@ double confidence(int repetitions) {
   return 1 - std::pow(0.5, n - 1) * (repetitions >= 5 ? n + 1 : 1);
 }
 
-}  // namespace trivium::work
+}  // namespace trivium::precision

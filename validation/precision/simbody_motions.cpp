@@ -1,8 +1,8 @@
 #include "bodies/scalar.hpp"
+#include "validation/precision/contest.hpp"
 #include "validation/simbody_translation.hpp"
-#include "validation/work/contest.hpp"
 
-namespace trivium::work {
+namespace trivium::precision {
 
 namespace {
 
@@ -40,4 +40,4 @@ PeerMotion peer_motion(const TimedMotion& motion, const Entry& entry) {
   return out;
 }
 
-}  // namespace trivium::work
+}  // namespace trivium::precision
