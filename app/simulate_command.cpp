@@ -312,7 +312,9 @@ Command add_simulate_command(CLI::App& app) {
       ->check(number_from_zero(true))
       ->type_name("ALPHA BETA")
       ->excludes(no_projection);
-  command->add_option("--order", options.parameters.order, "Of bdf, 1 to 5 (default 2)");
+  command->add_option(
+      "--order", options.parameters.order,
+      "Of bdf, 1 to 5 (default 2); of arkode-erk, 2 to 8, and arkode-dirk, 2 to 5 (default 5)");
   command->add_option("--rho", options.parameters.rho,
                       "Of generalized-alpha: spectral radius at infinity, 0 to 1 (default 0.8)");
   command->add_option("--alpha", options.parameters.alpha, "Of hht, -1/3 to 0 (default -0.2)");

@@ -107,6 +107,12 @@ class ConstrainedForm : public FirstOrderForm<F> {
     for (int b = 0; b < nb(); ++b)
       of(rate, b) << r_of(v, b), F::displacement_rate(q_of(displacement, b), q_of(v, b));
   }
+  /// How the numbers of y's positions grow where the bodies move with v.
+  void position_rate(const Flat& y, const Flat& v, Flat& rate) const {
+    rate.resize(position_size());
+    for (int b = 0; b < nb(); ++b)
+      this->place(rate, b) << r_of(v, b), F::flat_rate(state_[b].chart, this->flat(y, b), q_of(v, b));
+  }
   /// Adds to v' what moves y, by `share` of it, onto the internal rows, and moves y's positions there.
   /// Returns whether there are any such rows.
   bool constrain(const S& share, Flat& y, Flat& v_dot) const {
@@ -141,11 +147,9 @@ class ConstrainedForm : public FirstOrderForm<F> {
     this->load(y);
     force.resize(velocity_size());
     for (int b = 0; b < nb(); ++b) {
-      const BodyState<F>& body = state_[b];
       const RigidBody<S>& of_body = mechanism_.bodies[b];
       of(force, b) << of_body.mass * r_of(v_dot, b),
-          F::mass_block(F::kinematics(body.chart, body.r, body.r_dot, body.q), of_body.inertia) *
-              q_of(v_dot, b);
+          F::mass_block(kinematics(b), of_body.inertia) * q_of(v_dot, b);
     }
   }
   /// What effects do at y.
@@ -237,6 +241,28 @@ class ConstrainedForm : public FirstOrderForm<F> {
     solve(given_, x, &mu);
   }
   bool has_springs() const { return !soft_.empty(); }
+  /// What v' leaves of the internal rows' second derivatives where bodies were loaded last, in the places of
+  /// velocities that take_imbalance leaves at 0.
+  void take_internal_rows(const Flat& v_dot, Flat& left) const {
+    if constexpr (F::internal_constraints > 0)
+      for (int b = 0; b < nb(); ++b) {
+        const auto body = kinematics(b);
+        of(left, b).template tail<F::internal_constraints>() =
+            F::internal_gamma(body) - F::internal_jacobian(body) * q_of(v_dot, b);
+      }
+  }
+  /// Adds to x what removes that, by the least change of the unknowns.
+  void solve_internal_rows(const Flat& y, const Flat& left, Flat& x) {
+    if constexpr (F::internal_constraints > 0) {
+      this->load(y);
+      for (int b = 0; b < nb(); ++b) {
+        const auto P = F::internal_jacobian(kinematics(b));
+        const auto rows = left.template segment<F::internal_constraints>(Base::velocities * b + 6);
+        of(x, b).template tail<F::rotational_unknowns>() +=
+            P.transpose() * rows.cwiseQuotient(P.rowwise().squaredNorm());
+      }
+    }
+  }
   /// M x + Phi_q^T mu = force, Phi_q x = - the rows evaluated last: added to x and mu.
   void impulse(const Flat& force, Flat& x, Flat& mu) {
     put_force(force, right_side_);
@@ -271,6 +297,10 @@ class ConstrainedForm : public FirstOrderForm<F> {
     at_[evaluated_].positions(t_, right_side_);
     measure_.measure_positions(right_side_);
     return measure_.relative();
+  }
+  typename F::Kinematics kinematics(int b) const {
+    const BodyState<F>& body = state_[b];
+    return F::kinematics(body.chart, body.r, body.r_dot, body.q);
   }
   void solve(GraphVector<S>& right_side, Flat& x, Flat* lambda) {
     for (const int e : soft_) right_side.edge[e].setZero();

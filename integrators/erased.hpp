@@ -40,6 +40,7 @@ class AnySystem {
   virtual void displace(const Flat<S>& from, const Flat<S>& displacement, Flat<S>& y) const = 0;
   virtual void displacement(const Flat<S>& from, const Flat<S>& to, Flat<S>& displacement) const = 0;
   virtual void displacement_rate(const Flat<S>& displacement, const Flat<S>& v, Flat<S>& rate) const = 0;
+  virtual void position_rate(const Flat<S>& y, const Flat<S>& v, Flat<S>& rate) const = 0;
   virtual bool constrain(const S& share, Flat<S>& y, Flat<S>& v_dot) const = 0;
   virtual void constrain_velocity(const S& share, const Flat<S>& y, Flat<S>& v_dot) const = 0;
   virtual bool inertia_is_constant() const = 0;
@@ -58,6 +59,8 @@ class AnySystem {
   virtual void take_imbalance(Flat<S>& left) const = 0;
   virtual void solve(const Flat<S>& left, const Flat<S>& rows, Flat<S>& x, Flat<S>& mu) = 0;
   virtual void solve_force(const Flat<S>& force, Flat<S>& x, Flat<S>& mu) = 0;
+  virtual void take_internal_rows(const Flat<S>& v_dot, Flat<S>& left) const = 0;
+  virtual void solve_internal_rows(const Flat<S>& y, const Flat<S>& left, Flat<S>& x) = 0;
   virtual bool has_springs() const = 0;
   virtual S work_rate(const Flat<S>& lambda) = 0;
 };
@@ -108,6 +111,9 @@ class Erased final : public AnySystem<typename System::Scalar> {
   }
   void displacement_rate(const Flat<S>& displacement, const Flat<S>& v, Flat<S>& rate) const override {
     constrained([&](const auto& system) { system.displacement_rate(displacement, v, rate); });
+  }
+  void position_rate(const Flat<S>& y, const Flat<S>& v, Flat<S>& rate) const override {
+    constrained([&](const auto& system) { system.position_rate(y, v, rate); });
   }
   bool constrain(const S& share, Flat<S>& y, Flat<S>& v_dot) const override {
     return constrained([&](const auto& system) { return system.constrain(share, y, v_dot); });
@@ -163,6 +169,12 @@ class Erased final : public AnySystem<typename System::Scalar> {
   void solve_force(const Flat<S>& force, Flat<S>& x, Flat<S>& mu) override {
     constrained([&](auto& system) { system.solve_force(force, x, mu); });
   }
+  void take_internal_rows(const Flat<S>& v_dot, Flat<S>& left) const override {
+    constrained([&](const auto& system) { system.take_internal_rows(v_dot, left); });
+  }
+  void solve_internal_rows(const Flat<S>& y, const Flat<S>& left, Flat<S>& x) override {
+    constrained([&](auto& system) { system.solve_internal_rows(y, left, x); });
+  }
   bool has_springs() const override {
     return constrained([](const auto& system) { return system.has_springs(); });
   }
@@ -199,6 +211,9 @@ class AnyMethod {
   virtual const Counters& counters() const = 0;
   /// Its own multipliers after the last step; null where it has none, or none there.
   virtual const Flat<S>* lambda() const = 0;
+  virtual bool interpolates() const { return false; }
+  /// y and lambda at a time of the last step.
+  virtual void interpolate(const S& /*t*/, Flat<S>& /*y*/) {}
 };
 
 template <class S, class M>

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "integrators/bdf.hpp"
+#include "integrators/half_explicit.hpp"
 #include "integrators/methods.hpp"
 #include "integrators/radau.hpp"
 #include "integrators/test_systems.hpp"
@@ -72,11 +73,39 @@ TEST(Radau, ItsErrorEstimateIsOfOrderThree) {
   }
 }
 
+// Hairer, Norsett, Wanner (1993), II.2; and stages behind the second are of order 2, as index 2 asks
+TEST(HalfExplicit, MeetsTheOrderConditionsOfFour) {
+  const HalfExplicitCoefficients<double> m;
+  Eigen::Matrix<double, 5, 5> A;
+  Eigen::Matrix<double, 5, 1> b, c;
+  for (int i = 0; i < 5; ++i) {
+    for (int j = 0; j < 5; ++j) A(i, j) = m.a[i][j];
+    b[i] = m.a[5][i];
+    c[i] = m.c[i];
+  }
+  EXPECT_LE((A.rowwise().sum() - c).norm(), 1e-14);
+  for (int i = 2; i < 5; ++i) EXPECT_NEAR(A.row(i).dot(c), c[i] * c[i] / 2, 1e-14) << i;
+  for (int q = 1; q <= 5; ++q) EXPECT_NEAR(b.dot(c.array().pow(q - 1).matrix()), 1.0 / q, 1e-14) << q;
+  EXPECT_NEAR(b.dot(A * c), 1.0 / 6, 1e-14);
+  EXPECT_NEAR(b.dot(c.cwiseProduct(A * c)), 1.0 / 8, 1e-14);
+  EXPECT_NEAR(b.dot(A * c.cwiseAbs2()), 1.0 / 12, 1e-14);
+  EXPECT_NEAR(b.dot(A * (A * c)), 1.0 / 24, 1e-14);
+}
+
 TEST(ImplicitMethods, RefuseASystemWithoutItsConstraints) {
-  for (const char* name : {"generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "rattle", "radau5"}) {
+  for (const char* name :
+       {"generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "rattle", "radau5", "hem4"}) {
     test::OnACircle system;
     Erased<test::OnACircle> erased(system);
     const auto method = make_method<double>(name, Steps::given, {});
+    double t = 0;
+    Flat<double> y = system.start();
+    EXPECT_THROW(method->step(erased, t, y, 0.1), UsageError) << name;
+  }
+  for (const char* name : {"radau5", "cvode-bdf", "arkode-dirk", "ida"}) {
+    test::OnACircle system;
+    Erased<test::OnACircle> erased(system);
+    const auto method = make_method<double>(name, Steps::chosen, {});
     double t = 0;
     Flat<double> y = system.start();
     EXPECT_THROW(method->step(erased, t, y, 0.1), UsageError) << name;
@@ -95,6 +124,10 @@ TEST(ImplicitMethods, RefuseParametersThatAreNotTheirs) {
   EXPECT_THROW(make("generalized-alpha", {.rho = 1.1}), UsageError);
   EXPECT_THROW(make("hht", {.alpha = 0.1}), UsageError);
   EXPECT_THROW(make("dopri5", {.full_newton = true}), UsageError);
+  EXPECT_THROW(make("rattle", {.full_newton = true}), UsageError);
+  EXPECT_NO_THROW(make("arkode-erk", {.order = 8}));
+  EXPECT_THROW(make("arkode-erk", {.order = 7}), UsageError);
+  EXPECT_THROW(make("arkode-dirk", {.order = 6}), UsageError);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 /// A method walks a system through a grid of times.
 
+#include <deque>
 #include <string>
 
 #include "integrators/projection.hpp"
@@ -66,6 +67,16 @@ void checked_step(System& system, M& method, typename System::Scalar& t, Flat<ty
 /// Whether to go on after a step.
 enum class Continue { yes, no };
 
+/// Whether a method steps over outputs and finds them by a formula of its own order between its last steps:
+/// `interpolate` sets y to the state at t.
+template <class M, class S>
+bool interpolates(const M& method) {
+  if constexpr (requires(M & m, const S& t, Flat<S>& y) { m.interpolate(t, y); })
+    return method.interpolates();
+  else
+    return false;
+}
+
 /// Projects the start and after every step unless told not to, and shows `at_step(t, y)` every step and
 /// `at_output(t, y)` the start, every output and the end. Returns whether it came to the end.
 template <FirstOrderSystem System, Method<System> M, class AtStep, class AtOutput>
@@ -83,14 +94,32 @@ bool integrate(System& system, M& method, const TimeGrid& grid, bool projects,
   }
   at_output(t, y);
   TimeGrid::Walk<S> walk(grid);
-  while (const auto stop = walk.next()) {
+  std::deque<S> passed;  // outputs to step over
+  constexpr std::size_t most_passed = 1000;
+  while (auto stop = walk.next()) {
+    while (interpolates<M, S>(method) && !stop->is_event && stop->t < S(grid.end()) &&
+           passed.size() < most_passed) {
+      passed.push_back(stop->t);
+      stop = walk.next();
+    }
     while (t < stop->t) {
       checked_step(system, method, t, y, stop->t, projects, project, report);
+      if constexpr (requires(Flat<S> & between) { method.interpolate(t, between); })
+        for (; !passed.empty() && passed.front() < t; passed.pop_front()) {
+          Flat<S> between;
+          method.interpolate(passed.front(), between);
+          if (projects) project(system, passed.front(), between, report);
+          at_output(passed.front(), between);
+        }
       if (system.settle(t, y)) method.restart();
-      if (at_step(t, y) == Continue::no) {
-        if (!(t < stop->t) && stop->is_output) at_output(t, y);
-        return false;
+      const bool goes_on = at_step(t, y) == Continue::yes;
+      if (!passed.empty() && !(t < passed.front())) {
+        at_output(t, y);
+        passed.pop_front();
       }
+      if (goes_on) continue;
+      if (!(t < stop->t) && stop->is_output) at_output(t, y);
+      return false;
     }
     if (stop->is_event) method.restart();
     if (stop->is_output) at_output(t, y);

@@ -1,13 +1,17 @@
 #include "integrators/methods.hpp"
 
+#include <algorithm>
 #include <boost/multiprecision/float128.hpp>
+#include <initializer_list>
 
 #include "integrators/bdf.hpp"
 #include "integrators/generalized_alpha.hpp"
+#include "integrators/half_explicit.hpp"
 #include "integrators/hht.hpp"
 #include "integrators/odeint.hpp"
 #include "integrators/radau.hpp"
 #include "integrators/rattle.hpp"
+#include "integrators/sundials.hpp"
 
 namespace trivium::integrators {
 
@@ -33,6 +37,23 @@ std::unique_ptr<AnyMethod<double>> chosen_adams(const Tolerances& tolerances) {
       Controlled({tolerances.atol, tolerances.rtol, no_limit}), 1, tolerances));
 }
 
+/// Those that compute in double alone.
+std::unique_ptr<AnyMethod<double>> of_a_library(std::string_view name, bool chosen,
+                                                const Tolerances& tolerances, const MethodParameters& given) {
+  if (name == "cvode-adams") return make_cvode_adams(tolerances);
+  if (name == "cvode-bdf") return make_cvode_bdf(tolerances, given.projects);
+  if (name == "ida") return make_ida(tolerances);
+  if (name.starts_with("arkode")) {
+    const bool is_implicit = name == "arkode-dirk";
+    const int order = given.order.value_or(5);
+    if (order < 2 || order > (is_implicit ? 5 : 8) || order == 7)
+      throw UsageError(fmt::format("an order {} of {}; accepted: {}", order, name,
+                                   is_implicit ? "2 to 5" : "2 to 6 and 8"));
+    return make_arkode(is_implicit, order, chosen ? std::optional<Tolerances>(tolerances) : std::nullopt);
+  }
+  return chosen_adams(tolerances);
+}
+
 }  // namespace
 
 const std::vector<MethodInfo>& methods() {
@@ -42,6 +63,7 @@ const std::vector<MethodInfo>& methods() {
       {"bulirsch-stoer", "Bulirsch-Stoer extrapolation, orders 4 to 16 (Odeint)", 0, false, true, false},
       {"abm", "Adams-Bashforth-Moulton, multistep, orders 1 to 12, at given steps 5 (Odeint)", 5, true, true,
        false},
+      {"hem4", "half-explicit Runge-Kutta, index 2", 4, true, false, false},
       {"generalized-alpha", "generalised-alpha on Lie groups, index 3", 2, true, false, true},
       {"generalized-alpha-gl2", "generalised-alpha on Lie groups, stabilised index 2", 2, true, false, true},
       {"hht", "Hilber-Hughes-Taylor, index 3", 2, true, false, true},
@@ -49,6 +71,12 @@ const std::vector<MethodInfo>& methods() {
       {"rattle4", "RATTLE composed to order 4, symplectic, in r-omega", 4, true, false, true},
       {"radau5", "Radau IIA, stabilised index 2", 5, true, true, true},
       {"bdf", "backward differentiation, orders 1 to 5, index 3", 0, true, false, true},
+      {"cvode-adams", "Adams, orders 1 to 12 (CVODE)", 0, false, true, false},
+      {"cvode-bdf", "backward differentiation, orders 1 to 5, projected within its steps (CVODE)", 0, false,
+       true, false},
+      {"arkode-erk", "explicit Runge-Kutta, of orders 2 to 8 (ARKODE)", 5, true, true, false},
+      {"arkode-dirk", "diagonally implicit Runge-Kutta, of orders 2 to 5 (ARKODE)", 5, true, true, false},
+      {"ida", "backward differentiation, orders 1 to 5, stabilised index 2 (IDA)", 0, false, true, true},
   };
   return all;
 }
@@ -85,15 +113,17 @@ void check(const MethodInfo& method, Steps steps, const MethodParameters& given)
                     method.name));
   if (steps == Steps::chosen && !method.chooses_steps)
     throw UsageError(fmt::format("{} takes steps of a given length; give it a step", method.name));
-  const auto only = [&](bool is_given, const char* what, std::string_view of) {
-    if (is_given && !method.name.starts_with(of))
-      throw UsageError(fmt::format("{} is a parameter of {}, and {} has none such", what, of, method.name));
+  const auto only = [&](bool is_given, const char* what, std::initializer_list<std::string_view> of) {
+    const auto is = [&](std::string_view name) { return method.name.starts_with(name); };
+    if (is_given && std::none_of(of.begin(), of.end(), is))
+      throw UsageError(fmt::format("{} is a parameter of {}, and {} has none such", what, fmt::join(of, ", "),
+                                   method.name));
   };
-  only(given.order.has_value(), "an order", "bdf");
-  only(given.rho.has_value(), "rho", "generalized-alpha");
-  only(given.alpha.has_value(), "alpha", "hht");
-  if (given.full_newton && !method.meets_constraints)
-    throw UsageError(fmt::format("{} is explicit: it has no Newton's method", method.name));
+  only(given.order.has_value(), "an order", {"bdf", "arkode-erk", "arkode-dirk"});
+  only(given.rho.has_value(), "rho", {"generalized-alpha"});
+  only(given.alpha.has_value(), "alpha", {"hht"});
+  only(given.full_newton.has_value(), "a matrix for every iteration",
+       {"generalized-alpha", "hht", "radau5", "bdf"});
 }
 
 }  // namespace
@@ -120,17 +150,21 @@ std::unique_ptr<AnyMethod<S>> make_method(std::string_view name, Steps steps, co
     return erase<S>(GeneralizedAlpha<AnySystem<S>>(checked("rho", given.rho, 0.8, 0.0, 1.0),
                                                    name.ends_with("gl2"), newton));
   if (name.starts_with("rattle")) return erase<S>(Rattle<AnySystem<S>>(name == "rattle4" ? 4 : 2));
+  if (name == "hem4") return erase<S>(HalfExplicit<AnySystem<S>>());
   if (name == "hht")
     return erase<S>(HHT<AnySystem<S>>(checked("alpha", given.alpha, -0.2, -1.0 / 3, 0.0), newton));
   if (name == "radau5")
     return erase<S>(
         Radau5<AnySystem<S>>(chosen ? std::optional<Tolerances>(tolerances) : std::nullopt, newton));
   if (name == "bdf") return erase<S>(BDF<AnySystem<S>>(checked("an order of", given.order, 2, 1, 5), newton));
-  if (!chosen) return erase<S>(GivenSteps<S, AdamsBashforthMoulton<S>>());
+  if (name == "abm" && !chosen) return erase<S>(GivenSteps<S, AdamsBashforthMoulton<S>>());
   if constexpr (std::is_same_v<S, double>)
-    return chosen_adams(tolerances);
+    return of_a_library(name, chosen, tolerances, given);
   else
-    throw UsageError("abm chooses its steps in double alone (Odeint's choice does); give it a step");
+    throw UsageError(
+        name == "abm"
+            ? std::string("abm chooses its steps in double alone (Odeint's choice does); give it a step")
+            : fmt::format("{} computes in double alone (SUNDIALS does); take another method", name));
 }
 
 using Quad =

@@ -21,8 +21,8 @@
 #include <string>
 
 #include "integrators/newton.hpp"
-#include "integrators/odeint.hpp"
 #include "integrators/start.hpp"
+#include "integrators/step_choice.hpp"
 
 namespace trivium::integrators {
 

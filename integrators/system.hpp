@@ -44,8 +44,9 @@ concept FirstOrderSystem = requires(System& system, const typename System::Scala
 /// M(q) v' + Phi_q^T lambda = Q(q, v, t), Phi(q, t) = 0 beside the same as y' = f(t, y): y begins with q and
 /// v, and what follows grows by `work_rate`. Implicit methods see q move by displacements, which are of v's
 /// kind: `displace` sets y's positions to where one leads from another's, `displacement` is the way between
-/// two, `displacement_rate` how one grows with v. `constrain` is for rows that a model keeps to itself, met
-/// by a change of v' that moves q by `share` of it; it returns whether there are any.
+/// two, `displacement_rate` how one grows with v, `position_rate` how y's own numbers of positions do.
+/// `constrain` is for rows that a model keeps to itself, met by a change of v' that moves q by `share` of it;
+/// it returns whether there are any.
 ///
 /// `constrain_velocity` is the same for their derivatives.
 ///
@@ -59,8 +60,11 @@ concept FirstOrderSystem = requires(System& system, const typename System::Scala
 /// force and the rows ask for.
 ///
 /// Methods of several stages take what was evaluated at each (`take_rows`, `take_imbalance`) and `solve` for
-/// a mixture: M x + Phi_q^T mu = left, Phi_q x = rows; `solve_force` for a force of v's kind. `has_springs`
-/// says whether the matrix depends on the shares.
+/// a mixture: M x + Phi_q^T mu = left, Phi_q x = rows; `solve_force` for a force of v's kind; `resist` for
+/// what springs and dampers do against a displacement and a velocity. Libraries that have no `constrain` meet
+/// the second derivatives of internal rows: `take_internal_rows` puts what v' leaves of them beside an
+/// imbalance, `solve_internal_rows` adds to x what removes it. `has_springs` says whether the matrix depends
+/// on the shares.
 template <class System>
 concept ConstrainedSystem = FirstOrderSystem<System> &&
     requires(System& system, const typename System::Scalar& t, const Flat<typename System::Scalar>& y,
@@ -73,6 +77,7 @@ concept ConstrainedSystem = FirstOrderSystem<System> &&
   system.displace(y, v, changed);
   system.displacement(y, y, changed);
   system.displacement_rate(v, v, changed);
+  system.position_rate(y, v, changed);
   { system.constrain(t, changed, lambda) } -> std::same_as<bool>;
   system.constrain_velocity(t, y, changed);
   { system.inertia_is_constant() } -> std::same_as<bool>;
@@ -91,6 +96,8 @@ concept ConstrainedSystem = FirstOrderSystem<System> &&
   system.take_imbalance(changed);
   system.solve(v, v, changed, lambda);
   system.solve_force(v, changed, lambda);
+  system.take_internal_rows(v, changed);
+  system.solve_internal_rows(y, v, changed);
   { system.has_springs() } -> std::same_as<bool>;
   { system.work_rate(v) } -> std::convertible_to<typename System::Scalar>;
 };

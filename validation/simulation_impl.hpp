@@ -25,7 +25,7 @@ class Simulation {
         projects_(options.projects && !is_implicit_),
         method_(integrators::make_method<S>(
             options.integrator, options.step ? integrators::Steps::given : integrators::Steps::chosen,
-            options.tolerances, options.parameters)),
+            options.tolerances, parameters(options, projects_))),
         form_(make_mechanism<S>(scene), make_state<S>(scene, S(options.start)),
               {options.charts, options.baumgarte, projects_ || is_implicit_}) {}
 
@@ -79,6 +79,12 @@ class Simulation {
           "{} solves for positions on the constraints, which Baumgarte's stabilisation has no part in",
           options.integrator));
     return is;
+  }
+
+  static integrators::MethodParameters parameters(const SimulationOptions& options, bool projects) {
+    integrators::MethodParameters given = options.parameters;
+    given.projects = projects;
+    return given;
   }
 
   /// What a state's report and sample both say.

@@ -1,0 +1,92 @@
+#pragma once
+/// Steps of a method's own choice: the first one, where they end, and giving up.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "integrators/system.hpp"
+
+namespace trivium::integrators {
+
+/// A first step for a method of some order: one that moves y by about a hundredth of the size that errors are
+/// measured by, and that f does not change much over. Hairer, Norsett, Wanner (1993), II.4.
+template <FirstOrderSystem System>
+typename System::Scalar first_step(System& system, const typename System::Scalar& t,
+                                   const Flat<typename System::Scalar>& y, int order,
+                                   const Tolerances& tolerances, long& right_sides) {
+  using S = typename System::Scalar;
+  using std::pow, std::sqrt;
+  Flat<S> f0(y.size()), f1(y.size());
+  const auto f = [&](const Flat<S>& at, Flat<S>& rate, const S& time) {
+    ++right_sides;
+    system.derivative(time, at, rate);
+  };
+  const auto norm = [&](const Flat<S>& x) {
+    S sum(0);
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+      using std::abs;
+      const S scaled = x[k] / (S(tolerances.atol) + S(tolerances.rtol) * abs(y[k]));
+      sum += scaled * scaled;
+    }
+    return S(sqrt(sum / S(static_cast<double>(x.size()))));
+  };
+  f(y, f0, t);
+  const S d0 = norm(y), d1 = norm(f0);
+  const S h0 = d0 < S(1e-5) || d1 < S(1e-5) ? S(1e-6) : S(d0 / d1 / 100);
+  f(Flat<S>(y + h0 * f0), f1, t + h0);
+  const S d2 = norm(Flat<S>(f1 - f0)) / h0, d = d1 > d2 ? d1 : d2;
+  const S h1 = d <= S(1e-15) ? S(h0 / 1000 > S(1e-6) ? h0 / 1000 : S(1e-6))
+                             : S(pow(S(S(0.01) / d), S(1) / S(order + 1)));
+  return 100 * h0 < h1 ? S(100 * h0) : h1;
+}
+
+/// What all methods that choose their steps have in common: where steps end, and giving up.
+template <class S>
+class StepChoice {
+ public:
+  /// The length to try next, at most to `stop`.
+  S length(const S& t, const S& stop) {
+    const S room = stop - t;
+    lands_ = wanted_ >= room * S(1 - 1e-10);
+    cut_ = wanted_ > room / 2;
+    tried_ = lands_ ? room : cut_ ? S(room / 2) : wanted_;  // half of the way: leaves no crumb
+    return tried_;
+  }
+  /// The step was taken; the method says what it would take next.
+  void accept(S& t, const S& moved, const S& stop, const S& next) {
+    t = lands_ ? stop : moved;
+    // a step cut short says little of the next
+    wanted_ = cut_ && wanted_ > next ? wanted_ : next;
+  }
+  void reject(const S& next) { wanted_ = next; }
+  /// Of the step accepted last.
+  void shorten() { wanted_ = tried_ / 4; }
+
+  bool has_begun() const { return wanted_ > S(0); }
+  void begin(const S& h) { wanted_ = h; }
+  void restart() { wanted_ = S(0); }
+  bool is_too_small(const S& t) const {
+    using std::abs;
+    const S least = std::numeric_limits<S>::min();
+    return !(wanted_ > 4 * std::numeric_limits<S>::epsilon() * abs(t)) || !(wanted_ > least);
+  }
+
+ private:
+  S wanted_{0}, tried_{0};
+  bool lands_ = false, cut_ = false;
+};
+
+template <FirstOrderSystem System>
+[[noreturn]] void give_up(System& system, const typename System::Scalar& t,
+                          const Flat<typename System::Scalar>& y, const std::string& why) {
+  const std::string suspect = system.suspect(t, y);
+  throw IntegrationError(
+      fmt::format("at t = {}: the steps have shrunk to nothing{}{}", static_cast<double>(t),
+                  why.empty() ? "" : ": " + why,
+                  suspect.empty() ? "; looser tolerances, or an implicit method, may pass" : "; " + suspect));
+}
+
+}  // namespace trivium::integrators

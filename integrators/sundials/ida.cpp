@@ -1,0 +1,239 @@
+#include <ida/ida.h>
+
+#include "integrators/projection.hpp"
+#include "integrators/step_choice.hpp"
+#include "integrators/sundials.hpp"
+#include "integrators/sundials/newton.hpp"
+#include "integrators/sundials/stepper.hpp"
+
+namespace trivium::integrators {
+
+namespace sundials_library {
+
+namespace {
+
+/// Unknowns y = (q, v, work), lambda and sigma:
+///
+///   q' = v + s,   M v' + Phi_q^T lambda = Q,   Phi_q v = nu,   Phi = 0
+///
+/// where s is the least motion in the metric of M that moves the rows by sigma (M s + Phi_q^T mu = 0,
+/// Phi_q s = sigma), by the matrix factored last: it is 0 in the solution. Rows that a model keeps to itself
+/// are met by v', and by the projection.
+class Ida final : public Stepper {
+ public:
+  explicit Ida(const Tolerances& tolerances) : tolerances_(tolerances) {}
+  ~Ida() override { IDAFree(&memory_); }
+  Ida(const Ida&) = delete;
+  Ida& operator=(const Ida&) = delete;
+
+  bool interpolates() const override { return true; }
+  const FlatD* lambda() const override { return ny_ > 0 ? &lambda_ : nullptr; }
+
+ private:
+  void begin(double t, const FlatD& y, double first_step) override {
+    nq_ = system().position_size();
+    nv_ = system().velocity_size();
+    nc_ = system().multipliers();
+    ny_ = static_cast<int>(y.size());
+    const bool is_new = memory_ == nullptr;
+    if (is_new) {
+      make_numbers(ny_ + 2 * nc_);
+      rates_.reset(N_VClone(numbers()));
+      is_differential_.reset(N_VClone(numbers()));
+      flat(is_differential_.get()).setZero();
+      flat(is_differential_.get()).head(nq_ + nv_).setOnes();
+    }
+    system().derivative(t, y, y_dot_);
+    system().accelerations(t, y, v_dot_, lambda_);
+    system().balance(t, y, FlatD::Zero(nv_), lambda_);
+    system().factor(0, 0);
+    system().applied_force(t, y, force_at_);
+    counters_.right_sides += 2;
+    flat(numbers()) << y, lambda_, FlatD::Zero(nc_);
+    flat(rates_.get()) << y_dot_, FlatD::Zero(2 * nc_);
+    if (is_new)
+      make(t);
+    else
+      accept(IDAReInit(memory_, t, numbers(), rates_.get()), "to begin again");
+    accept(IDASetInitStep(memory_, first_step > 0 ? first_step : first_step_of(t, y)), "a first step");
+  }
+  double first_step_of(double t, const FlatD& y) {
+    return integrators::first_step(system(), t, y, 1, tolerances_, counters_.right_sides);
+  }
+  void make(double t) {
+    memory_ = IDACreate(context());
+    accept(IDASetErrHandlerFn(memory_, note_error, static_cast<Stepper*>(this)), "to report its errors");
+    accept(IDAInit(memory_, residual, t, numbers(), rates_.get()), "its state");
+    accept(IDASetUserData(memory_, this), "its system");
+    accept(IDAWFtolerances(memory_, error_weights), "its tolerances");
+    accept(IDASetId(memory_, is_differential_.get()), "which unknowns are differential");
+    accept(IDASetSuppressAlg(memory_, 1), "to leave multipliers out of the estimated error");
+    accept(IDASetNonlinConvCoef(memory_, 0.01), "how far Newton's method goes");
+    linear_solver_ = make_linear_solver();
+    matrix_ = make_matrix();
+    accept(IDASetLinearSolver(memory_, linear_solver_.get(), matrix_.get()), "its linear solver");
+    accept(IDASetJacFn(memory_, factor), "its matrix");
+    newton_ = make_accelerated_newton(context());
+    accept(IDASetNonlinearSolver(memory_, newton_.get()), "its Newton's method");
+    accept(IDASetMaxNonlinIters(memory_, most_iterations), "how long it iterates");
+  }
+  int advance(double stop, double& t) override {
+    accept(IDASetStopTime(memory_, stop), "where to stop");
+    const int flag = IDASolve(memory_, stop, &t, numbers(), rates_.get(), IDA_ONE_STEP);
+    lambda_ = flat(numbers()).segment(ny_, nc_);
+    return flag;
+  }
+  void interpolate_numbers(double t, N_Vector at) override {
+    accept(IDAGetDky(memory_, t, 0, at), "to interpolate");
+    lambda_ = flat(at).segment(ny_, nc_);
+  }
+  double planned() const override {
+    double h = 0;
+    IDAGetCurrentStep(memory_, &h);
+    return h;
+  }
+  Progress progress() const override {
+    long errors = 0, failures = 0, iterations = 0;
+    IDAGetNumErrTestFails(memory_, &errors);
+    IDAGetNumStepSolveFails(memory_, &failures);
+    IDAGetNumNonlinSolvIters(memory_, &iterations);
+    return {errors + failures, iterations};
+  }
+  void finish(double t, FlatD& y) override {
+    ProjectionReport<double> report;
+    projection_(system(), t, y, report);
+  }
+
+  static int residual(double t, N_Vector numbers, N_Vector rates, N_Vector left, void* ida) {
+    Ida& self = *static_cast<Ida*>(ida);
+    return self.guarded([&] {
+      self.evaluate(t, numbers, rates);
+      flat(left) << self.off_q_, -self.off_v_, self.off_work_, self.phi_dot_, self.phi_;
+      return flat(left).allFinite();
+    });
+  }
+  void evaluate(double t, N_Vector numbers, N_Vector rates) {
+    ++counters_.right_sides;
+    AnySystem<double>& system = this->system();
+    const FlatD& y = state(numbers);
+    lambda_ = flat(numbers).segment(ny_, nc_);
+    move(y, y.segment(nq_, nv_), flat(numbers).tail(nc_));
+    off_q_ = flat(rates).head(nq_) - rate_;
+    v_dot_ = flat(rates).segment(nq_, nv_);
+    system.inertia_force(y, v_dot_, force_);
+    system.balance(t, y, force_, lambda_);
+    system.take_imbalance(off_v_);
+    system.take_internal_rows(v_dot_, off_v_);
+    system.take_rows(phi_);
+    off_work_.resize(ny_ - nq_ - nv_);
+    if (off_work_.size() > 0) off_work_[0] = flat(rates)[nq_ + nv_] - system.work_rate(lambda_);
+    system.velocity_rows();
+    system.take_rows(phi_dot_);
+  }
+  /// q' where bodies move with v and the rows by sigma.
+  void move(const FlatD& y, const FlatD& v, const FlatD& sigma) {
+    moved_ = v;
+    if (!sigma.isZero(0)) {
+      mu_.setZero(nc_);
+      system().solve(FlatD::Zero(nv_), sigma, moved_, mu_);
+    }
+    system().position_rate(y, moved_, rate_);
+  }
+
+  static int factor(double t, double c, N_Vector numbers, N_Vector rates, N_Vector, SUNMatrix, void* ida,
+                    N_Vector, N_Vector, N_Vector) {
+    Ida& self = *static_cast<Ida*>(ida);
+    return self.guarded([&] {
+      self.evaluate(t, numbers, rates);
+      self.system().factor(1 / c, 1 / (c * c));
+      self.at_ = self.state(numbers);
+      self.at_t_ = t;
+      self.c_ = c;
+      self.phi_dot_at_ = self.phi_dot_;
+      self.system().applied_force(t, self.at_, self.force_at_);
+      return true;
+    });
+  }
+  /// With d the displacement (b_q + s(sigma_0))/c that meets Phi_q d = b_phi, and u = c x_v:
+  ///
+  ///   (M + C/c + K/c^2) u + Phi_q^T x_lambda = b_v + Q(q + d, v) - Q(q, v)
+  ///
+  ///   Phi_q u = c b_phi',   with b_phi' less what d changes of Phi_q v
+  ///
+  ///   c x_q = b_q + x_v + s(x_sigma),   Phi_q x_q = b_phi
+  void solve(const Eigen::Map<FlatD>& b, Eigen::Map<FlatD> x) override {
+    AnySystem<double>& system = this->system();
+    const FlatD b_v = b.segment(nq_, nv_), b_phi = b.tail(nc_);
+    FlatD moved = at_;
+    moved.head(nq_) += b.head(nq_);
+    system.displacement(at_, moved, displacement_);
+    const FlatD v = at_.segment(nq_, nv_), along = rows_of(at_, v + displacement_) - phi_dot_at_;
+    move(at_, FlatD::Zero(nv_), c_ * b_phi - along);
+    moved = at_;
+    moved.head(nq_) += (b.head(nq_) + rate_) / c_;
+    const FlatD b_phi_dot = b.segment(ny_, nc_) - (rows_of(moved, v) - phi_dot_at_);
+    FlatD u = FlatD::Zero(nv_), x_lambda = FlatD::Zero(nc_);
+    system.solve(b_v, c_ * b_phi_dot, u, x_lambda);
+    system.solve_internal_rows(at_, b_v, u);
+    if (system.has_springs()) {
+      system.applied_force(at_t_, moved, moved_force_);
+      system.solve_force(moved_force_ - force_at_, u, x_lambda);
+    }
+    const FlatD x_v = u / c_, x_sigma = c_ * b_phi - b_phi_dot - along;
+    move(at_, x_v, x_sigma);
+    x << (b.head(nq_) + rate_) / c_, x_v, b.segment(nq_ + nv_, ny_ - nq_ - nv_) / c_, x_lambda, x_sigma;
+  }
+  /// Phi_q v - nu where y is.
+  FlatD rows_of(const FlatD& y, const FlatD& v) {
+    FlatD at = y, rows;
+    at.segment(nq_, nv_) = v;
+    system().position_rows(at_t_, at);
+    system().velocity_rows();
+    system().take_rows(rows);
+    return rows;
+  }
+
+  static int error_weights(N_Vector numbers, N_Vector weights, void* ida) {
+    Ida& self = *static_cast<Ida*>(ida);
+    Eigen::Map<FlatD> w = flat(weights);
+    self.weigh(self.state(numbers), self.tolerances_, w);
+    // the work follows q and v, sigma is 0: they have no say in how well these are met
+    w.tail(w.size() - self.nq_ - self.nv_).setConstant(no_weight);
+    w.head(self.nq_ + self.nv_) *=
+        std::sqrt(static_cast<double>(w.size()) / static_cast<double>(self.nq_ + self.nv_));
+    self.weigh_multipliers(flat(numbers).segment(self.ny_, self.nc_), w.segment(self.ny_, self.nc_));
+    return 0;
+  }
+
+  /// A share of each, or of the largest force: enough to be shown, and no burden.
+  void weigh_multipliers(const Eigen::Ref<const FlatD>& lambda, Eigen::Ref<FlatD> weights) const {
+    if (lambda.size() == 0) return;
+    constexpr double share = 1e-4;
+    const double largest = lambda.cwiseAbs().maxCoeff() + force_at_.cwiseAbs().maxCoeff();
+    if (largest > 0) weights = (share * (lambda.array().abs() + 1e-3 * largest)).inverse();
+  }
+
+  Tolerances tolerances_;
+  void* memory_ = nullptr;
+  int nq_ = 0, nv_ = 0, nc_ = 0, ny_ = 0;
+  Owned<N_Vector> rates_, is_differential_;
+  Owned<SUNLinearSolver> linear_solver_;
+  Owned<SUNMatrix> matrix_;
+  Owned<SUNNonlinearSolver> newton_;
+  Projection<AnySystem<double>> projection_;
+  FlatD lambda_, y_dot_, v_dot_, force_, mu_, moved_, rate_, displacement_;
+  FlatD off_q_, off_v_, off_work_, phi_, phi_dot_;  ///< what the equations miss
+  FlatD at_, phi_dot_at_, force_at_;                ///< where the matrix was made
+  FlatD moved_force_;
+  double at_t_ = 0, c_ = 1;
+};
+
+}  // namespace
+
+}  // namespace sundials_library
+
+DoubleMethod make_ida(const Tolerances& tolerances) {
+  return std::make_unique<sundials_library::Ida>(tolerances);
+}
+
+}  // namespace trivium::integrators

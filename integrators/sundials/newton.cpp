@@ -1,0 +1,125 @@
+#include "integrators/sundials/newton.hpp"
+
+namespace trivium::integrators::sundials_library {
+
+namespace {
+
+/// The functions that an integrator hands over, and what the iteration keeps.
+class AcceleratedNewton {
+ public:
+  static AcceleratedNewton& of(SUNNonlinearSolver solver) {
+    return *static_cast<AcceleratedNewton*>(solver->content);
+  }
+
+  SUNNonlinSolSysFn system = nullptr;
+  SUNNonlinSolLSetupFn set_up = nullptr;
+  SUNNonlinSolLSolveFn solve_linear = nullptr;
+  SUNNonlinSolConvTestFn test = nullptr;
+  void* test_data = nullptr;
+  int most_iterations = 3, iteration = 0;
+  long iterations = 0, failures = 0;  ///< of the last solve
+
+  /// The correction y of y0, which begins as given. Where a matrix of before does not do, once more with one
+  /// made there. Returns the library's code.
+  int solve(SUNNonlinearSolver solver, N_Vector y, N_Vector weights, double tolerance, bool needs_matrix,
+            void* memory) {
+    if (!left_) left_.reset(N_VClone(y));
+    start_ = flat(y);
+    iterations = failures = 0;
+    for (bool is_bad = false;;) {
+      bool is_current = false;
+      const int code = iterate(solver, y, weights, tolerance, needs_matrix, is_bad, is_current, memory);
+      if (code == SUN_NLS_SUCCESS) return code;
+      if (code < 0 || is_current || set_up == nullptr) {
+        ++failures;
+        return code;
+      }
+      needs_matrix = is_bad = true;
+      flat(y) = start_;
+    }
+  }
+
+ private:
+  int iterate(SUNNonlinearSolver solver, N_Vector y, N_Vector weights, double tolerance, bool needs_matrix,
+              bool is_bad, bool& is_current, void* memory) {
+    anderson_.clear();
+    for (iteration = 0; iteration < most_iterations; ++iteration) {
+      if (const int code = system(y, left_.get(), memory); code != 0) return code;
+      if (iteration == 0 && needs_matrix) {
+        int is_made = 0;
+        if (const int code = set_up(is_bad, &is_made, memory); code != 0) return code;
+        is_current = is_made != 0;
+      }
+      flat(left_.get()) *= -1;
+      if (const int code = solve_linear(left_.get(), memory); code != 0) return code;
+      ++iterations;
+      const auto w = flat(weights);
+      change_ = flat(left_.get()).cwiseProduct(w);
+      // the first change meets terms that the matrix has, what is left after it those that it has not
+      if (iteration > 0) flat(left_.get()) = anderson_.step(change_, change_.size()).cwiseQuotient(w);
+      flat(y) += flat(left_.get());
+      const int code = test(solver, y, left_.get(), tolerance, weights, test_data);
+      if (code != SUN_NLS_CONTINUE && !(code == SUN_NLS_CONV_RECVR && iteration < 2)) return code;
+    }
+    return SUN_NLS_CONV_RECVR;
+  }
+
+  Owned<N_Vector> left_;
+  FlatD start_, change_;
+  Anderson<double> anderson_;
+};
+
+}  // namespace
+
+Owned<SUNNonlinearSolver> make_accelerated_newton(SUNContext context) {
+  using Newton = AcceleratedNewton;
+  Owned<SUNNonlinearSolver> solver(SUNNonlinSolNewEmpty(context));
+  solver->content = new Newton;
+  auto& ops = *solver->ops;
+  ops.gettype = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };
+  ops.free = [](SUNNonlinearSolver s) {
+    delete &Newton::of(s);
+    SUNNonlinSolFreeEmpty(s);
+    return SUN_NLS_SUCCESS;
+  };
+  ops.setsysfn = [](SUNNonlinearSolver s, SUNNonlinSolSysFn f) {
+    Newton::of(s).system = f;
+    return SUN_NLS_SUCCESS;
+  };
+  ops.setlsetupfn = [](SUNNonlinearSolver s, SUNNonlinSolLSetupFn f) {
+    Newton::of(s).set_up = f;
+    return SUN_NLS_SUCCESS;
+  };
+  ops.setlsolvefn = [](SUNNonlinearSolver s, SUNNonlinSolLSolveFn f) {
+    Newton::of(s).solve_linear = f;
+    return SUN_NLS_SUCCESS;
+  };
+  ops.setctestfn = [](SUNNonlinearSolver s, SUNNonlinSolConvTestFn f, void* data) {
+    Newton::of(s).test = f;
+    Newton::of(s).test_data = data;
+    return SUN_NLS_SUCCESS;
+  };
+  ops.setmaxiters = [](SUNNonlinearSolver s, int most) {
+    Newton::of(s).most_iterations = most;
+    return SUN_NLS_SUCCESS;
+  };
+  ops.getnumiters = [](SUNNonlinearSolver s, long* number) {
+    *number = Newton::of(s).iterations;
+    return SUN_NLS_SUCCESS;
+  };
+  ops.getcuriter = [](SUNNonlinearSolver s, int* number) {
+    *number = Newton::of(s).iteration;
+    return SUN_NLS_SUCCESS;
+  };
+  ops.getnumconvfails = [](SUNNonlinearSolver s, long* number) {
+    *number = Newton::of(s).failures;
+    return SUN_NLS_SUCCESS;
+  };
+  ops.solve = [](SUNNonlinearSolver s, N_Vector, N_Vector y, N_Vector weights, double tolerance,
+                 int needs_matrix, void* memory) {
+    return Newton::of(s).solve(s, y, weights, tolerance, needs_matrix != 0, memory);
+  };
+  return solver;
+}
+
+}  // namespace trivium::integrators::sundials_library

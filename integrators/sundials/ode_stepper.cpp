@@ -1,0 +1,67 @@
+#include "integrators/sundials/ode_stepper.hpp"
+
+namespace trivium::integrators::sundials_library {
+
+int OdeStepper::right_side(double t, N_Vector numbers, N_Vector y_dot, void* stepper) {
+  OdeStepper& self = *static_cast<OdeStepper*>(stepper);
+  return self.guarded([&] {
+    ++self.counters_.right_sides;
+    self.system().derivative(t, self.state(numbers), self.y_dot_);
+    flat(y_dot) = self.y_dot_;
+    return self.y_dot_.allFinite();
+  });
+}
+
+int OdeStepper::error_weights(N_Vector numbers, N_Vector weights, void* stepper) {
+  OdeStepper& self = *static_cast<OdeStepper*>(stepper);
+  const FlatD& y = self.state(numbers);
+  self.weigh(y, self.tolerances_, flat(weights));
+  // Newton's matrix says nothing of the work, which follows q and v: it has no say in how well they are met
+  if (self.is_implicit_) {
+    const auto motion = self.system().position_size() + self.system().velocity_size();
+    flat(weights).tail(y.size() - motion).setConstant(no_weight);
+  }
+  return 0;
+}
+
+int OdeStepper::linear_system(double t, N_Vector numbers, N_Vector, SUNMatrix, int, int* is_current,
+                              double gamma, void* stepper, N_Vector, N_Vector, N_Vector) {
+  OdeStepper& self = *static_cast<OdeStepper*>(stepper);
+  *is_current = 1;
+  return self.guarded([&] {
+    AnySystem<double>& system = self.system();
+    self.t_ = t;
+    self.gamma_ = gamma;
+    self.at_ = self.state(numbers);
+    if (system.has_springs()) {
+      const FlatD no_force = FlatD::Zero(system.velocity_size()),
+                  no_lambda = FlatD::Zero(system.multipliers());
+      system.balance(t, self.at_, no_force, no_lambda);
+      system.factor(gamma, gamma * gamma);
+      system.applied_force(t, self.at_, self.force_);
+    }
+    return true;
+  });
+}
+
+void OdeStepper::solve(const Eigen::Map<FlatD>& b, Eigen::Map<FlatD> x) {
+  AnySystem<double>& system = this->system();
+  const int nq = system.position_size(), nv = system.velocity_size();
+  b_v_ = b.segment(nq, nv);
+  system.position_rate(at_, b_v_, rate_);
+  x = b;
+  x.head(nq) += gamma_ * rate_;
+  if (!system.has_springs()) return;
+  moved_ = at_;
+  moved_.head(nq) += x.head(nq);
+  moved_.segment(nq, nv) += b_v_;
+  system.applied_force(t_, moved_, moved_force_);
+  w_.setZero(nv);
+  mu_.setZero(system.multipliers());
+  system.solve_force(moved_force_ - force_, w_, mu_);
+  x.segment(nq, nv) += gamma_ * w_;
+  system.position_rate(at_, w_, rate_);
+  x.head(nq) += gamma_ * gamma_ * rate_;
+}
+
+}  // namespace trivium::integrators::sundials_library

@@ -1,0 +1,37 @@
+#pragma once
+/// On y' = f(t, y), with Newton's matrix I - gamma f_y.
+
+#include "integrators/sundials/stepper.hpp"
+
+namespace trivium::integrators::sundials_library {
+
+/// f_y counts what springs and dampers resist, along their own directions, and that positions move with v:
+///
+///   (M + gamma C + gamma^2 K) w + Phi_q^T mu = Q(q + b_q + gamma b_v, v + b_v) - Q(q, v),   Phi_q w = 0
+///
+///   x_v = b_v + gamma w,   x_q = b_q + gamma x_v
+///
+/// What it leaves out (gyroscopic and geometric terms) is as small as the angle that bodies turn in a step.
+class OdeStepper : public Stepper {
+ public:
+  // called back by the library, with the stepper as its user data
+  static int right_side(double t, N_Vector numbers, N_Vector y_dot, void* stepper);
+  static int error_weights(N_Vector numbers, N_Vector weights, void* stepper);
+  static int linear_system(double t, N_Vector numbers, N_Vector f, SUNMatrix, int is_kept, int* is_current,
+                           double gamma, void* stepper, N_Vector, N_Vector, N_Vector);
+
+ protected:
+  OdeStepper(const Tolerances& tolerances, bool is_implicit)
+      : tolerances_(tolerances), is_implicit_(is_implicit) {}
+  bool is_implicit() const { return is_implicit_; }
+  void solve(const Eigen::Map<FlatD>& b, Eigen::Map<FlatD> x) override;
+
+ private:
+  Tolerances tolerances_;
+  const bool is_implicit_;
+  double t_ = 0, gamma_ = 0;
+  FlatD at_, force_;  ///< what was linearised about, and Q there
+  FlatD y_dot_, b_v_, rate_, moved_, moved_force_, w_, mu_;
+};
+
+}  // namespace trivium::integrators::sundials_library

@@ -1,0 +1,30 @@
+#pragma once
+/// What SUNDIALS allocates.
+
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_matrix.h>
+#include <sundials/sundials_nonlinearsolver.h>
+
+#include <memory>
+#include <type_traits>
+
+#include "integrators/system.hpp"
+
+namespace trivium::integrators::sundials_library {
+
+using FlatD = Flat<double>;
+
+struct Destroy {
+  void operator()(N_Vector v) const { N_VDestroy(v); }
+  void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
+  void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
+  void operator()(SUNNonlinearSolver s) const { SUNNonlinSolFree(s); }
+};
+/// Of the library's pointer types.
+template <class Pointer>
+using Owned = std::unique_ptr<std::remove_pointer_t<Pointer>, Destroy>;
+
+inline Eigen::Map<FlatD> flat(N_Vector v) { return {N_VGetArrayPointer(v), N_VGetLength_Serial(v)}; }
+
+}  // namespace trivium::integrators::sundials_library

@@ -1,0 +1,120 @@
+#include "integrators/sundials/stepper.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "integrators/step_choice.hpp"
+
+namespace trivium::integrators::sundials_library {
+
+namespace {
+
+/// Where to step to, so that the last steps before `stop` are of one length and no crumb is left.
+double target(double t, double stop, double planned) {
+  const double room = stop - t;
+  return planned > 0 && planned < room && room < 2 * planned ? t + room / 2 : stop;
+}
+
+}  // namespace
+
+void accept(int flag, const char* what) {
+  if (flag < 0) throw IntegrationError(fmt::format("SUNDIALS refuses {} (code {})", what, flag));
+}
+
+void Stepper::step(AnySystem<double>& system, double& t, FlatD& y, const double& stop) {
+  system_ = &system;
+  trouble_.clear();
+  message_.clear();
+  if (has_begun_) {
+    offset_ += y - returned_;
+  } else {
+    offset_.setZero(y.size());
+    before_ = counters_;
+    begin(t, y, first_step_);
+    first_step_ = 0;
+    has_begun_ = true;
+  }
+  double reached = t;
+  if (advance(target(t, stop, planned()), reached) < 0) fail(t, y);
+  constexpr double least = 4 * std::numeric_limits<double>::epsilon();
+  if (reached < stop && !(reached - t > least * std::abs(t))) fail(t, y);  // the library would go on for ever
+  y = state(numbers());
+  // the library may end within its own rounding of where it was told to
+  if (std::abs(stop - reached) <= 1e-14 * std::max(std::abs(stop), std::abs(stop - t))) reached = stop;
+  last_step_ = reached - t;
+  t = reached;
+  returned_ = y;
+  take_counters();
+  ++counters_.steps;
+  finish(t, y);
+}
+
+void Stepper::restart() {
+  has_begun_ = false;
+  first_step_ = 0;
+  ++counters_.restarts;
+}
+
+bool Stepper::shorten() {
+  has_begun_ = false;
+  first_step_ = last_step_ / 4;
+  --counters_.steps;
+  ++counters_.rejected_steps;
+  return true;
+}
+
+void Stepper::interpolate(const double& t, FlatD& y) {
+  if (!between_) between_.reset(N_VClone(numbers()));
+  interpolate_numbers(t, between_.get());
+  y = state(between_.get());
+  finish(t, y);
+}
+
+void Stepper::take_counters() {
+  const Progress now = progress();
+  counters_.rejected_steps = before_.rejected_steps + now.rejected_steps;
+  counters_.iterations = before_.iterations + now.iterations;
+}
+
+void Stepper::fail(double t, const FlatD& y) {
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+  give_up(*system_, t, y, trouble_.empty() ? message_ : trouble_);
+}
+
+void Stepper::note_error(int, const char*, const char*, char* message, void* stepper) {
+  static_cast<Stepper*>(stepper)->message_ = message;
+}
+
+Owned<SUNLinearSolver> Stepper::make_linear_solver() {
+  Owned<SUNLinearSolver> solver(SUNLinSolNewEmpty(context_));
+  solver->content = this;
+  solver->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; };
+  solver->ops->getid = [](SUNLinearSolver) { return SUNLINEARSOLVER_CUSTOM; };
+  solver->ops->setup = [](SUNLinearSolver, SUNMatrix) { return 0; };
+  solver->ops->solve = [](SUNLinearSolver s, SUNMatrix, N_Vector x, N_Vector b, realtype) {
+    Stepper& stepper = *static_cast<Stepper*>(s->content);
+    return stepper.guarded([&] {
+      stepper.solve(flat(b), flat(x));
+      return flat(x).allFinite();
+    });
+  };
+  solver->ops->free = [](SUNLinearSolver s) {
+    SUNLinSolFreeEmpty(s);
+    return 0;
+  };
+  return solver;
+}
+
+Owned<SUNMatrix> Stepper::make_matrix() {
+  Owned<SUNMatrix> matrix(SUNMatNewEmpty(context_));
+  matrix->ops->getid = [](SUNMatrix) { return SUNMATRIX_CUSTOM; };
+  matrix->ops->zero = [](SUNMatrix) { return 0; };
+  matrix->ops->destroy = [](SUNMatrix m) { SUNMatFreeEmpty(m); };
+  return matrix;
+}
+
+}  // namespace trivium::integrators::sundials_library

@@ -1,0 +1,103 @@
+#pragma once
+/// One of SUNDIALS' integrators taken step by step, as far as they are alike.
+
+#include <sundials/sundials_context.h>
+
+#include <exception>
+#include <string>
+
+#include "integrators/erased.hpp"
+#include "integrators/sundials/owned.hpp"
+
+namespace trivium::integrators::sundials_library {
+
+/// The library's numbers are y less an offset: what projections after its steps change goes to the offset,
+/// so that all that it remembers of the past moves along with y, and nothing of it is lost.
+class Stepper : public AnyMethod<double> {
+ public:
+  void step(AnySystem<double>& system, double& t, FlatD& y, const double& stop) final;
+  void restart() final;
+  bool shorten() override;
+  void interpolate(const double& t, FlatD& y) final;
+  const Counters& counters() const final { return counters_; }
+  const FlatD* lambda() const override { return nullptr; }
+
+ protected:
+  struct Progress {
+    long rejected_steps, iterations;
+  };
+
+  // what the integrators differ in
+  /// Begins at (t, y) with a first step, or one of its own choice where that is 0.
+  virtual void begin(double t, const FlatD& y, double first_step) = 0;
+  /// One step from t, at most to `stop`; leaves the library's state in numbers(). Returns the library's flag.
+  virtual int advance(double stop, double& t) = 0;
+  /// The length it would take next; 0 where steps are given.
+  virtual double planned() const = 0;
+  /// Since it began last.
+  virtual Progress progress() const = 0;
+  /// A x = b with what was factored last.
+  virtual void solve(const Eigen::Map<FlatD>& b, Eigen::Map<FlatD> x) = 0;
+  /// The library's numbers at a time of its last step.
+  virtual void interpolate_numbers(double /*t*/, N_Vector /*numbers*/) {}
+  /// What is left to do to a state of a step or of between.
+  virtual void finish(double /*t*/, FlatD& /*y*/) {}
+
+  /// Runs what the library calls back. Returns its code: 0, 1 where a shorter step may do, -1 where not.
+  template <class Work>
+  int guarded(const Work& work) noexcept {
+    try {
+      return work() ? 0 : 1;
+    } catch (const UsageError&) {
+      failure_ = std::current_exception();
+      return -1;
+    } catch (const std::runtime_error& error) {
+      trouble_ = error.what();
+      return 1;
+    } catch (...) {
+      failure_ = std::current_exception();
+      return -1;
+    }
+  }
+
+  /// y from the library's numbers.
+  const FlatD& state(N_Vector numbers) {
+    y_ = flat(numbers).head(offset_.size()) + offset_;
+    return y_;
+  }
+  /// Of what is measured neither by the estimated error nor by Newton's method.
+  static constexpr double no_weight = 1e-100;
+  void weigh(const FlatD& y, const Tolerances& tolerances, Eigen::Map<FlatD> weights) const {
+    weights.head(y.size()) = (tolerances.rtol * y.array().abs() + tolerances.atol).inverse();
+  }
+
+  SUNContext context() { return context_; }
+  AnySystem<double>& system() { return *system_; }
+  N_Vector numbers() { return numbers_.get(); }
+  void make_numbers(Eigen::Index size) { numbers_.reset(N_VNew_Serial(size, context_)); }
+  /// A linear solver that calls solve(), and a matrix in name, which the library asks for.
+  Owned<SUNLinearSolver> make_linear_solver();
+  Owned<SUNMatrix> make_matrix();
+  static void note_error(int code, const char* module, const char* function, char* message, void* stepper);
+
+  Counters counters_;
+
+ private:
+  void fail(double t, const FlatD& y);
+  void take_counters();
+
+  ::sundials::Context context_;
+  Owned<N_Vector> numbers_, between_;
+  AnySystem<double>* system_ = nullptr;
+  FlatD offset_, returned_, y_;
+  double first_step_ = 0, last_step_ = 0;
+  bool has_begun_ = false;
+  Counters before_;  ///< it began last
+  std::string trouble_, message_;
+  std::exception_ptr failure_;
+};
+
+/// Throws where the library refuses a setting.
+void accept(int flag, const char* what);
+
+}  // namespace trivium::integrators::sundials_library
