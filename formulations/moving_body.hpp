@@ -2,6 +2,9 @@
 /// Bodies on smooth paths in each formulation's own coordinates, for the laws that hold along any path. A
 /// support of the tests.
 
+#include <algorithm>
+#include <string>
+
 #include "constraints/row_laws.hpp"
 #include "formulations/r_epsilon_omega_first.hpp"
 #include "formulations/r_p.hpp"
@@ -120,10 +123,13 @@ using AllFormulations = testing::Types<ROmega<S>, RP<S>, REpsilon<S>, REpsilonOm
 using TestedFormulations =
     testing::Types<ROmega<double>, RP<double>, REpsilon<double>, REpsilonOmegaFirst<double>, ROmega<Quad>,
                    RP<Quad>, REpsilon<Quad>, REpsilonOmegaFirst<Quad>>;
+/// Without points and hyphens, which choose tests in GoogleTest's filters.
 struct FormulationNames {
   template <class F>
   static std::string GetName(int) {
-    return std::string(F::name) + (std::same_as<typename F::Scalar, double> ? ".double" : ".quad");
+    std::string name(F::name);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name + (std::same_as<typename F::Scalar, double> ? "_double" : "_quad");
   }
 };
 
