@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "paper/figure.hpp"
 #include "paper/statistics.hpp"
 #include "paper/table.hpp"
 
@@ -69,6 +70,33 @@ std::string convergence_order_table(Results& results, Numbers& numbers) {
     if (const auto found = hht.order.find({formulation, "r"}); found != hht.order.end())
       numbers.define(std::string("OrderHht") + macro, {fmt::format("{:.2f}", found->second)});
   return out.str("results/convergence_order.csv");
+}
+
+namespace {
+
+/// One method of every kind, in r-omega.
+std::string slopes(const ResultsTable& table, const std::string& quantity, const Tex& label) {
+  LogLogFigure figure({"$h$ [\\unit{\\second}]"}, label);
+  for (const char* method :
+       {"rkf78", "dopri5", "radau5", "hem4", "bdf4", "rattle4", "generalized-alpha", "hht"}) {
+    LogLogFigure::Points points;
+    for (std::size_t row = 0; row < table.rows.size(); ++row)
+      if (table.text(row, "method") == method && table.text(row, "formulation") == "r-omega" &&
+          table.text(row, "quantity") == quantity)
+        points.emplace_back(table.text(row, "h"), table.text(row, "error"));
+    figure.add(text(method), points);
+  }
+  return figure.str("results/convergence_order.csv");
+}
+
+}  // namespace
+
+std::string slopes_of_positions_figure(Results& results, Numbers&) {
+  return slopes(results["convergence_order"], "r", {"error of positions [\\unit{\\metre}]"});
+}
+
+std::string slopes_of_lambda_figure(Results& results, Numbers&) {
+  return slopes(results["convergence_order"], "lambda", {"error of $\\lambda$"});
 }
 
 }  // namespace trivium::paper

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "paper/figure.hpp"
 #include "paper/statistics.hpp"
 #include "paper/table.hpp"
 
@@ -9,7 +10,7 @@ namespace trivium::paper {
 
 namespace {
 
-constexpr double targets[] = {1e-3, 1e-6, 1e-9};
+constexpr double targets[] = {1e-3, 1e-6, 1e-9, 1e-10};
 
 /// The cheapest run of a scene, of ours or of the peer's, whose error of positions is at most the target.
 std::optional<std::size_t> cheapest(const ResultsTable& table, const std::string& scene, double target,
@@ -68,6 +69,35 @@ std::string work_precision_table(Results& results, Numbers& numbers) {
   numbers.define("WorkMostRatioScene", text(ratios.worst_name()));
   numbers.define("WorkCompared", integer(ratios.size()));
   return out.str("results/work_precision.csv");
+}
+
+namespace {
+
+/// Our methods in r-omega solid, Simbody's dashed.
+std::string costs(const ResultsTable& table, const std::string& scene, const std::vector<std::string>& ours) {
+  LogLogFigure figure({"error of positions [\\unit{\\metre}]"}, {"CPU time [\\unit{\\milli\\second}]"});
+  const auto add = [&](const std::string& method, const std::string& formulation) {
+    LogLogFigure::Points points;
+    for (std::size_t row = 0; row < table.rows.size(); ++row)
+      if (table.text(row, "scene") == scene && table.text(row, "method") == method &&
+          table.text(row, "formulation") == formulation && table.text(row, "failure") == "none")
+        points.emplace_back(table.text(row, "position"), table.text(row, "median_ms"));
+    figure.add(text(method), points);
+  };
+  for (const std::string& method : ours) add(method, "r-omega");
+  for (const char* method : {"RungeKuttaMerson", "RungeKuttaFeldberg", "CPodes Adams", "CPodes BDF"})
+    add(method, "none");
+  return figure.str("results/work_precision.csv");
+}
+
+}  // namespace
+
+std::string work_on_two_bars_figure(Results& results, Numbers&) {
+  return costs(results["work_precision"], "two_bars", {"rkf78", "bulirsch-stoer", "abm", "cvode-adams"});
+}
+
+std::string work_on_the_governor_figure(Results& results, Numbers&) {
+  return costs(results["work_precision"], "flyball_governor", {"rkf78", "cvode-bdf", "ida", "radau5"});
 }
 
 }  // namespace trivium::paper

@@ -19,7 +19,7 @@ namespace trivium::precision {
 namespace {
 
 /// Errors of positions [m] that the costs are told for.
-constexpr std::array targets{1e-3, 1e-6, 1e-9};
+constexpr std::array targets{1e-3, 1e-6, 1e-9, 1e-10};
 /// The lengths of the catalogue's runs [s]; 1 elsewhere. That of the four-bars ends before they lie flat.
 const std::map<std::string, double> lengths{
     {"two_bars", 10}, {"a01_pendulum", 10},    {"n_four_bar_2", 0.6},  {"andrews_squeezer", 0.05},

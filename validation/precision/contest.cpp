@@ -115,10 +115,15 @@ std::vector<Entry> entries(bool quick) {
       quick ? std::vector<double>{1e-5, 1e-9} : std::vector<double>{1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
   const auto steps = quick ? std::vector<double>{200} : std::vector<double>{200, 800, 3200};
   for (const char* formulation : {"r-omega", "r-p", "r-epsilon"}) {
-    for (const char* method : {"dopri5", "rkf78", "bulirsch-stoer", "abm", "radau5"})
+    for (const char* method : {"dopri5", "rkf78", "bulirsch-stoer", "abm", "cvode-adams", "cvode-bdf",
+                               "arkode-erk", "arkode-dirk", "ida", "radau5"})
       for (const double rtol : tolerances) all.push_back({"trivium", formulation, method, rtol, {}});
+    // where doubles end, of those whose order makes it affordable
+    if (!quick)
+      for (const char* method : {"rkf78", "bulirsch-stoer", "abm", "cvode-adams"})
+        all.push_back({"trivium", formulation, method, 1e-13, {}});
     for (const char* method :
-         {"generalized-alpha", "generalized-alpha-gl2", "hht", "rattle", "rattle4", "bdf"}) {
+         {"hem4", "generalized-alpha", "generalized-alpha-gl2", "hht", "rattle", "rattle4", "bdf"}) {
       if (std::string(method).starts_with("rattle") && !inertia_is_constant(formulation)) continue;
       integrators::MethodParameters parameters;
       if (std::string(method) == "bdf") parameters.order = 4;
