@@ -91,11 +91,11 @@ TYPED_TEST(Constrained, NewtonMeetsPositionsByTheirShare) {
     form.newton(h * h / 2, step.v_dot, step.lambda);
     place();
     step.imbalance(y);
-    // what is left is of the angle that bodies turn in the step
+    // what is left is of the square of that, or of the angle that bodies turn in the step
     double turned = 0;
     for (const Twist<double>& twist : form.physical(0, from).twist)
       turned = std::max(turned, h * twist.omega_bar.norm());
-    EXPECT_LE(form.relative_row_violation(), (1e-3 + turned) * before) << name;
+    EXPECT_LE(form.relative_row_violation(), (5e-3 + turned) * before) << name;
   }
 }
 
