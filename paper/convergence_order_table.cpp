@@ -84,7 +84,7 @@ std::string slopes(const ResultsTable& table, const std::string& quantity, const
       if (table.text(row, "method") == method && table.text(row, "formulation") == "r-omega" &&
           table.text(row, "quantity") == quantity)
         points.emplace_back(table.text(row, "h"), table.text(row, "error"));
-    figure.add(text(method), points);
+    figure.add(method == std::string("generalized-alpha") ? Tex{"gen.-$\\alpha$"} : text(method), points);
   }
   return figure.str("results/convergence_order.csv");
 }

@@ -76,17 +76,20 @@ namespace {
 /// Our methods in r-omega solid, Simbody's dashed.
 std::string costs(const ResultsTable& table, const std::string& scene, const std::vector<std::string>& ours) {
   LogLogFigure figure({"error of positions [\\unit{\\metre}]"}, {"CPU time [\\unit{\\milli\\second}]"});
-  const auto add = [&](const std::string& method, const std::string& formulation) {
+  const auto add = [&](const std::string& method, const std::string& formulation, const std::string& name) {
     LogLogFigure::Points points;
     for (std::size_t row = 0; row < table.rows.size(); ++row)
       if (table.text(row, "scene") == scene && table.text(row, "method") == method &&
           table.text(row, "formulation") == formulation && table.text(row, "failure") == "none")
         points.emplace_back(table.text(row, "position"), table.text(row, "median_ms"));
-    figure.add(text(method), points);
+    figure.add(text(name), points);
   };
-  for (const std::string& method : ours) add(method, "r-omega");
-  for (const char* method : {"RungeKuttaMerson", "RungeKuttaFeldberg", "CPodes Adams", "CPodes BDF"})
-    add(method, "none");
+  for (const std::string& method : ours) add(method, "r-omega", method);
+  for (const auto& [method, name] : {std::pair("RungeKuttaMerson", "Merson"),
+                                     {"RungeKuttaFeldberg", "Feldberg"},
+                                     {"CPodes Adams", "CPodes Adams"},
+                                     {"CPodes BDF", "CPodes BDF"}})
+    add(method, "none", name);
   return figure.str("results/work_precision.csv");
 }
 
