@@ -278,7 +278,7 @@ class Radau5 {
       const auto& inverse = coefficients_.inverse[i];
       const S share = h * coefficients_.d[i];
       if (!is_factored || system.has_springs()) system.factor(share, S(share * share));
-      is_factored = true;
+      is_factored = has_matrix_ = true;
       rows = mixed(inverse, &Stage::phi_dot) / -h;
       x.setZero(nv_);
       mu.setZero(nc_);
@@ -301,6 +301,9 @@ class Radau5 {
   /// Of order 3, filtered by the matrix of springs: what it would damp is no error.
   S error_of(System& system, const S& h, const Flat<S>& y) {
     if (!tolerances_) return S(0);
+    // where the stages were as predicted, none was asked for
+    if (const S share = h * coefficients_.d[1]; !has_matrix_) system.factor(share, S(share * share));
+    has_matrix_ = true;
     const Flat<S> v = y.segment(nq_, nv_);
     const auto& e = coefficients_.error;
     const S& gamma = coefficients_.gamma;
@@ -346,7 +349,7 @@ class Radau5 {
   std::optional<S> last_h_;
   Flat<S> force_, change_;
   int nq_ = 0, nv_ = 0, nc_ = 0;
-  bool has_begun_ = false;
+  bool has_begun_ = false, has_matrix_ = false;
   Counters counters_;
 };
 
