@@ -166,6 +166,10 @@ std::string json_of(const SimulateArguments& arguments, const Mechanism<double>&
   for (const SingularPassage& passage : r.passages)
     json.begin_object().number("t", passage.t).number("rows", passage.rows).end_object();
   json.end_array();
+  json.begin_array("impulses");
+  for (const Impulse<double>& impulse : r.impulses)
+    json.begin_object().number("t", impulse.t).numbers("lambda", impulse.lambda).end_object();
+  json.end_array();
   json.texts("rows", mechanism.row_names).texts("warnings", warnings_of(r)).end_object();
   return json.str();
 }
@@ -199,7 +203,17 @@ std::string text_of(const SimulateArguments& arguments, const Mechanism<double>&
   if (r.does_work) add("work done on it [J]", fmt::format("{:.12g}", r.work));
   add(r.does_work ? "largest change not accounted for [J]" : "largest change of energy [J]",
       fmt::format("{:.1e}", r.balance));
-  return out + table.text();
+  out += table.text();
+  for (const Impulse<double>& impulse : r.impulses) {
+    out += fmt::format(
+        "\nvelocities jumped with a driver at t = {}: impulses [N s or N m s, over the row's scale]\n",
+        impulse.t);
+    Table rows({"row", "impulse"});
+    for (std::size_t k = 0; k < mechanism.row_names.size(); ++k)
+      rows.add({mechanism.row_names[k], fmt::format("{:.9g}", impulse.lambda[static_cast<Eigen::Index>(k)])});
+    out += rows.text();
+  }
+  return out;
 }
 
 int run_simulate(const SimulateArguments& given) {

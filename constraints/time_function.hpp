@@ -92,7 +92,14 @@ class TimeFunction {
     double t0 = 0, f0 = 0, t1 = 1, f1 = 0;
     bool operator==(const Step5&) const = default;
   };
-  using Kind = std::variant<double, Polynomial, Harmonic, Sin, Cos, Sum, Product, Step5>;
+  /// pieces[0] before times[0], pieces[k] from times[k - 1] on: f, f' or f'' may jump there, and each is then
+  /// that of the later piece.
+  struct Piecewise {
+    std::vector<double> times;
+    std::vector<TimeFunction> pieces;  ///< one more than times
+    bool operator==(const Piecewise&) const = default;
+  };
+  using Kind = std::variant<double, Polynomial, Harmonic, Sin, Cos, Sum, Product, Step5, Piecewise>;
 
   TimeFunction(double constant = 0) : kind_(constant) {}  // NOLINT: a number is a function of time
   template <class K>
@@ -105,11 +112,12 @@ class TimeFunction {
   /// A plain number: its derivatives are known to be zero and need not be computed.
   bool is_number() const { return std::holds_alternative<double>(kind_); }
 
-  /// Whether f' is zero at all times.
+  /// Whether f is the same at all times.
   bool is_constant() const {
     return std::visit([](const auto& kind) { return constant(kind); }, kind_);
   }
-  /// Appends the times where f'' has a kink: a method that lands there keeps its order across.
+  /// Appends the times where f'' has a kink or f, f' or f'' jumps: a method that lands there keeps its order
+  /// across.
   void append_kinks(std::vector<double>& times) const {
     std::visit([&](const auto& kind) { add_kinks(kind, times); }, kind_);
   }
@@ -141,6 +149,11 @@ class TimeFunction {
   static bool constant(const Sum& k) { return all_constant(k.terms); }
   static bool constant(const Product& k) { return all_constant(k.factors); }
   static bool constant(const Step5& k) { return k.f0 == k.f1; }
+  static bool constant(const Piecewise& k) {
+    return all_constant(k.pieces) && std::all_of(k.pieces.begin(), k.pieces.end(), [&](const auto& piece) {
+             return piece(0.0).f == k.pieces.front()(0.0).f;
+           });
+  }
 
   static void add_all_kinks(const std::vector<TimeFunction>& parts, std::vector<double>& times) {
     for (const TimeFunction& f : parts) f.append_kinks(times);
@@ -153,6 +166,10 @@ class TimeFunction {
   static void add_kinks(const Product& k, std::vector<double>& times) { add_all_kinks(k.factors, times); }
   static void add_kinks(const Step5& k, std::vector<double>& times) {
     times.insert(times.end(), {k.t0, k.t1});
+  }
+  static void add_kinks(const Piecewise& k, std::vector<double>& times) {
+    times.insert(times.end(), k.times.begin(), k.times.end());
+    add_all_kinks(k.pieces, times);
   }
 
   template <class Scalar>
@@ -214,6 +231,12 @@ class TimeFunction {
                  rise = Scalar(k.f1) - Scalar(k.f0);
     return {Scalar(k.f0) + rise * x * x * x * (10 + x * (6 * x - 15)),
             rise * 30 * x * x * (1 - x) * (1 - x) / T, rise * 60 * x * (1 - x) * (1 - 2 * x) / (T * T)};
+  }
+  template <class Scalar>
+  static Jet<Scalar> evaluate(const Piecewise& k, const Scalar& t) {
+    const auto later =
+        std::find_if(k.times.begin(), k.times.end(), [&](double at) { return t < Scalar(at); });
+    return k.pieces[later - k.times.begin()](t);
   }
 
   Kind kind_;

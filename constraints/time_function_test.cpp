@@ -34,6 +34,7 @@ std::vector<Case> cases() {
       {"empty sum", TF::Sum{{}}},
       {"product", product},
       {"empty product", TF::Product{{}}},
+      {"piecewise", TF::Piecewise{{0.2, 1.1}, {polynomial, sine, product}}},
       {"nested", TF::Sin{{TF::Product{{sum, TF::Cos{{TF::Sum{{step, sine}}}}}}}}},
       {"product of sums of products", TF::Product{{TF::Sum{{product, cosine}}, TF::Sum{{sine, harmonic}}}}}};
 }
@@ -83,6 +84,21 @@ TEST(TimeFunctionValues, AreTheOnesOfTheSceneFormat) {
   EXPECT_DOUBLE_EQ((TF(TF::Cos{{TF::Polynomial{{0, 1}}}})(t).f), std::cos(t));
   EXPECT_DOUBLE_EQ((TF(TF::Sum{{TF(1), TF(2), TF(4)}})(t).f), 7);
   EXPECT_DOUBLE_EQ((TF(TF::Product{{TF(2), TF(3), TF(4)}})(t).f), 24);
+}
+
+TEST(TimeFunctionValues, OfPiecesAreThoseOfTheLaterOneFromItsTimeOn) {
+  const TF f = TF::Piecewise{{1, 2}, {TF::Polynomial{{0, 1}}, TF::Polynomial{{-2, 3}}, TF(4)}};
+  EXPECT_EQ(f(0.5).f, 0.5);
+  EXPECT_EQ(f(std::nextafter(1.0, 0.0)).f_t, 1);
+  EXPECT_EQ(f(1.0).f_t, 3);
+  EXPECT_EQ(f(2.0).f, 4);
+  EXPECT_EQ(f(2.0).f_t, 0);
+  std::vector<double> times;
+  f.append_kinks(times);
+  EXPECT_EQ(times, (std::vector<double>{1, 2}));
+  EXPECT_FALSE(f.is_constant());
+  EXPECT_FALSE((TF(TF::Piecewise{{1}, {TF(2), TF(3)}}).is_constant()));
+  EXPECT_TRUE((TF(TF::Piecewise{{1}, {TF(2), TF(2)}}).is_constant()));
 }
 
 TEST(TimeFunctionValues, OnlyANumberIsKnownToBeConstant) {

@@ -43,6 +43,14 @@ class ConstraintProjection {
     solver_.assembly().velocities(t_, violation_);
     return measure_.measure_velocities(violation_);
   }
+  /// How far Phi_q q' - nu at the state's time is from what it was at a time just before, in the place of the
+  /// velocities' violation: what jumps of nu leave.
+  void measure_jump(const S& before) {
+    solver_.assembly().velocities(before, change_);
+    solver_.assembly().velocities(t_, violation_);
+    for (std::size_t e = 0; e < violation_.edge.size(); ++e) violation_.edge[e] -= change_.edge[e];
+    measure_.measure_velocities(violation_);
+  }
   const ConstraintMeasure<S>& measure() const { return measure_; }
 
   /// Factors the matrix at the state.
@@ -63,6 +71,12 @@ class ConstraintProjection {
   void solve() {
     for (Vector6<S>& row : violation_.edge) row = -row;
     solver_.factors().solve(violation_, change_);
+  }
+  /// mu of the change, by the mechanism's rows.
+  void copy_multipliers(VectorX<S>& mu) const {
+    const auto& edges = solver_.plan().graph.edges;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      for (int k = 0; k < edges[e].size(); ++k) mu[edges[e].rows[k]] = change_.edge[e][k];
   }
   Vector3<S> r_change(int b) const { return unpadded<S>(change_.body[b].r); }
   typename F::Unknown q_change(int b) const {

@@ -36,6 +36,13 @@ struct SingularPassage {
   int rows;  ///< that depended on others there and before did not
 };
 
+/// Velocities jumped with a driver's.
+template <class S>
+struct Impulse {
+  double t;
+  VectorX<S> lambda;  ///< of every row: the integral of its multiplier over the jump
+};
+
 template <Formulation F>
 class FirstOrderForm {
  public:
@@ -187,6 +194,39 @@ class FirstOrderForm {
     return reframed;
   }
 
+  /// Over a time where functions may jump, from just before it: where the rows ask for other velocities from
+  /// there on, an impulse gives them to the bodies,
+  ///
+  ///   M dv + Phi_q^T Lambda = 0,   Phi_q dv = jump of nu
+  ///
+  /// and does -Lambda . (nu before + nu after) / 2 of work. Returns whether there was one. Throws a
+  /// ModelError.
+  bool cross(const S& before, const S& t, Flat& y) {
+    if (drivers_.empty()) return false;
+    load(y);
+    projection_.move(state_, t);
+    projection_.measure_jump(before);
+    if (!(projection_.measure().relative() > S(1e-9))) return false;
+    projection_.factor();
+    projection_.solve();
+    Impulse<S> impulse{static_cast<double>(t), VectorX<S>(mechanism_.nc())};
+    projection_.copy_multipliers(impulse.lambda);
+    const auto& body = solver_.assembly().body();
+    S work(0);
+    for (const int k : drivers_) {
+      const BodyPair pair = bodies_of(mechanism_.rows[k]);
+      for (const S& at : {before, t})
+        work -= impulse.lambda[k] * evaluate_row(mechanism_.rows[k], body[pair.i], body[pair.j], at).nu / 2;
+    }
+    for (int b = 0; b < nb(); ++b) {
+      typename F::Unknown v = flat_velocity(y, b) + projection_.q_change(b);
+      rate(y, b) << state_[b].r_dot + projection_.r_change(b), v;
+    }
+    y[motion_size()] += work;
+    impulses_.push_back(std::move(impulse));
+    return true;
+  }
+
   /// The solver, solved and refined at (t, y).
   AccelerationSolver<F>& solved(const S& t, const Flat& y) {
     if (!is_settled(t, y)) solve_as(t, y, Refinement::as_needed, Ranks::kept);
@@ -246,6 +286,7 @@ class FirstOrderForm {
   /// Positions passed where rows depended on others that do not elsewhere: the rows that were left out there
   /// say nothing then, and where a motion could go on in two ways it went as its velocities had it.
   const std::vector<SingularPassage>& passages() const { return passages_; }
+  const std::vector<Impulse<S>>& impulses() const { return impulses_; }
 
  protected:
   auto place(Flat& y, int b) const { return y.template segment<positions>(positions * b); }
@@ -347,6 +388,7 @@ class FirstOrderForm {
   int left_out_ = -1;  ///< rows
   static constexpr std::size_t most_passages = 1000;
   std::vector<SingularPassage> passages_;
+  std::vector<Impulse<S>> impulses_;
   long factorisations_ = 0;
   int reframings_ = 0;
 };

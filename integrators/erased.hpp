@@ -30,6 +30,7 @@ class AnySystem {
   virtual void meet_internal(Flat<S>& y) = 0;
   virtual std::string worst_row() const = 0;
   virtual bool settle(const S& t, Flat<S>& y) = 0;
+  virtual bool cross(const S& before, const S& t, Flat<S>& y) = 0;
   virtual std::string suspect(const S& t, const Flat<S>& y) = 0;
 
   // of a ConstrainedSystem
@@ -89,6 +90,7 @@ class Erased final : public AnySystem<typename System::Scalar> {
   void meet_internal(Flat<S>& y) override { system_.meet_internal(y); }
   std::string worst_row() const override { return system_.worst_row(); }
   bool settle(const S& t, Flat<S>& y) override { return system_.settle(t, y); }
+  bool cross(const S& before, const S& t, Flat<S>& y) override { return system_.cross(before, t, y); }
   std::string suspect(const S& t, const Flat<S>& y) override { return system_.suspect(t, y); }
 
   int position_size() const override {

@@ -1,8 +1,12 @@
 #pragma once
 /// A method walks a system through a grid of times.
 
+#include <algorithm>
+#include <cmath>
 #include <deque>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "integrators/projection.hpp"
 #include "integrators/time_grid.hpp"
@@ -96,14 +100,19 @@ bool integrate(System& system, M& method, const TimeGrid& grid, bool projects,
   TimeGrid::Walk<S> walk(grid);
   std::deque<S> passed;  // outputs to step over
   constexpr std::size_t most_passed = 1000;
+  using std::abs, std::max;
+  const S little =
+      8 * std::numeric_limits<S>::epsilon() * max(S(abs(S(grid.start()))), S(abs(S(grid.end()))));
   while (auto stop = walk.next()) {
     while (interpolates<M, S>(method) && !stop->is_event && stop->t < S(grid.end()) &&
            passed.size() < most_passed) {
       passed.push_back(stop->t);
       stop = walk.next();
     }
-    while (t < stop->t) {
-      checked_step(system, method, t, y, stop->t, projects, project, report);
+    // up to an event all is as it was before it: what jumps there has its earlier value
+    const S target = stop->is_event ? stop->t - little : stop->t;
+    while (t < target) {
+      checked_step(system, method, t, y, target, projects, project, report);
       if constexpr (requires(Flat<S> & between) { method.interpolate(t, between); })
         for (; !passed.empty() && passed.front() < t; passed.pop_front()) {
           Flat<S> between;
@@ -121,7 +130,11 @@ bool integrate(System& system, M& method, const TimeGrid& grid, bool projects,
       if (!(t < stop->t) && stop->is_output) at_output(t, y);
       return false;
     }
-    if (stop->is_event) method.restart();
+    if (stop->is_event) {
+      const S before = std::exchange(t, stop->t);
+      if (system.cross(before, t, y)) system.settle(t, y);
+      method.restart();
+    }
     if (stop->is_output) at_output(t, y);
   }
   return true;

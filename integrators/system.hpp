@@ -20,7 +20,8 @@ using Flat = Eigen::Matrix<S, Eigen::Dynamic, 1>;
 /// the way back from there, by a matrix factored there or, unless `factor`, before. `strays` is asked whether
 /// a projection went too far to be one, `longest_step` how long a step from a state may be for reasons of the
 /// model. `settle` is told every state that the motion has reached, projected; it returns whether y is in
-/// other coordinates since, so that what a method remembers of it is void.
+/// other coordinates since, so that what a method remembers of it is void. `cross` goes over a time where the
+/// model may jump, from just before it; it returns whether y jumped.
 template <class System>
 concept FirstOrderSystem = requires(System& system, const typename System::Scalar& t,
                                     const Flat<typename System::Scalar>& y,
@@ -38,6 +39,7 @@ concept FirstOrderSystem = requires(System& system, const typename System::Scala
   system.meet_internal(changed);
   { system.worst_row() } -> std::convertible_to<std::string>;
   { system.settle(t, changed) } -> std::same_as<bool>;
+  { system.cross(t, t, changed) } -> std::same_as<bool>;
   { system.suspect(t, y) } -> std::convertible_to<std::string>;
 };
 

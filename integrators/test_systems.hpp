@@ -30,6 +30,7 @@ struct Free {
   void meet_internal(Flat<double>&) {}
   std::string worst_row() const { return "none"; }
   bool settle(double, Flat<double>&) { return settled++ == changes_at; }
+  bool cross(double, double, Flat<double>&) { return false; }
   std::string suspect(double, const Flat<double>&) { return {}; }
 };
 

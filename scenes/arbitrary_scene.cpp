@@ -95,7 +95,7 @@ TimeFunction arbitrary_function(Random& random, int depth = 0) {
     for (int k = random.below(3); k >= 0; --k) functions.push_back(arbitrary_function(random, depth + 1));
     return functions;
   };
-  switch (random.below(depth < 3 ? 8 : 4)) {
+  switch (random.below(depth < 3 ? 9 : 4)) {
     case 0:
       return random.number();
     case 1:
@@ -112,6 +112,10 @@ TimeFunction arbitrary_function(Random& random, int depth = 0) {
       return TimeFunction::Cos{{arbitrary_function(random, 3)}};
     case 6:
       return TimeFunction::Sum{parts()};
+    case 7: {  // of one function, as drivers must not jump
+      const TimeFunction f = arbitrary_function(random, depth + 1);
+      return TimeFunction::Piecewise{{random.number()}, {f, f}};
+    }
     default:
       return TimeFunction::Product{{arbitrary_function(random, 3), arbitrary_function(random, 3)}};
   }

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "scenes/scene_checks.hpp"
 
@@ -32,6 +34,20 @@ class PartChecks {
     check_depth(at_);
     if (!(f.t1 - f.t0 >= smallest_divisor))
       fail(at_ / "t1", fmt::format("t1 = {} with t0 = {}", shortest(f.t1), shortest(f.t0)), "t1 > t0");
+  }
+  void operator()(const TimeFunction::Piecewise& f) const {
+    check_count(f.times.size(), "times", "at least one time");
+    const Path pieces = at_ / "pieces";
+    check_depth(pieces);
+    if (f.pieces.size() != f.times.size() + 1)
+      fail(pieces, fmt::format("{} pieces for {} times", f.pieces.size(), f.times.size()),
+           "one piece more than times");
+    const Path times = at_ / "times";
+    for (std::size_t k = 1; k < f.times.size(); ++k)
+      if (!(f.times[k] - f.times[k - 1] >= smallest_divisor))
+        fail(times / k, fmt::format("{} after {}", shortest(f.times[k]), shortest(f.times[k - 1])),
+             "times in order");
+    check_parts(f.pieces, pieces);
   }
 
  private:
@@ -67,6 +83,18 @@ void check_finite(const TimeFunction& f, double t, const Path& at) {
          "a function whose value and derivatives are finite");
 }
 
+/// A constraint's: velocities may jump, positions not.
+void check_continuous(const TimeFunction& f, const Path& at) {
+  std::vector<double> times;
+  f.append_kinks(times);
+  for (const double t : times) {
+    const double before = f(std::nextafter(t, -std::numeric_limits<double>::infinity())).f, after = f(t).f;
+    if (!(std::abs(after - before) <= 1e-9 * (1 + std::abs(before))))
+      fail(at, fmt::format("a jump from {} to {} at t = {}", shortest(before), shortest(after), shortest(t)),
+           "a function without jumps, as positions have none; its derivative may jump");
+  }
+}
+
 /// Those of one effect.
 struct FunctionsOfEffect {
   double t;
@@ -99,6 +127,8 @@ void check_functions(const Scene& scene, double t, const Path& root) {
     const Path at = constraints / k;
     check_finite(scene.constraints[k].f, t, at / "f");
     check_finite(scene.constraints[k].angle, t, at / "angle");
+    check_continuous(scene.constraints[k].f, at / "f");
+    check_continuous(scene.constraints[k].angle, at / "angle");
   }
   for (std::size_t k = 0; k < scene.effects.size(); ++k) {
     const Path at = effects / k;

@@ -70,6 +70,13 @@ void read_value(const Json& json, const Path& at, TimeFunction& out) {
       out = std::move(f);
       break;
     }
+    case 8: {
+      TimeFunction::Piecewise f;
+      list("times", f.times);
+      list("pieces", f.pieces);
+      out = std::move(f);
+      break;
+    }
     default: {
       TimeFunction::Step5 f;
       object.read("t0", f.t0);

@@ -113,6 +113,10 @@ class Narrowed {
   void check(const TimeFunction::Step5& f, std::string_view key) const {
     for (double x : {f.t0, f.f0, f.t1, f.f1}) number(x, key);
   }
+  void check(const TimeFunction::Piecewise& f, std::string_view key) const {
+    for (double t : f.times) number(t, key);
+    check(f.pieces, key);
+  }
   void check(const std::vector<TimeFunction>& parts, std::string_view key) const {
     for (const TimeFunction& part : parts) function(part, key);
   }

@@ -111,6 +111,8 @@ TEST(Reader, TakesEveryKindOfFunction) {
   EXPECT_EQ(function(R"({"kind": "sum", "terms": [1, 2]})"), F(F::Sum{{F(1), F(2)}}));
   EXPECT_EQ(function(R"({"kind": "product", "factors": [1, 2]})"), F(F::Product{{F(1), F(2)}}));
   EXPECT_EQ(function(R"({"kind": "step5", "t0": 1, "f0": 2, "t1": 3, "f1": 4})"), F(F::Step5{1, 2, 3, 4}));
+  EXPECT_EQ(function(R"({"kind": "piecewise", "times": [1], "pieces": [2, {"kind": "sin", "of": 3}]})"),
+            F(F::Piecewise{{1}, {F(2), F(F::Sin{{F(3)}})}}));
 }
 
 TEST(Reader, ResolvesNamesToIndices) {

@@ -64,6 +64,7 @@ inline constexpr std::array function_shapes{
     Shape{"sum", {need("kind"), need("terms")}},
     Shape{"product", {need("kind"), need("factors")}},
     Shape{"step5", {need("kind"), need("t0"), need("f0"), need("t1"), need("f1")}},
+    Shape{"piecewise", {need("kind"), need("times"), need("pieces")}},
 };
 
 // Sides. Every side may name a point (of a dp1 it says where reactions are taken), and every side of a joint

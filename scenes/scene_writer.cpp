@@ -44,6 +44,9 @@ class FunctionWriter {
   Json operator()(const TimeFunction::Step5& f) const {
     return Json::Object{{"kind", "step5"}, {"t0", f.t0}, {"f0", f.f0}, {"t1", f.t1}, {"f1", f.f1}};
   }
+  Json operator()(const TimeFunction::Piecewise& f) const {
+    return Json::Object{{"kind", "piecewise"}, {"times", to_json(f.times)}, {"pieces", to_json(f.pieces)}};
+  }
 
  private:
   static Json argument(const std::vector<TimeFunction>& of) {

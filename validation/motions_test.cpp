@@ -202,6 +202,51 @@ TEST_P(InEveryFormulation, ATorsionalSpringIsCountedOverFullTurns) {
   EXPECT_LE(motion.report.balance, 1e-8 * motion.report.energy_start);
 }
 
+// hung straight below, the bob is struck through its hook: 1 m/s = J (1/m + l^2/I)
+TEST_P(InEveryFormulation, ADriverWhoseSpeedJumpsStrikesWithAnImpulse) {
+  const scenes::Scene scene = catalogue_scene("wellformed/jerked_trolley");
+  const double on_bob = 1 / (1.0 / 2 + 0.25 / 0.1), impulse = 3 + on_bob;
+  SimulationOptions options = tight(GetParam(), "rkf78", 0.5, 1e-10);
+  const Motion struck(scene, [&] {
+    options.end = 0.51;
+    options.output_step = 0.5;
+    return options;
+  }());
+  const MotionSample& after = struck.samples[1];
+  EXPECT_EQ(after.state.t, 0.5);
+  EXPECT_NEAR(after.state.twist[0].r_dot[0], 1.4, 1e-12);
+  EXPECT_NEAR(after.state.twist[1].r_dot[0], 0.4 + on_bob / 2, 1e-12);
+  EXPECT_NEAR(after.state.twist[1].omega_bar[1], 0.5 * on_bob / 0.1, 1e-11);
+  ASSERT_EQ(struck.report.impulses.size(), 1u);
+  EXPECT_EQ(struck.report.impulses[0].t, 0.5);
+  EXPECT_NEAR(struck.report.impulses[0].lambda[5], -impulse, 1e-11);  // after the rail's five rows
+  EXPECT_NEAR(after.energy - struck.samples[0].energy, impulse * (0.4 + 1.4) / 2, 1e-11);
+  EXPECT_LE(struck.report.balance, 1e-10);
+}
+
+TEST_P(InEveryFormulation, EveryMethodGoesOverAJumpOfVelocities) {
+  const scenes::Scene scene = catalogue_scene("wellformed/jerked_trolley");
+  const Motion exact(scene, tight("r-omega", "rkf78", 1, 1e-12));
+  ASSERT_EQ(exact.report.impulses.size(), 2u);
+  for (const char* method :
+       {"dopri5", "bulirsch-stoer", "abm", "cvode-adams", "cvode-bdf", "arkode-erk", "arkode-dirk", "ida",
+        "radau5", "generalized-alpha", "generalized-alpha-gl2", "bdf", "hem4"}) {
+    SimulationOptions options = tight(GetParam(), method, 1, 1e-9);
+    const bool steps = !integrators::find_method(method)->chooses_steps;
+    if (steps) options.step = 0.001;
+    const Motion motion(scene, options);
+    ASSERT_EQ(motion.report.impulses.size(), 2u) << method;
+    for (int k = 0; k < 2; ++k)
+      EXPECT_NEAR(motion.report.impulses[k].lambda[5], exact.report.impulses[k].lambda[5],
+                  steps ? 1e-3 : 1e-6)
+          << method;
+    for (int b = 0; b < 2; ++b)
+      EXPECT_LE((motion.end().state.pose[b].r - exact.end().state.pose[b].r).norm(), steps ? 1e-4 : 1e-6)
+          << method;
+    EXPECT_LE(motion.report.phi, 1e-12) << method;
+  }
+}
+
 // a wheel that winds a weak spring up moves nearly evenly, so that errors alone would let steps be many turns
 TEST_P(InEveryFormulation, NoStepLosesCountOfTheTurns) {
   scenes::Scene scene;

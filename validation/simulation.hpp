@@ -55,6 +55,7 @@ struct SimulationReport {
   double balance = 0;          ///< largest change of energy that this work does not account for [J]
   double largest_kinetic = 0;  ///< what that is large beside [J]
   std::vector<SingularPassage> passages;
+  std::vector<Impulse<double>> impulses;
 };
 
 /// Sees a run go by. `step` is asked after every step whether to go on.

@@ -59,6 +59,8 @@ class Simulation {
     report_.factorisations = form_.factorisations();
     report_.reframings = form_.reframings();
     report_.passages = form_.passages();
+    for (const Impulse<S>& impulse : form_.impulses())
+      report_.impulses.push_back({impulse.t, scalar_cast<double>(impulse.lambda)});
     report_.projection = {static_cast<double>(projection.position), static_cast<double>(projection.velocity),
                           static_cast<double>(projection.position_left),
                           static_cast<double>(projection.velocity_left), projection.changes};
