@@ -3,7 +3,6 @@
 #include "integrators/projection.hpp"
 #include "integrators/step_choice.hpp"
 #include "integrators/sundials.hpp"
-#include "integrators/sundials/newton.hpp"
 #include "integrators/sundials/stepper.hpp"
 
 namespace trivium::integrators {
@@ -11,6 +10,21 @@ namespace trivium::integrators {
 namespace sundials_library {
 
 namespace {
+
+const Functions ida{.free = IDAFree,
+                    .set_error_handler = IDASetErrHandlerFn,
+                    .set_user_data = IDASetUserData,
+                    .set_error_weights = IDAWFtolerances,
+                    .set_linear_solver = IDASetLinearSolver,
+                    .set_nonlinear_solver = IDASetNonlinearSolver,
+                    .set_most_iterations = IDASetMaxNonlinIters,
+                    .set_first_step = IDASetInitStep,
+                    .set_stop = IDASetStopTime,
+                    .interpolate = IDAGetDky,
+                    .planned_step = IDAGetCurrentStep,
+                    .failed_errors = IDAGetNumErrTestFails,
+                    .failed_solves = IDAGetNumStepSolveFails,
+                    .iterations = IDAGetNumNonlinSolvIters};
 
 /// Unknowns y = (q, v, work), lambda and sigma:
 ///
@@ -21,10 +35,7 @@ namespace {
 /// are met by v', and by the projection.
 class Ida final : public Stepper {
  public:
-  explicit Ida(const Tolerances& tolerances) : tolerances_(tolerances) {}
-  ~Ida() override { IDAFree(&memory_); }
-  Ida(const Ida&) = delete;
-  Ida& operator=(const Ida&) = delete;
+  explicit Ida(const Tolerances& tolerances) : Stepper(ida), tolerances_(tolerances) {}
 
   bool interpolates() const override { return true; }
   const FlatD* lambda() const override { return ny_ > 0 ? &lambda_ : nullptr; }
@@ -35,7 +46,7 @@ class Ida final : public Stepper {
     nv_ = system().velocity_size();
     nc_ = system().multipliers();
     ny_ = static_cast<int>(y.size());
-    const bool is_new = memory_ == nullptr;
+    const bool is_new = memory() == nullptr;
     if (is_new) {
       make_numbers(ny_ + 2 * nc_);
       rates_.reset(N_VClone(numbers()));
@@ -54,58 +65,40 @@ class Ida final : public Stepper {
     if (is_new)
       make(t);
     else
-      accept(IDAReInit(memory_, t, numbers(), rates_.get()), "to begin again");
-    accept(IDASetInitStep(memory_, first_step > 0 ? first_step : first_step_of(t, y)), "a first step");
+      accept(IDAReInit(memory(), t, numbers(), rates_.get()), "to begin again");
+    begin_with(first_step > 0 ? first_step : first_step_of(t, y));
   }
   double first_step_of(double t, const FlatD& y) {
     return integrators::first_step(system(), t, y, 1, tolerances_, counters_.right_sides);
   }
   void make(double t) {
-    memory_ = IDACreate(context());
-    accept(IDASetErrHandlerFn(memory_, note_error, static_cast<Stepper*>(this)), "to report its errors");
-    accept(IDAInit(memory_, residual, t, numbers(), rates_.get()), "its state");
-    accept(IDASetUserData(memory_, this), "its system");
-    accept(IDAWFtolerances(memory_, error_weights), "its tolerances");
-    accept(IDASetId(memory_, is_differential_.get()), "which unknowns are differential");
-    accept(IDASetSuppressAlg(memory_, 1), "to leave multipliers out of the estimated error");
-    accept(IDASetNonlinConvCoef(memory_, 0.01), "how far Newton's method goes");
-    linear_solver_ = make_linear_solver();
-    matrix_ = make_matrix();
-    accept(IDASetLinearSolver(memory_, linear_solver_.get(), matrix_.get()), "its linear solver");
-    accept(IDASetJacFn(memory_, factor), "its matrix");
-    newton_ = make_accelerated_newton(context());
-    accept(IDASetNonlinearSolver(memory_, newton_.get()), "its Newton's method");
-    accept(IDASetMaxNonlinIters(memory_, most_iterations), "how long it iterates");
+    open(IDACreate(context()));
+    accept(IDAInit(memory(), residual, t, numbers(), rates_.get()), "its state");
+    measure_errors_by(error_weights);
+    accept(IDASetId(memory(), is_differential_.get()), "which unknowns are differential");
+    accept(IDASetSuppressAlg(memory(), 1), "to leave multipliers out of the estimated error");
+    accept(IDASetNonlinConvCoef(memory(), 0.01), "how far Newton's method goes");
+    iterate_by_newton();
+    accept(IDASetJacFn(memory(), factor), "its matrix");
   }
   int advance(double stop, double& t) override {
-    accept(IDASetStopTime(memory_, stop), "where to stop");
-    const int flag = IDASolve(memory_, stop, &t, numbers(), rates_.get(), IDA_ONE_STEP);
+    const int flag = IDASolve(memory(), stop, &t, numbers(), rates_.get(), IDA_ONE_STEP);
     lambda_ = flat(numbers()).segment(ny_, nc_);
     return flag;
   }
   void interpolate_numbers(double t, N_Vector at) override {
-    accept(IDAGetDky(memory_, t, 0, at), "to interpolate");
+    Stepper::interpolate_numbers(t, at);
     lambda_ = flat(at).segment(ny_, nc_);
-  }
-  double planned() const override {
-    double h = 0;
-    IDAGetCurrentStep(memory_, &h);
-    return h;
-  }
-  Progress progress() const override {
-    long errors = 0, failures = 0, iterations = 0;
-    IDAGetNumErrTestFails(memory_, &errors);
-    IDAGetNumStepSolveFails(memory_, &failures);
-    IDAGetNumNonlinSolvIters(memory_, &iterations);
-    return {errors + failures, iterations};
   }
   void finish(double t, FlatD& y) override {
     ProjectionReport<double> report;
     projection_(system(), t, y, report);
   }
 
-  static int residual(double t, N_Vector numbers, N_Vector rates, N_Vector left, void* ida) {
-    Ida& self = *static_cast<Ida*>(ida);
+  static Ida& of(void* stepper) { return static_cast<Ida&>(*static_cast<Stepper*>(stepper)); }
+
+  static int residual(double t, N_Vector numbers, N_Vector rates, N_Vector left, void* stepper) {
+    Ida& self = of(stepper);
     return self.guarded([&] {
       self.evaluate(t, numbers, rates);
       flat(left) << self.off_q_, -self.off_v_, self.off_work_, self.phi_dot_, self.phi_;
@@ -140,9 +133,9 @@ class Ida final : public Stepper {
     system().position_rate(y, moved_, rate_);
   }
 
-  static int factor(double t, double c, N_Vector numbers, N_Vector rates, N_Vector, SUNMatrix, void* ida,
+  static int factor(double t, double c, N_Vector numbers, N_Vector rates, N_Vector, SUNMatrix, void* stepper,
                     N_Vector, N_Vector, N_Vector) {
-    Ida& self = *static_cast<Ida*>(ida);
+    Ida& self = of(stepper);
     return self.guarded([&] {
       self.evaluate(t, numbers, rates);
       self.system().factor(1 / c, 1 / (c * c));
@@ -193,8 +186,8 @@ class Ida final : public Stepper {
     return rows;
   }
 
-  static int error_weights(N_Vector numbers, N_Vector weights, void* ida) {
-    Ida& self = *static_cast<Ida*>(ida);
+  static int error_weights(N_Vector numbers, N_Vector weights, void* stepper) {
+    Ida& self = of(stepper);
     Eigen::Map<FlatD> w = flat(weights);
     self.weigh(self.state(numbers), self.tolerances_, w);
     // the work follows q and v, sigma is 0: they have no say in how well these are met
@@ -214,12 +207,8 @@ class Ida final : public Stepper {
   }
 
   Tolerances tolerances_;
-  void* memory_ = nullptr;
   int nq_ = 0, nv_ = 0, nc_ = 0, ny_ = 0;
   Owned<N_Vector> rates_, is_differential_;
-  Owned<SUNLinearSolver> linear_solver_;
-  Owned<SUNMatrix> matrix_;
-  Owned<SUNNonlinearSolver> newton_;
   Projection<AnySystem<double>> projection_;
   FlatD lambda_, y_dot_, v_dot_, force_, mu_, moved_, rate_, displacement_;
   FlatD off_q_, off_v_, off_work_, phi_, phi_dot_;  ///< what the equations miss

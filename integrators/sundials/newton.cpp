@@ -1,5 +1,7 @@
 #include "integrators/sundials/newton.hpp"
 
+#include "integrators/anderson.hpp"
+
 namespace trivium::integrators::sundials_library {
 
 namespace {

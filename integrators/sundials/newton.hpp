@@ -3,7 +3,6 @@
 
 #include <sundials/sundials_context.h>
 
-#include "integrators/anderson.hpp"
 #include "integrators/sundials/owned.hpp"
 
 namespace trivium::integrators::sundials_library {

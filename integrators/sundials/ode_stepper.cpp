@@ -3,7 +3,7 @@
 namespace trivium::integrators::sundials_library {
 
 int OdeStepper::right_side(double t, N_Vector numbers, N_Vector y_dot, void* stepper) {
-  OdeStepper& self = *static_cast<OdeStepper*>(stepper);
+  OdeStepper& self = of(stepper);
   return self.guarded([&] {
     ++self.counters_.right_sides;
     self.system().derivative(t, self.state(numbers), self.y_dot_);
@@ -13,7 +13,7 @@ int OdeStepper::right_side(double t, N_Vector numbers, N_Vector y_dot, void* ste
 }
 
 int OdeStepper::error_weights(N_Vector numbers, N_Vector weights, void* stepper) {
-  OdeStepper& self = *static_cast<OdeStepper*>(stepper);
+  OdeStepper& self = of(stepper);
   const FlatD& y = self.state(numbers);
   self.weigh(y, self.tolerances_, flat(weights));
   // Newton's matrix says nothing of the work, which follows q and v: it has no say in how well they are met
@@ -26,7 +26,7 @@ int OdeStepper::error_weights(N_Vector numbers, N_Vector weights, void* stepper)
 
 int OdeStepper::linear_system(double t, N_Vector numbers, N_Vector, SUNMatrix, int, int* is_current,
                               double gamma, void* stepper, N_Vector, N_Vector, N_Vector) {
-  OdeStepper& self = *static_cast<OdeStepper*>(stepper);
+  OdeStepper& self = of(stepper);
   *is_current = 1;
   return self.guarded([&] {
     AnySystem<double>& system = self.system();

@@ -21,12 +21,14 @@ class OdeStepper : public Stepper {
                            double gamma, void* stepper, N_Vector, N_Vector, N_Vector);
 
  protected:
-  OdeStepper(const Tolerances& tolerances, bool is_implicit)
-      : tolerances_(tolerances), is_implicit_(is_implicit) {}
+  OdeStepper(const Functions& functions, const Tolerances& tolerances, bool is_implicit)
+      : Stepper(functions), tolerances_(tolerances), is_implicit_(is_implicit) {}
   bool is_implicit() const { return is_implicit_; }
   void solve(const Eigen::Map<FlatD>& b, Eigen::Map<FlatD> x) override;
 
  private:
+  static OdeStepper& of(void* stepper) { return static_cast<OdeStepper&>(*static_cast<Stepper*>(stepper)); }
+
   Tolerances tolerances_;
   const bool is_implicit_;
   double t_ = 0, gamma_ = 0;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "integrators/step_choice.hpp"
+#include "integrators/sundials/newton.hpp"
 
 namespace trivium::integrators::sundials_library {
 
@@ -38,8 +39,10 @@ void Stepper::step(AnySystem<double>& system, double& t, FlatD& y, const double&
     first_step_ = 0;
     has_begun_ = true;
   }
+  const double aim = target(t, stop, planned());
+  accept(functions_.set_stop(memory_, aim), "where to stop");
   double reached = t;
-  if (advance(target(t, stop, planned()), reached) < 0) fail(t, y);
+  if (advance(aim, reached) < 0) fail(t, y);
   constexpr double least = 4 * std::numeric_limits<double>::epsilon();
   if (reached < stop && !(reached - t > least * std::abs(t))) fail(t, y);  // the library would go on for ever
   y = state(numbers());
@@ -74,10 +77,23 @@ void Stepper::interpolate(const double& t, FlatD& y) {
   finish(t, y);
 }
 
+void Stepper::interpolate_numbers(double t, N_Vector numbers) {
+  accept(functions_.interpolate(memory_, t, 0, numbers), "to interpolate");
+}
+
+double Stepper::planned() const {
+  double h = 0;
+  functions_.planned_step(memory_, &h);
+  return h;
+}
+
 void Stepper::take_counters() {
-  const Progress now = progress();
-  counters_.rejected_steps = before_.rejected_steps + now.rejected_steps;
-  counters_.iterations = before_.iterations + now.iterations;
+  long errors = 0, solves = 0, iterations = 0;
+  functions_.failed_errors(memory_, &errors);
+  functions_.failed_solves(memory_, &solves);
+  if (linear_solver_) functions_.iterations(memory_, &iterations);  // Newton's alone
+  counters_.rejected_steps = before_.rejected_steps + errors + solves;
+  counters_.iterations = before_.iterations + iterations;
 }
 
 void Stepper::fail(double t, const FlatD& y) {
@@ -85,8 +101,34 @@ void Stepper::fail(double t, const FlatD& y) {
   give_up(*system_, t, y, trouble_.empty() ? message_ : trouble_);
 }
 
-void Stepper::note_error(int, const char*, const char*, char* message, void* stepper) {
-  static_cast<Stepper*>(stepper)->message_ = message;
+void Stepper::open(void* memory) {
+  memory_ = memory;
+  const auto note = [](int, const char*, const char*, char* message, void* stepper) {
+    static_cast<Stepper*>(stepper)->message_ = message;
+  };
+  accept(functions_.set_error_handler(memory_, note, this), "to report its errors");
+  accept(functions_.set_user_data(memory_, this), "its system");
+}
+
+void Stepper::measure_errors_by(int (*weights)(N_Vector, N_Vector, void*)) {
+  accept(functions_.set_error_weights(memory_, weights), "its tolerances");
+}
+
+void Stepper::begin_with(double first_step) {
+  accept(functions_.set_first_step(memory_, first_step), "a first step");
+}
+
+void Stepper::iterate_by_newton() {
+  linear_solver_ = make_linear_solver();
+  matrix_ = make_matrix();
+  accept(functions_.set_linear_solver(memory_, linear_solver_.get(), matrix_.get()), "its linear solver");
+  iterate_by(make_accelerated_newton(context_));
+  accept(functions_.set_most_iterations(memory_, most_iterations), "how long it iterates");
+}
+
+void Stepper::iterate_by(Owned<SUNNonlinearSolver> solver) {
+  nonlinear_solver_ = std::move(solver);
+  accept(functions_.set_nonlinear_solver(memory_, nonlinear_solver_.get()), "its iteration");
 }
 
 Owned<SUNLinearSolver> Stepper::make_linear_solver() {

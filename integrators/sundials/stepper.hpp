@@ -11,10 +11,33 @@
 
 namespace trivium::integrators::sundials_library {
 
+/// What CVODE, ARKODE and IDA each have under a name of its own.
+struct Functions {
+  void (*free)(void** memory);
+  int (*set_error_handler)(void*, void (*)(int, const char*, const char*, char*, void*), void*);
+  int (*set_user_data)(void*, void*);
+  int (*set_error_weights)(void*, int (*)(N_Vector, N_Vector, void*));
+  int (*set_linear_solver)(void*, SUNLinearSolver, SUNMatrix);
+  int (*set_nonlinear_solver)(void*, SUNNonlinearSolver);
+  int (*set_most_iterations)(void*, int);
+  int (*set_first_step)(void*, double);
+  int (*set_stop)(void*, double);
+  int (*interpolate)(void*, double, int, N_Vector);
+  int (*planned_step)(void*, double*);
+  int (*failed_errors)(void*, long*);
+  int (*failed_solves)(void*, long*);
+  int (*iterations)(void*, long*);
+};
+
 /// The library's numbers are y less an offset: what projections after its steps change goes to the offset,
 /// so that all that it remembers of the past moves along with y, and nothing of it is lost.
 class Stepper : public AnyMethod<double> {
  public:
+  explicit Stepper(const Functions& functions) : functions_(functions) {}
+  ~Stepper() override { functions_.free(&memory_); }
+  Stepper(const Stepper&) = delete;
+  Stepper& operator=(const Stepper&) = delete;
+
   void step(AnySystem<double>& system, double& t, FlatD& y, const double& stop) final;
   void restart() final;
   bool shorten() override;
@@ -23,23 +46,17 @@ class Stepper : public AnyMethod<double> {
   const FlatD* lambda() const override { return nullptr; }
 
  protected:
-  struct Progress {
-    long rejected_steps, iterations;
-  };
-
   // what the integrators differ in
   /// Begins at (t, y) with a first step, or one of its own choice where that is 0.
   virtual void begin(double t, const FlatD& y, double first_step) = 0;
   /// One step from t, at most to `stop`; leaves the library's state in numbers(). Returns the library's flag.
   virtual int advance(double stop, double& t) = 0;
   /// The length it would take next; 0 where steps are given.
-  virtual double planned() const = 0;
-  /// Since it began last.
-  virtual Progress progress() const = 0;
+  virtual double planned() const;
   /// A x = b with what was factored last.
   virtual void solve(const Eigen::Map<FlatD>& b, Eigen::Map<FlatD> x) = 0;
   /// The library's numbers at a time of its last step.
-  virtual void interpolate_numbers(double /*t*/, N_Vector /*numbers*/) {}
+  virtual void interpolate_numbers(double t, N_Vector numbers);
   /// What is left to do to a state of a step or of between.
   virtual void finish(double /*t*/, FlatD& /*y*/) {}
 
@@ -75,24 +92,36 @@ class Stepper : public AnyMethod<double> {
   AnySystem<double>& system() { return *system_; }
   N_Vector numbers() { return numbers_.get(); }
   void make_numbers(Eigen::Index size) { numbers_.reset(N_VNew_Serial(size, context_)); }
-  /// A linear solver that calls solve(), and a matrix in name, which the library asks for.
-  Owned<SUNLinearSolver> make_linear_solver();
-  Owned<SUNMatrix> make_matrix();
-  static void note_error(int code, const char* module, const char* function, char* message, void* stepper);
+  void* memory() const { return memory_; }
+  /// Takes what the library made; it calls back with the stepper as its user data.
+  void open(void* memory);
+  void measure_errors_by(int (*weights)(N_Vector, N_Vector, void*));
+  void begin_with(double first_step);
+  /// Newton's method whose linear systems are those of solve().
+  void iterate_by_newton();
+  void iterate_by(Owned<SUNNonlinearSolver> solver);
 
   Counters counters_;
 
  private:
   void fail(double t, const FlatD& y);
   void take_counters();
+  /// A linear solver that calls solve(), and a matrix in name, which the library asks for.
+  Owned<SUNLinearSolver> make_linear_solver();
+  Owned<SUNMatrix> make_matrix();
 
+  const Functions& functions_;
+  void* memory_ = nullptr;
   ::sundials::Context context_;
   Owned<N_Vector> numbers_, between_;
+  Owned<SUNLinearSolver> linear_solver_;
+  Owned<SUNMatrix> matrix_;
+  Owned<SUNNonlinearSolver> nonlinear_solver_;
   AnySystem<double>* system_ = nullptr;
   FlatD offset_, returned_, y_;
   double first_step_ = 0, last_step_ = 0;
   bool has_begun_ = false;
-  Counters before_;  ///< it began last
+  Counters before_;  ///< when it began last
   std::string trouble_, message_;
   std::exception_ptr failure_;
 };
