@@ -207,22 +207,12 @@ class FirstOrderForm {
     projection_.move(state_, t);
     projection_.measure_jump(before);
     if (!(projection_.measure().relative() > S(1e-9))) return false;
-    projection_.factor();
-    projection_.solve();
+    correct_velocities(y, true);
     Impulse<S> impulse{static_cast<double>(t), VectorX<S>(mechanism_.nc())};
     projection_.copy_multipliers(impulse.lambda);
     const auto& body = solver_.assembly().body();
-    S work(0);
-    for (const int k : drivers_) {
-      const BodyPair pair = bodies_of(mechanism_.rows[k]);
-      for (const S& at : {before, t})
-        work -= impulse.lambda[k] * evaluate_row(mechanism_.rows[k], body[pair.i], body[pair.j], at).nu / 2;
-    }
-    for (int b = 0; b < nb(); ++b) {
-      typename F::Unknown v = flat_velocity(y, b) + projection_.q_change(b);
-      rate(y, b) << state_[b].r_dot + projection_.r_change(b), v;
-    }
-    y[motion_size()] += work;
+    y[motion_size()] +=
+        (drivers_power(body, impulse.lambda, before) + drivers_power(body, impulse.lambda, t)) / 2;
     impulses_.push_back(std::move(impulse));
     return true;
   }
@@ -314,12 +304,7 @@ class FirstOrderForm {
   template <class Body>
   S power(const std::vector<Body>& body, const VectorX<S>& lambda, const S& t) {
     std::copy(body.begin(), body.end(), motion_.begin());
-    S sum = mechanism_.effects.unstored_power(view(t));
-    for (const int k : drivers_) {
-      const BodyPair pair = bodies_of(mechanism_.rows[k]);
-      sum -= lambda[k] * evaluate_row(mechanism_.rows[k], body[pair.i], body[pair.j], t).nu;
-    }
-    return sum;
+    return mechanism_.effects.unstored_power(view(t)) + drivers_power(body, lambda, t);
   }
 
   Mechanism<S> mechanism_;  ///< its effects count turns
@@ -337,6 +322,16 @@ class FirstOrderForm {
     load(y);
     ++factorisations_;
     solver_.solve(state_, t, refinement, ranks);
+  }
+
+  template <class Body>
+  S drivers_power(const std::vector<Body>& body, const VectorX<S>& lambda, const S& t) const {
+    S sum(0);
+    for (const int k : drivers_) {
+      const BodyPair pair = bodies_of(mechanism_.rows[k]);
+      sum -= lambda[k] * evaluate_row(mechanism_.rows[k], body[pair.i], body[pair.j], t).nu;
+    }
+    return sum;
   }
 
   void note_passage(const S& t) {

@@ -9,11 +9,11 @@
 /// The rows are those of the next stage and the forces those of this one; the symmetric matrix of this stage
 /// solves for both by repetition, which falls by about the angle that bodies turn between the two.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
-#include "integrators/newton.hpp"
+#include "integrators/step_choice.hpp"
 
 namespace trivium::integrators {
 
@@ -59,9 +59,7 @@ class HalfExplicit {
       if (y.size() > nq + nv) work += h * of_.a[stages][i] * S(system.work_rate(lambda_));
       y = next_;
     }
-    if (!y.allFinite())
-      throw IntegrationError(fmt::format("at t = {}: the motion is not finite any more; take smaller steps",
-                                         static_cast<double>(stop)));
+    require_finite(y, stop);
     if (y.size() > nq + nv) y[nq + nv] = y_n[nq + nv] + work;
     t = stop;
     ++counters_.steps;
@@ -109,6 +107,8 @@ class HalfExplicit {
       next_.segment(nq, nv) += share * change_;
       ++counters_.iterations;
     }
+    system.position_rows(t_next, next_);
+    system.velocity_rows();  // for its name
     throw IntegrationError(fmt::format(
         "at t = {}: velocities of the next stage do not come to meet row \"{}\"; take smaller steps",
         static_cast<double>(t), system.least_met_row()));

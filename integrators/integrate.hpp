@@ -16,13 +16,17 @@ namespace trivium::integrators {
 /// One accepted step at a time. `step` moves t and y on by one step, at most to `stop`, which it lands on
 /// exactly where it comes near; `restart` forgets what the method remembers of the solution so far, as where
 /// it is not smooth; `shorten` has it take a shorter step from where it took the last one, and returns
-/// whether it can. Throws an IntegrationError where it gives up.
+/// whether it can. One that `interpolates` steps over outputs, and `interpolate` sets y to the state at a
+/// time of the last step, by a formula of the method's own order. Throws an IntegrationError where it gives
+/// up.
 template <class M, class System>
 concept Method = requires(M& method, const M& constant, System& system, typename System::Scalar& t,
                           Flat<typename System::Scalar>& y, const typename System::Scalar& stop) {
   method.step(system, t, y, stop);
   method.restart();
   { method.shorten() } -> std::same_as<bool>;
+  { constant.interpolates() } -> std::same_as<bool>;
+  method.interpolate(stop, y);
   { constant.counters() } -> std::convertible_to<Counters>;
 };
 
@@ -71,16 +75,6 @@ void checked_step(System& system, M& method, typename System::Scalar& t, Flat<ty
 /// Whether to go on after a step.
 enum class Continue { yes, no };
 
-/// Whether a method steps over outputs and finds them by a formula of its own order between its last steps:
-/// `interpolate` sets y to the state at t.
-template <class M, class S>
-bool interpolates(const M& method) {
-  if constexpr (requires(M & m, const S& t, Flat<S>& y) { m.interpolate(t, y); })
-    return method.interpolates();
-  else
-    return false;
-}
-
 /// Projects the start and after every step unless told not to, and shows `at_step(t, y)` every step and
 /// `at_output(t, y)` the start, every output and the end. Returns whether it came to the end.
 template <FirstOrderSystem System, Method<System> M, class AtStep, class AtOutput>
@@ -104,7 +98,7 @@ bool integrate(System& system, M& method, const TimeGrid& grid, bool projects,
   const S little =
       8 * std::numeric_limits<S>::epsilon() * max(S(abs(S(grid.start()))), S(abs(S(grid.end()))));
   while (auto stop = walk.next()) {
-    while (interpolates<M, S>(method) && !stop->is_event && stop->t < S(grid.end()) &&
+    while (method.interpolates() && !stop->is_event && stop->t < S(grid.end()) &&
            passed.size() < most_passed) {
       passed.push_back(stop->t);
       stop = walk.next();
@@ -113,13 +107,12 @@ bool integrate(System& system, M& method, const TimeGrid& grid, bool projects,
     const S target = stop->is_event ? stop->t - little : stop->t;
     while (t < target) {
       checked_step(system, method, t, y, target, projects, project, report);
-      if constexpr (requires(Flat<S> & between) { method.interpolate(t, between); })
-        for (; !passed.empty() && passed.front() < t; passed.pop_front()) {
-          Flat<S> between;
-          method.interpolate(passed.front(), between);
-          if (projects) project(system, passed.front(), between, report);
-          at_output(passed.front(), between);
-        }
+      for (; !passed.empty() && passed.front() < t; passed.pop_front()) {
+        Flat<S> between;
+        method.interpolate(passed.front(), between);
+        if (projects) project(system, passed.front(), between, report);
+        at_output(passed.front(), between);
+      }
       if (system.settle(t, y)) method.restart();
       const bool goes_on = at_step(t, y) == Continue::yes;
       if (!passed.empty() && !(t < passed.front())) {

@@ -152,9 +152,7 @@ class GivenSteps {
     if (remembers_a_step || abs(h - last_) > S(1e-9) * last_) forget();
     last_ = h;
     stepper_.do_step(RightSide<System>{system, counters_.right_sides}, y, t, h);
-    if (!y.allFinite())
-      throw IntegrationError(fmt::format("at t = {}: the motion is not finite any more; take smaller steps",
-                                         static_cast<double>(stop)));
+    require_finite(y, stop);
     t = stop;
     ++counters_.steps;
   }

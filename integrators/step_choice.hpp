@@ -79,6 +79,14 @@ class StepChoice {
   bool lands_ = false, cut_ = false;
 };
 
+/// Of a step that was given, to where it ends.
+template <class S>
+void require_finite(const Flat<S>& y, const S& t) {
+  if (!y.allFinite())
+    throw IntegrationError(fmt::format("at t = {}: the motion is not finite any more; take smaller steps",
+                                       static_cast<double>(t)));
+}
+
 template <FirstOrderSystem System>
 [[noreturn]] void give_up(System& system, const typename System::Scalar& t,
                           const Flat<typename System::Scalar>& y, const std::string& why) {

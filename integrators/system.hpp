@@ -62,11 +62,10 @@ concept FirstOrderSystem = requires(System& system, const typename System::Scala
 /// force and the rows ask for.
 ///
 /// Methods of several stages take what was evaluated at each (`take_rows`, `take_imbalance`) and `solve` for
-/// a mixture: M x + Phi_q^T mu = left, Phi_q x = rows; `solve_force` for a force of v's kind; `resist` for
-/// what springs and dampers do against a displacement and a velocity. Libraries that have no `constrain` meet
-/// the second derivatives of internal rows: `take_internal_rows` puts what v' leaves of them beside an
-/// imbalance, `solve_internal_rows` adds to x what removes it. `has_springs` says whether the matrix depends
-/// on the shares.
+/// a mixture: M x + Phi_q^T mu = left, Phi_q x = rows; `solve_force` for a force of v's kind. Libraries
+/// that have no `constrain` meet the second derivatives of internal rows: `take_internal_rows` puts what v'
+/// leaves of them beside an imbalance, `solve_internal_rows` adds to x what removes it. `has_springs` says
+/// whether the matrix depends on the shares.
 template <class System>
 concept ConstrainedSystem = FirstOrderSystem<System> &&
     requires(System& system, const typename System::Scalar& t, const Flat<typename System::Scalar>& y,

@@ -109,19 +109,20 @@ Reference reference_of(const TimedMotion& motion) {
   return {second.all, apart.position};
 }
 
+std::vector<double> tolerances(bool quick) {
+  return quick ? std::vector<double>{1e-5, 1e-9} : std::vector<double>{1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
+}
+
 std::vector<Entry> entries(bool quick) {
   std::vector<Entry> all;
-  const auto tolerances =
-      quick ? std::vector<double>{1e-5, 1e-9} : std::vector<double>{1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
   const auto steps = quick ? std::vector<double>{200} : std::vector<double>{200, 800, 3200};
   for (const char* formulation : {"r-omega", "r-p", "r-epsilon"}) {
     for (const char* method : {"dopri5", "rkf78", "bulirsch-stoer", "abm", "cvode-adams", "cvode-bdf",
                                "arkode-erk", "arkode-dirk", "ida", "radau5"})
-      for (const double rtol : tolerances) all.push_back({"trivium", formulation, method, rtol, {}});
-    // where doubles end, of those whose order makes it affordable
+      for (const double rtol : tolerances(quick)) all.push_back({"trivium", formulation, method, rtol, {}});
     if (!quick)
       for (const char* method : {"rkf78", "bulirsch-stoer", "abm", "cvode-adams"})
-        all.push_back({"trivium", formulation, method, 1e-13, {}});
+        all.push_back({"trivium", formulation, method, finest_tolerance, {}});
     for (const char* method :
          {"hem4", "generalized-alpha", "generalized-alpha-gl2", "hht", "rattle", "rattle4", "bdf"}) {
       if (std::string(method).starts_with("rattle") && !inertia_is_constant(formulation)) continue;

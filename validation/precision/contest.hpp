@@ -63,6 +63,11 @@ std::vector<double> output_times(const TimedMotion& motion);
 /// By Fehlberg's method in quad, confirmed by Bulirsch and Stoer's.
 Reference reference_of(const TimedMotion& motion);
 
+/// What methods that choose their steps are run with.
+std::vector<double> tolerances(bool quick);
+/// Where doubles end: of those methods alone whose order makes it affordable, and of peers.
+constexpr double finest_tolerance = 1e-13;
+
 /// Ours in three formulations, and Simbody's where it is there.
 std::vector<Entry> entries(bool quick);
 

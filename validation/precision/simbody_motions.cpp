@@ -19,8 +19,8 @@ Vector3<double> vector(const simbody::Vector3& v) { return {v[0], v[1], v[2]}; }
 
 std::vector<Entry> peer_entries(bool quick) {
   std::vector<Entry> all;
-  const auto accuracies =
-      quick ? std::vector<double>{1e-5, 1e-9} : std::vector<double>{1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13};
+  std::vector<double> accuracies = tolerances(quick);
+  if (!quick) accuracies.push_back(finest_tolerance);
   for (const char* method : {"RungeKuttaMerson", "RungeKuttaFeldberg", "CPodes Adams", "CPodes BDF"})
     for (const double accuracy : accuracies) all.push_back({"Simbody", "", method, accuracy, {}});
   return all;
