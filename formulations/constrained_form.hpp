@@ -17,6 +17,7 @@
 /// Models integrators' ConstrainedSystem.
 
 #include <array>
+#include <deque>
 #include <vector>
 
 #include "formulations/first_order_form.hpp"
@@ -58,17 +59,17 @@ class ConstrainedForm : public FirstOrderForm<F> {
   ConstrainedForm(const Mechanism<S>& mechanism, const MechanismState<S>& start,
                   const FirstOrderOptions& options = {})
       : Base(mechanism, start, options),
-        newton_(plan_elimination(detail::graph_with_springs(mechanism_))),
-        at_{GraphAssembly<F>(mechanism_, newton_.plan()), GraphAssembly<F>(mechanism_, newton_.plan())},
-        measure_(mechanism_, newton_.plan().graph, start.t),
-        right_side_(newton_.plan().graph),
+        plan_(plan_elimination(detail::graph_with_springs(mechanism_))),
+        measure_(mechanism_, plan_.graph, start.t),
+        right_side_(plan_.graph),
         rows_(right_side_),
         given_(right_side_),
         change_(right_side_),
         on_(nb() + 1),
         wrenches_(nb() + 1),
         size_(nb() + 1) {
-    const auto& edges = newton_.plan().graph.edges;
+    select(0);
+    const auto& edges = plan_.graph.edges;
     for (std::size_t e = 0; e < edges.size(); ++e)
       if (edges[e].is_soft) soft_.push_back(static_cast<int>(e));
   }
@@ -159,7 +160,13 @@ class ConstrainedForm : public FirstOrderForm<F> {
     apply_effects();
     force.resize(velocity_size());
     for (int b = 0; b < nb(); ++b)
-      of(force, b) << wrenches_[b].F, F::applied_force(at_[evaluated_].body()[b], wrenches_[b].n_bar);
+      of(force, b) << wrenches_[b].F, F::applied_force(selected_->evaluated().body()[b], wrenches_[b].n_bar);
+  }
+  /// Evaluations and matrices can be kept side by side, as those of several stages: all that follows is about
+  /// the one of this number, until the next is selected.
+  void select(int number) {
+    while (static_cast<int>(kept_.size()) <= number) kept_.emplace_back(mechanism_, plan_);
+    selected_ = &kept_[number];
   }
   /// Evaluates force + Phi_q^T lambda - Q, Phi and Phi_q at y, from where `newton` and `factor` take them;
   /// `force` is what stands in the place of M v'. Returns the largest imbalance of a body, as a share of the
@@ -168,7 +175,8 @@ class ConstrainedForm : public FirstOrderForm<F> {
     this->load(y);
     move(t);
     apply_effects();
-    GraphAssembly<F>& assembly = at_[evaluated_];
+    GraphAssembly<F>& assembly = selected_->evaluated();
+    place_springs(assembly);
     for (const auto& link : assembly.links()) assembly.assemble_link(link, t, change_);
     assembly.assemble_closings(t, change_);
     measure_positions();
@@ -183,7 +191,7 @@ class ConstrainedForm : public FirstOrderForm<F> {
   }
   S velocity_rows() {
     rows_.edge = right_side_.edge;
-    at_[evaluated_].velocities(t_, right_side_);
+    selected_->evaluated().velocities(t_, right_side_);
     measure_.measure_velocities(right_side_);
     return measure_.relative();
   }
@@ -193,16 +201,16 @@ class ConstrainedForm : public FirstOrderForm<F> {
   const std::string& least_met_row() const { return measure_.worst_row(); }
   /// Newton's matrix of what was balanced last. Throws a ModelError.
   void factor(const S& velocity_share, const S& position_share) {
-    GraphAssembly<F>& assembly = at_[evaluated_];
-    place_springs(assembly, velocity_share, position_share);
-    newton_.leave_out_as(solver_.factors());
+    GraphAssembly<F>& assembly = selected_->evaluated();
+    let_springs_resist(assembly, velocity_share, position_share);
+    selected_->solver.leave_out_as(solver_.factors());
     ++newton_factorisations_;
     try {
-      newton_.factor(assembly.matrix());
+      selected_->solver.factor(assembly.matrix());
     } catch (const SingularLink& link) {
       throw solver_.named(link, t_);
     }
-    factored_ = evaluated_;
+    selected_->in_factors = selected_->in_use;
   }
   /// What removes the imbalance and the rows' violation evaluated last, by the factors at hand: added to v'
   /// and lambda, where v' moves what the rows measure by `share`.
@@ -229,10 +237,21 @@ class ConstrainedForm : public FirstOrderForm<F> {
   }
   /// M x + Phi_q^T mu = left, Phi_q x = rows: added to x and mu.
   void solve(const Flat& left, const Flat& rows, Flat& x, Flat& mu) {
-    for (int b = 0; b < nb(); ++b)
-      given_.body[b] = BodyPart<S>::of(left.template segment<6>(Base::velocities * b));
-    for_each_row([&](std::size_t e, int k, int row) { given_.edge[e][k] = rows[row]; });
+    give(left, rows);
     solve(given_, x, &mu);
+  }
+  /// The same where springs resist only what x stretches them by beyond a slack; and by how much it does
+  /// stretch them.
+  void solve(const Flat& left, const Flat& rows, const Flat& slack, Flat& x, Flat& mu, Flat& stretch) {
+    give(left, rows);
+    for (std::size_t s = 0; s < soft_.size(); ++s) given_.edge[soft_[s]][0] = slack[s];
+    solve_with_slack(given_, x, &mu);
+    stretch.resize(slack.size());
+    for (std::size_t s = 0; s < soft_.size(); ++s) {
+      const int slot = plan_.rows_slot[soft_[s]];
+      stretch[s] =
+          slack[s] + selected_->factored().matrix().rows[slot].compliance * change_.edge[soft_[s]][0];
+    }
   }
   /// The same for a generalised force, and rows that ask nothing.
   void solve_force(const Flat& force, Flat& x, Flat& mu) {
@@ -241,6 +260,16 @@ class ConstrainedForm : public FirstOrderForm<F> {
     solve(given_, x, &mu);
   }
   bool has_springs() const { return !soft_.empty(); }
+  /// [N/m, N s/m], or of moments by angles [N m, N m s].
+  void spring_constants(Flat& stiffness, Flat& damping) const {
+    stiffness.resize(soft_.size());
+    damping.resize(soft_.size());
+    int s = 0;
+    detail::for_each_resisting_spring(mechanism_.effects, [&](const auto& spring) {
+      stiffness[s] = spring.stiffness;
+      damping[s++] = spring.damping;
+    });
+  }
   /// What v' leaves of the internal rows' second derivatives where bodies were loaded last, in the places of
   /// velocities that take_imbalance leaves at 0.
   void take_internal_rows(const Flat& v_dot, Flat& left) const {
@@ -269,7 +298,7 @@ class ConstrainedForm : public FirstOrderForm<F> {
     newton(S(1), x, mu);
   }
   /// The rate of the work [W] where it was evaluated last.
-  S work_rate(const Flat& lambda) { return this->power(at_[evaluated_].body(), lambda, t_); }
+  S work_rate(const Flat& lambda) { return this->power(selected_->evaluated().body(), lambda, t_); }
 
   long factorisations() const { return Base::factorisations() + newton_factorisations_; }
 
@@ -282,19 +311,19 @@ class ConstrainedForm : public FirstOrderForm<F> {
 
   /// To the state that is loaded.
   void move(const S& t) {
-    evaluated_ = 1 - factored_;
+    selected_->in_use = 1 - selected_->in_factors;
     t_ = t;
-    for (int b = 0; b < nb(); ++b) at_[evaluated_].move_body(b, state_[b]);
-    measure_.move(at_[evaluated_].body());
+    for (int b = 0; b < nb(); ++b) selected_->evaluated().move_body(b, state_[b]);
+    measure_.move(selected_->evaluated().body());
   }
   void apply_effects() {
-    const auto& body = at_[evaluated_].body();
+    const auto& body = selected_->evaluated().body();
     std::copy(body.begin(), body.end(), motion_.begin());
     for (Wrench<S>& w : wrenches_) w = {};
     mechanism_.effects.apply(this->view(t_), wrenches_);
   }
   S measure_positions() {
-    at_[evaluated_].positions(t_, right_side_);
+    selected_->evaluated().positions(t_, right_side_);
     measure_.measure_positions(right_side_);
     return measure_.relative();
   }
@@ -302,12 +331,20 @@ class ConstrainedForm : public FirstOrderForm<F> {
     const BodyState<F>& body = state_[b];
     return F::kinematics(body.chart, body.r, body.r_dot, body.q);
   }
+  void give(const Flat& left, const Flat& rows) {
+    for (int b = 0; b < nb(); ++b)
+      given_.body[b] = BodyPart<S>::of(left.template segment<6>(Base::velocities * b));
+    for_each_row([&](std::size_t e, int k, int row) { given_.edge[e][k] = rows[row]; });
+  }
   void solve(GraphVector<S>& right_side, Flat& x, Flat* lambda) {
     for (const int e : soft_) right_side.edge[e].setZero();
-    newton_.solve(right_side, change_);
+    solve_with_slack(right_side, x, lambda);
+  }
+  void solve_with_slack(GraphVector<S>& right_side, Flat& x, Flat* lambda) {
+    selected_->solver.solve(right_side, change_);
     for (int b = 0; b < nb(); ++b)
       of(x, b) += (typename Base::Velocity() << unpadded<S>(change_.body[b].r),
-                   F::increment(at_[evaluated_].body()[b], unpadded<S>(change_.body[b].x)))
+                   F::increment(selected_->evaluated().body()[b], unpadded<S>(change_.body[b].x)))
                       .finished();
     if (lambda != nullptr)
       for_each_row([&](std::size_t e, int k, int row) { (*lambda)[row] += change_.edge[e][k]; });
@@ -315,12 +352,12 @@ class ConstrainedForm : public FirstOrderForm<F> {
   void put_force(const Flat& force, GraphVector<S>& right_side) const {
     for (int b = 0; b < nb(); ++b)
       right_side.body[b] = {padded<S>(r_of(force, b)),
-                            padded<S>(F::reduced(at_[factored_].body()[b], q_of(force, b)))};
+                            padded<S>(F::reduced(selected_->factored().body()[b], q_of(force, b)))};
   }
   /// Calls visit(edge, k, row) for the mechanism's rows.
   template <class Visit>
   void for_each_row(const Visit& visit) const {
-    const auto& edges = newton_.plan().graph.edges;
+    const auto& edges = plan_.graph.edges;
     for (std::size_t e = 0; e < edges.size(); ++e)
       if (!edges[e].is_soft)
         for (int k = 0; k < edges[e].size(); ++k) visit(e, k, edges[e].rows[k]);
@@ -329,7 +366,7 @@ class ConstrainedForm : public FirstOrderForm<F> {
   /// What the multipliers do to the bodies, into on_.
   void apply_multipliers(const GraphAssembly<F>& assembly, const Flat& lambda) {
     std::fill(on_.begin(), on_.end(), BodyPart<S>{});
-    const auto& plan = newton_.plan();
+    const auto& plan = plan_;
     for (std::size_t e = 0; e < plan.graph.edges.size(); ++e) {
       const GraphEdge& edge = plan.graph.edges[e];
       if (edge.is_soft || plan.rows_slot[e] < 0) continue;
@@ -387,18 +424,12 @@ class ConstrainedForm : public FirstOrderForm<F> {
     return largest;
   }
 
-  void place_springs(GraphAssembly<F>& assembly, const S& velocity_share, const S& position_share) {
+  /// What springs and dampers do along themselves.
+  void place_springs(GraphAssembly<F>& assembly) {
     if (soft_.empty()) return;
-    const auto& plan = newton_.plan();
     auto edge = soft_.begin();
     detail::for_each_resisting_spring(mechanism_.effects, [&](const auto& spring) {
-      EdgeRows<S>& rows = assembly.edge_rows(plan.rows_slot[*edge++]);
-      const S resistance = velocity_share * spring.damping + position_share * spring.stiffness;
-      if (resistance == S(0)) {  // an explicit method's
-        rows = {};
-        rows.compliance = S(1);
-        return;
-      }
+      EdgeRows<S>& rows = assembly.edge_rows(plan_.rows_slot[*edge++]);
       const auto gradient = spring.gradient(this->view(t_));
       const auto put = [&](BodyColumns<S>& column, int b, const Wrench<S>& on) {
         const typename F::Reduced& body = assembly.body()[b];
@@ -407,14 +438,33 @@ class ConstrainedForm : public FirstOrderForm<F> {
       };
       put(rows.C_i, spring.i, gradient.first);
       put(rows.C_j, spring.j, gradient.second);
-      rows.compliance = 1 / resistance;
+    });
+  }
+  void let_springs_resist(GraphAssembly<F>& assembly, const S& velocity_share, const S& position_share) {
+    auto edge = soft_.begin();
+    detail::for_each_resisting_spring(mechanism_.effects, [&](const auto& spring) {
+      EdgeRows<S>& rows = assembly.edge_rows(plan_.rows_slot[*edge++]);
+      const S resistance = velocity_share * spring.damping + position_share * spring.stiffness;
+      if (resistance == S(0)) rows = {};  // an explicit method's
+      rows.compliance = resistance == S(0) ? S(1) : S(1 / resistance);
     });
   }
 
-  GraphSolver<S> newton_;
-  /// What was evaluated last, and what was factored: the factors go on using their rows.
-  std::array<GraphAssembly<F>, 2> at_;
-  int evaluated_ = 0, factored_ = 1;
+  /// Newton's matrix in factors, beside what was evaluated last: the factors go on using their own rows.
+  struct Kept {
+    GraphSolver<S> solver;
+    std::array<GraphAssembly<F>, 2> at;
+    int in_use = 0, in_factors = 1;
+
+    Kept(const Mechanism<S>& mechanism, const EliminationPlan& plan)
+        : solver(plan), at{GraphAssembly<F>(mechanism, plan), GraphAssembly<F>(mechanism, plan)} {}
+    GraphAssembly<F>& evaluated() { return at[in_use]; }
+    const GraphAssembly<F>& factored() const { return at[in_factors]; }
+  };
+
+  const EliminationPlan plan_;
+  std::deque<Kept> kept_;
+  Kept* selected_ = nullptr;
   ConstraintMeasure<S> measure_;
   GraphVector<S> right_side_, rows_, given_, change_;  ///< the bodies of rows_ stay 0
   std::vector<BodyPart<S>> on_;

@@ -52,6 +52,7 @@ class AnySystem {
   virtual S velocity_rows() = 0;
   virtual S relative_row_violation() const = 0;
   virtual std::string least_met_row() const = 0;
+  virtual void select(int number) = 0;
   virtual void factor(const S& velocity_share, const S& position_share) = 0;
   virtual void newton(const S& share, Flat<S>& v_dot, Flat<S>& lambda) = 0;
   virtual void project(const S& share, Flat<S>& x) = 0;
@@ -59,10 +60,13 @@ class AnySystem {
   virtual void take_rows(Flat<S>& rows) const = 0;
   virtual void take_imbalance(Flat<S>& left) const = 0;
   virtual void solve(const Flat<S>& left, const Flat<S>& rows, Flat<S>& x, Flat<S>& mu) = 0;
+  virtual void solve(const Flat<S>& left, const Flat<S>& rows, const Flat<S>& slack, Flat<S>& x, Flat<S>& mu,
+                     Flat<S>& stretch) = 0;
   virtual void solve_force(const Flat<S>& force, Flat<S>& x, Flat<S>& mu) = 0;
   virtual void take_internal_rows(const Flat<S>& v_dot, Flat<S>& left) const = 0;
   virtual void solve_internal_rows(const Flat<S>& y, const Flat<S>& left, Flat<S>& x) = 0;
   virtual bool has_springs() const = 0;
+  virtual void spring_constants(Flat<S>& stiffness, Flat<S>& damping) const = 0;
   virtual S work_rate(const Flat<S>& lambda) = 0;
 };
 
@@ -147,6 +151,9 @@ class Erased final : public AnySystem<typename System::Scalar> {
   std::string least_met_row() const override {
     return constrained([](const auto& system) { return std::string(system.least_met_row()); });
   }
+  void select(int number) override {
+    constrained([&](auto& system) { system.select(number); });
+  }
   void factor(const S& velocity_share, const S& position_share) override {
     constrained([&](auto& system) { system.factor(velocity_share, position_share); });
   }
@@ -168,6 +175,10 @@ class Erased final : public AnySystem<typename System::Scalar> {
   void solve(const Flat<S>& left, const Flat<S>& rows, Flat<S>& x, Flat<S>& mu) override {
     constrained([&](auto& system) { system.solve(left, rows, x, mu); });
   }
+  void solve(const Flat<S>& left, const Flat<S>& rows, const Flat<S>& slack, Flat<S>& x, Flat<S>& mu,
+             Flat<S>& stretch) override {
+    constrained([&](auto& system) { system.solve(left, rows, slack, x, mu, stretch); });
+  }
   void solve_force(const Flat<S>& force, Flat<S>& x, Flat<S>& mu) override {
     constrained([&](auto& system) { system.solve_force(force, x, mu); });
   }
@@ -179,6 +190,9 @@ class Erased final : public AnySystem<typename System::Scalar> {
   }
   bool has_springs() const override {
     return constrained([](const auto& system) { return system.has_springs(); });
+  }
+  void spring_constants(Flat<S>& stiffness, Flat<S>& damping) const override {
+    constrained([&](const auto& system) { system.spring_constants(stiffness, damping); });
   }
   S work_rate(const Flat<S>& lambda) override {
     return constrained([&](auto& system) { return S(system.work_rate(lambda)); });

@@ -51,13 +51,14 @@ TEST(Radau, ItsInverseIsThatOfItsMatrix) {
     }
 }
 
-// so that the iteration on springs comes to its end where they are infinitely stiff
-TEST(Radau, ItsDiagonalLeavesWhatIsNilpotent) {
+TEST(Radau, ItsSquareIsThatOfItsMatrixAndGammaItsRealEigenvalue) {
   const RadauCoefficients<double> r;
-  Eigen::Matrix3d N;
+  Eigen::Matrix3d A;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) N(i, j) = (i == j) - r.a[i][j] / r.d[i];
-  EXPECT_LE((N * N * N).norm(), 1e-13);
+    for (int j = 0; j < 3; ++j) A(i, j) = r.a[i][j];
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) EXPECT_NEAR(r.square[i][j], (A * A)(i, j), 1e-15);
+  EXPECT_NEAR((A - r.gamma * Eigen::Matrix3d::Identity()).determinant(), 0, 1e-16);
 }
 
 // the estimate is of order 3: it sees nothing of a polynomial of degree 3

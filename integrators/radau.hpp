@@ -9,10 +9,10 @@
 ///
 ///   Phi(Q_i, t_i) = 0,   M s_i + Phi_q^T mu_i = 0
 ///
-/// Rows are met through A^-1, which the constraints' own part of Newton's matrix asks for; springs stand in
-/// it with shares h d_i of the diagonal D for which I - D^-1 A is nilpotent (van der Houwen and Sommeijer,
-/// 1991), so that all matrices are real and those of M. Order 5 in positions and velocities, 3 in its own
-/// lambda.
+/// Newton's method has a real matrix for each stage, made where that stage is, as stiff springs turn within a
+/// step. Rows are met through A^-1. Springs resist in it by the share h gamma of A's real eigenvalue; what
+/// they do from stage to stage through A is iterated on in their own few numbers, without evaluating
+/// anything. Order 5 in positions and velocities, 3 in its own lambda.
 
 #include <algorithm>
 #include <array>
@@ -29,9 +29,9 @@ namespace trivium::integrators {
 /// The method's coefficients.
 template <class S>
 struct RadauCoefficients {
-  std::array<S, 3> c, d, error;
-  std::array<std::array<S, 3>, 3> a, inverse;  ///< A and A^-1
-  S gamma;  ///< of the error's estimate: h gamma f(y_n) + sum error_i (Y_i - y_n)
+  std::array<S, 3> c, error;
+  std::array<std::array<S, 3>, 3> a, inverse, square;  ///< A, A^-1, A^2
+  S gamma;  ///< A's real eigenvalue; the estimated error is h gamma f(y_n) + sum error_i (Y_i - y_n)
 
   RadauCoefficients() {
     using std::pow, std::sqrt;
@@ -41,8 +41,9 @@ struct RadauCoefficients {
           {(296 + 169 * r) / 1800, (88 + 7 * r) / 360, (-2 - 3 * r) / 225},
           {(16 - r) / 36, (16 + r) / 36, S(1) / 9}}};
     invert();
-    d = {S(0.3203827776857808), S(0.1399668046773267), S(0.3716674595229115)};
-    gamma = (6 + pow(S(81), S(1) / 3) - pow(S(9), S(1) / 3)) / 30;  // the real eigenvalue of A
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) square[i][j] = a[i][0] * a[0][j] + a[i][1] * a[1][j] + a[i][2] * a[2][j];
+    gamma = (6 + pow(S(81), S(1) / 3) - pow(S(9), S(1) / 3)) / 30;
     error = {gamma / 3 * (-13 - 7 * r), gamma / 3 * (-13 + 7 * r), -gamma / 3};
   }
 
@@ -67,8 +68,11 @@ class Radau5 {
   /// Steps of its own choice to the tolerances, or of the grid's length.
   Radau5(std::optional<Tolerances> tolerances, const NewtonOptions& newton)
       : tolerances_(tolerances), newton_(newton) {
-    // what Newton's method leaves would stand in the estimated error, which grows no smaller with the step
-    if (tolerances) newton_.tolerance = std::min(newton_.tolerance, tolerances->rtol / 100);
+    // what Newton's method leaves would stand in the estimated error, which grows no smaller with the step;
+    // within the step that is enough for the rows, too
+    if (!tolerances) return;
+    newton_.tolerance = std::min(1e-6, tolerances->rtol / 100);
+    enough_of_rows_ = std::max(enough_of_rows_, S(newton_.tolerance));
   }
 
   void step(System& system, S& t, Flat<S>& y, const S& stop) {
@@ -85,6 +89,7 @@ class Radau5 {
       S next;
       try {
         const S error = advance(system, t, h, y);
+        if (error <= S(1)) meet_rows(system, S(t + h), stage_[2].y);
         using std::pow;
         const S factor = error > S(0) ? S(S(0.9) * pow(error, S(-0.25))) : S(8);
         next = h * std::min(S(8), std::max(S(0.2), factor));
@@ -126,7 +131,9 @@ class Radau5 {
   struct Stage : Known {
     Flat<S> shift;               ///< the third unknown
     Flat<S> v, theta, rate, y;   ///< where they lead
+    Flat<S> bend;                ///< by how much theta's rate is not v
     Flat<S> left, phi, phi_dot;  ///< what is left to solve
+    Flat<S> stretch;             ///< of springs, with the last change
   };
 
   void begin(System& system, const S& t, const Flat<S>& y, const S& stop) {
@@ -156,14 +163,16 @@ class Radau5 {
     const Flat<S> v = y.segment(nq_, nv_);
     anderson_.clear();
     S before = std::numeric_limits<S>::max();
-    const S rounding = integrators::rounding<S>(), enough = std::max(S(newton_.tolerance), rounding);
+    const S enough = std::max(S(newton_.tolerance), rounding<S>()),
+            stalled = 1000 * std::min(enough, S(1e-10));
     bool is_factored = false;
     for (int k = 0, rises = 0; k < 40 && rises < 5; ++k) {
       place(system, h, y, v);
       meet_internal(system, h, y, v);
       S imbalance(0), violation(0);
-      for (const int i : {0, 2, 1}) {  // the matrix is that of the last, which stands in the middle
+      for (int i = 0; i < 3; ++i) {
         Stage& stage = stage_[i];
+        system.select(i);
         if (!stage.v_dot.allFinite() || !stage.lambda.allFinite()) return false;
         system.inertia_force(stage.y, stage.v_dot, force_);
         imbalance =
@@ -176,11 +185,11 @@ class Radau5 {
         system.take_imbalance(stage.left);
         stage_work_[i] = y.size() > nq_ + nv_ ? S(system.work_rate(stage.lambda)) : S(0);
       }
-      const S now = imbalance / enough + violation / rounding;
-      if (imbalance <= enough && violation <= rounding) return true;
+      const S now = imbalance / enough + violation / enough_of_rows_;
+      if (imbalance <= enough && violation <= enough_of_rows_) return true;
       const bool falls = now <= before / 2;
       if (!falls) {
-        if (imbalance <= 1000 * enough && violation <= 1000 * rounding) return true;
+        if (imbalance <= stalled && violation <= 1000 * rounding<S>()) return true;
         ++rises;
         is_factored = false;
       }
@@ -191,6 +200,38 @@ class Radau5 {
       ++counters_.iterations;
     }
     return false;
+  }
+
+  /// At the end of a step, where the stages met their rows within tolerances. Throws if they cannot be.
+  void meet_rows(System& system, const S& t, Flat<S>& y) {
+    system.select(2);
+    const auto meet = [&](const auto& violation, const auto& move) {
+      S before = std::numeric_limits<S>::max(), now = violation();
+      for (; now > rounding<S>() && now < before; now = violation()) {
+        before = now;
+        system.take_rows(rows_);
+        x_.setZero(nv_);
+        mu_.setZero(nc_);
+        system.solve(Flat<S>::Zero(nv_), -rows_, x_, mu_);
+        move();
+      }
+      if (!(now <= 1000 * rounding<S>())) throw_not_converged(system, t);
+    };
+    meet([&] { return S(system.position_rows(t, y)); },
+         [&] {
+           const Flat<S> from = y;
+           system.displace(from, x_, y);
+           system.constrain(S(1), y, x_);
+         });
+    x_.setZero(nv_);
+    system.constrain_velocity(S(1), y, x_);
+    y.segment(nq_, nv_) += x_;
+    meet(
+        [&] {
+          system.position_rows(t, y);
+          return S(system.velocity_rows());
+        },
+        [&] { y.segment(nq_, nv_) += x_; });
   }
 
   /// On from the last step's stages, by the polynomial through them.
@@ -214,6 +255,7 @@ class Radau5 {
     stage_[i].v_dot = v_dot;
     stage_[i].lambda = lambda;
     stage_[i].shift.setZero(nv_);
+    stage_[i].bend.setZero(nv_);
   }
 
   template <class T, class Part>
@@ -228,21 +270,23 @@ class Radau5 {
   void place(System& system, const S& h, const Flat<S>& y, const Flat<S>& v) {
     for (int i = 0; i < 3; ++i) {
       stage_[i].v = v + h * mixed(coefficients_.a[i], &Stage::v_dot);
-      stage_[i].rate = stage_[i].v + stage_[i].shift;
+      stage_[i].rate = stage_[i].v + stage_[i].shift + stage_[i].bend;
     }
     // theta depends on its own rate where positions are a group
     S before = std::numeric_limits<S>::max();
     for (int k = 0; k < 50; ++k) {
-      S moved(0);
+      S moved(0), size(0);
       for (int i = 0; i < 3; ++i) {
-        const Flat<S> theta = h * mixed(coefficients_.a[i], &Stage::rate);
-        moved = k == 0 ? before : std::max(moved, S((theta - stage_[i].theta).norm()));
-        stage_[i].theta = theta;
+        x_ = h * mixed(coefficients_.a[i], &Stage::rate);
+        moved = k == 0 ? before : std::max(moved, S((x_ - stage_[i].theta).norm()));
+        size = std::max(size, S(x_.norm()));
+        std::swap(stage_[i].theta, x_);
       }
-      if (k > 0 && (moved == S(0) || !(moved < before))) break;
+      if (k > 0 && (moved <= 2 * std::numeric_limits<S>::epsilon() * size || !(moved < before))) break;
       before = moved;
       for (Stage& stage : stage_) {
         system.displacement_rate(stage.theta, stage.v, stage.rate);
+        stage.bend = stage.rate - stage.v;
         stage.rate += stage.shift;
       }
     }
@@ -272,24 +316,19 @@ class Radau5 {
   }
 
   void correct(System& system, const S& h, bool is_factored) {
+    if (!is_factored) factor(system, h);
     change_.setZero(3 * (2 * nv_ + nc_));
-    Flat<S> rows, x, mu;
+    const Flat<S> no_slack = Flat<S>::Zero(stiffness_.size()), no_force = Flat<S>::Zero(nv_);
     for (int i = 0; i < 3; ++i) {
-      const auto& inverse = coefficients_.inverse[i];
-      const S share = h * coefficients_.d[i];
-      if (!is_factored || system.has_springs()) system.factor(share, S(share * share));
-      is_factored = has_matrix_ = true;
-      rows = mixed(inverse, &Stage::phi_dot) / -h;
-      x.setZero(nv_);
-      mu.setZero(nc_);
-      system.solve(stage_[i].left, rows, x, mu);
-      change_.segment(i * nv_, nv_) = x;
-      change_.segment(3 * nv_ + i * nc_, nc_) = mu;
-      rows = stage_[i].phi_dot + mixed(inverse, &Stage::phi) / -h;
-      x.setZero();
-      system.solve(Flat<S>::Zero(nv_), rows, x, mu);
-      change_.segment(3 * (nv_ + nc_) + i * nv_, nv_) = x;
+      Stage& stage = stage_[i];
+      const Flat<S> rows = stage.phi_dot + mixed(coefficients_.inverse[i], &Stage::phi) / -h;
+      x_.setZero(nv_);
+      mu_.setZero(nc_);
+      system.select(i);
+      system.solve(no_force, rows, no_slack, x_, mu_, stage.stretch);
+      change_.segment(3 * (nv_ + nc_) + i * nv_, nv_) = x_;
     }
+    solve_together(system, h);
     const Flat<S>& step = anderson_.step(change_, 3 * nv_);
     for (int i = 0; i < 3; ++i) {
       stage_[i].v_dot += step.segment(i * nv_, nv_);
@@ -297,13 +336,60 @@ class Radau5 {
       stage_[i].shift += step.segment(3 * (nv_ + nc_) + i * nv_, nv_);
     }
   }
+  void factor(System& system, const S& h) {
+    const S share = h * coefficients_.gamma;
+    for (int i = 0; i < 3; ++i) {
+      system.select(i);
+      system.factor(share, S(share * share));
+    }
+    system.spring_constants(stiffness_, damping_);
+    resistance_ = share * damping_ + share * share * stiffness_;
+    has_matrix_ = true;
+  }
+  /// What the stages' v' and lambda change by. The matrix resists by a share of each stage's own stretch what
+  /// A mixes from all: slacks make up for the difference.
+  void solve_together(System& system, const S& h) {
+    const Eigen::Index springs = stiffness_.size();
+    std::array<Flat<S>, 3> rows, shifted;
+    for (int i = 0; i < 3; ++i) {
+      rows[i] = mixed(coefficients_.inverse[i], &Stage::phi_dot) / -h;
+      shifted[i] = h * stiffness_.cwiseProduct(mixed(coefficients_.a[i], &Stage::stretch));
+    }
+    Flat<S> slack = Flat<S>::Zero(3 * springs), missed = slack;
+    springs_anderson_.clear();
+    for (int k = 0; k < most_slackenings; ++k) {
+      for (int i = 0; i < 3; ++i) {
+        x_.setZero(nv_);
+        mu_.setZero(nc_);
+        system.select(i);
+        system.solve(stage_[i].left, rows[i], slack.segment(i * springs, springs), x_, mu_,
+                     stage_[i].stretch);
+        change_.segment(i * nv_, nv_) = x_;
+        change_.segment(3 * nv_ + i * nc_, nc_) = mu_;
+      }
+      if (springs == 0) return;
+      S most_missed(0), most(0);
+      for (int i = 0; i < 3; ++i) {
+        const Flat<S> force =
+            shifted[i] + h * damping_.cwiseProduct(mixed(coefficients_.a[i], &Stage::stretch)) +
+            h * h * stiffness_.cwiseProduct(mixed(coefficients_.square[i], &Stage::stretch));
+        missed.segment(i * springs, springs) =
+            stage_[i].stretch - force.cwiseQuotient(resistance_) - slack.segment(i * springs, springs);
+        most_missed =
+            std::max(most_missed,
+                     S(missed.segment(i * springs, springs).cwiseProduct(resistance_).cwiseAbs().maxCoeff()));
+        most = std::max(most, S(force.cwiseAbs().maxCoeff()));
+      }
+      if (!(most_missed > S(1e-2) * most)) return;
+      slack += springs_anderson_.step(missed, missed.size());
+    }
+  }
 
   /// Of order 3, filtered by the matrix of springs: what it would damp is no error.
   S error_of(System& system, const S& h, const Flat<S>& y) {
     if (!tolerances_) return S(0);
     // where the stages were as predicted, none was asked for
-    if (const S share = h * coefficients_.d[1]; !has_matrix_) system.factor(share, S(share * share));
-    has_matrix_ = true;
+    if (!has_matrix_) factor(system, h);
     const Flat<S> v = y.segment(nq_, nv_);
     const auto& e = coefficients_.error;
     const S& gamma = coefficients_.gamma;
@@ -311,14 +397,15 @@ class Radau5 {
                           e[2] * (stage_[2].v - v),
                   off_q = gamma * h * v + mixed(e, &Stage::theta);
     system.inertia_force(y, off_v, force_);
-    Flat<S> x = Flat<S>::Zero(nv_), mu = Flat<S>::Zero(nc_);
-    system.solve_force(force_, x, mu);
+    x_.setZero(nv_);
+    mu_.setZero(nc_);
+    system.solve_force(force_, x_, mu_);
     const S size_q = y.head(nq_).cwiseAbs().maxCoeff();
     S sum(0);
     for (int k = 0; k < nv_; ++k) {
       using std::abs;
-      const S of_v = x[k] / (S(tolerances_->atol) +
-                             S(tolerances_->rtol) * std::max(S(abs(v[k])), S(abs(stage_[2].v[k])))),
+      const S of_v = x_[k] / (S(tolerances_->atol) +
+                              S(tolerances_->rtol) * std::max(S(abs(v[k])), S(abs(stage_[2].v[k])))),
               of_q = off_q[k] / (S(tolerances_->atol) + S(tolerances_->rtol) * size_q);
       sum += of_v * of_v + of_q * of_q;
     }
@@ -338,16 +425,19 @@ class Radau5 {
     ++counters_.steps;
   }
 
+  static constexpr int most_slackenings = 12;
+
   const RadauCoefficients<S> coefficients_;
   std::optional<Tolerances> tolerances_;
   NewtonOptions newton_;
+  S enough_of_rows_ = rounding<S>();
   StepChoice<S> choice_;
-  Anderson<S> anderson_;
+  Anderson<S> anderson_, springs_anderson_;
   std::array<Stage, 3> stage_;
   std::array<Known, 3> last_;
   std::array<S, 3> stage_work_;
   std::optional<S> last_h_;
-  Flat<S> force_, change_;
+  Flat<S> force_, change_, rows_, x_, mu_, stiffness_, damping_, resistance_;
   int nq_ = 0, nv_ = 0, nc_ = 0;
   bool has_begun_ = false, has_matrix_ = false;
   Counters counters_;

@@ -61,16 +61,18 @@ concept FirstOrderSystem = requires(System& system, const typename System::Scala
 /// rows to v' and lambda, `project` the least change that removes Phi less a share of Phi', `impulse` what a
 /// force and the rows ask for.
 ///
-/// Methods of several stages take what was evaluated at each (`take_rows`, `take_imbalance`) and `solve` for
-/// a mixture: M x + Phi_q^T mu = left, Phi_q x = rows; `solve_force` for a force of v's kind. Libraries
-/// that have no `constrain` meet the second derivatives of internal rows: `take_internal_rows` puts what v'
-/// leaves of them beside an imbalance, `solve_internal_rows` adds to x what removes it. `has_springs` says
-/// whether the matrix depends on the shares.
+/// Methods of several stages `select` one of several evaluations and matrices that are kept side by side;
+/// they take what was evaluated at each (`take_rows`, `take_imbalance`) and `solve` for a mixture: M x +
+/// Phi_q^T mu = left, Phi_q x = rows, where springs resist what x stretches them by beyond a slack;
+/// `solve_force` for a force of v's kind. Libraries that have no `constrain` meet the second derivatives of
+/// internal rows: `take_internal_rows` puts what v' leaves of them beside an imbalance, `solve_internal_rows`
+/// adds to x what removes it. `has_springs` says whether the matrix depends on the shares, `spring_constants`
+/// by what stiffness and damping.
 template <class System>
 concept ConstrainedSystem = FirstOrderSystem<System> &&
     requires(System& system, const typename System::Scalar& t, const Flat<typename System::Scalar>& y,
              const Flat<typename System::Scalar>& v, Flat<typename System::Scalar>& changed,
-             Flat<typename System::Scalar>& lambda) {
+             Flat<typename System::Scalar>& lambda, int index) {
   { system.position_size() } -> std::convertible_to<int>;
   { system.velocity_size() } -> std::convertible_to<int>;
   { system.multipliers() } -> std::convertible_to<int>;
@@ -89,6 +91,7 @@ concept ConstrainedSystem = FirstOrderSystem<System> &&
   { system.velocity_rows() } -> std::convertible_to<typename System::Scalar>;
   { system.relative_row_violation() } -> std::convertible_to<typename System::Scalar>;
   { system.least_met_row() } -> std::convertible_to<std::string>;
+  system.select(index);
   system.factor(t, t);
   system.newton(t, changed, lambda);
   system.project(t, changed);
@@ -96,10 +99,12 @@ concept ConstrainedSystem = FirstOrderSystem<System> &&
   system.take_rows(changed);
   system.take_imbalance(changed);
   system.solve(v, v, changed, lambda);
+  system.solve(v, v, v, changed, lambda, changed);
   system.solve_force(v, changed, lambda);
   system.take_internal_rows(v, changed);
   system.solve_internal_rows(y, v, changed);
   { system.has_springs() } -> std::same_as<bool>;
+  system.spring_constants(changed, lambda);
   { system.work_rate(v) } -> std::convertible_to<typename System::Scalar>;
 };
 

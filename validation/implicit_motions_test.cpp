@@ -61,14 +61,25 @@ TEST_P(Implicit, PositionsStayOnTheirConstraintsAndVelocitiesToTheMethodsError) 
     }
 }
 
-// steps of its own choice, too: a tenth of those of an explicit method
+// steps of its own choice, too: few beside those of an explicit method, though its springs turn by a third of
+// a radian in one
 TEST_P(Implicit, RadauChoosesLongStepsInAStiffMotion) {
   static const Motion exact(catalogue_scene("flyball_governor"), tight("r-omega", "rkf78", 1, 1e-11));
   const Motion motion(catalogue_scene("flyball_governor"), tight(GetParam(), "radau5", 1, 1e-6));
   const Motion by_dopri5(catalogue_scene("flyball_governor"), tight(GetParam(), "dopri5", 1, 1e-6));
   EXPECT_LE(apart(motion, exact), 1e-5);
   EXPECT_LE(motion.report.counters.steps + motion.report.counters.rejected_steps,
-            by_dopri5.report.counters.steps / 5);
+            by_dopri5.report.counters.steps / 30);
+  EXPECT_LE(motion.report.counters.rejected_steps, motion.report.counters.steps / 4);
+  EXPECT_LE(motion.report.counters.iterations, 8 * motion.report.counters.steps);
+}
+
+TEST_P(Implicit, RadauMeetsRowsAtTheEndsOfStepsToRounding) {
+  for (const char* name : {"flyball_governor", "spatial_slider_crank", "bricard"}) {
+    const Motion motion(catalogue_scene(name), tight(GetParam(), "radau5", 0.5, 1e-4));
+    EXPECT_LE(motion.report.phi, 1e-13) << name;
+    EXPECT_LE(motion.report.phi_dot, 1e-12) << name;
+  }
 }
 
 TEST_P(Implicit, BackwardDifferencesOfLibrariesChooseLongStepsInAStiffMotion) {
@@ -109,6 +120,9 @@ TEST_P(Implicit, RedundantMechanismsPassTheirSingularPositions) {
     const Motion motion(catalogue_scene("n_four_bar_2"), stepping(GetParam(), method, 3, 0.0025));
     EXPECT_LE(apart(motion, exact), 5e-3) << method;
   }
+  const Motion by_radau(catalogue_scene("n_four_bar_2"), tight(GetParam(), "radau5", 3, 1e-6));
+  EXPECT_LE(apart(by_radau, exact), 1e-4);
+  EXPECT_LE(by_radau.report.counters.steps, 500);
 }
 
 TEST_P(Implicit, ChangesOfChartAndKinksRestartAMethod) {
