@@ -232,7 +232,7 @@ TEST(Simulate, WritesEveryBodyReactionAndMultiplierAtExactTimes) {
   const json s = json::parse(r.out);
   EXPECT_TRUE(s["complete"]);
   for (const char* counter :
-       {"steps", "rejected_steps", "right_sides", "factorisations", "projection_changes"})
+       {"steps", "rejected_steps", "right_sides", "jacobians", "factorisations", "projection_changes"})
     EXPECT_TRUE(s[counter].is_number_integer()) << counter;
   EXPECT_LE(s["drift"]["phi"], 1e-13);
   EXPECT_LE(s["energy"]["unaccounted"], 1e-6);
@@ -290,6 +290,20 @@ TEST(Simulate, CtrlCLeavesTheMotionSoFar) {
   for (const auto& line : lines) EXPECT_EQ(line.size(), lines[0].size());
 }
 
+// and its last state, wherever that is between outputs
+TEST(Simulate, CtrlCReportsTheStateThatWasReached) {
+  const fs::path file = fresh("motion.csv"), report = fresh("report");
+  const Outcome r = run("trivium simulate stewart_platform --t-end 1e6 --output-step 1e5 --json --out " +
+                        file.string() + " >" + report.string() + " & sleep 1; kill -INT $!; wait $!");
+  EXPECT_EQ(r.exit_code, 130);
+  const auto lines = csv_lines(file);
+  ASSERT_EQ(lines.size(), 3u);
+  const json s = json::parse(slurp(report));
+  EXPECT_EQ(std::stod(lines[2][0]), s["reached"]);
+  EXPECT_NEAR(s["energy"]["end"].get<double>() - s["energy"]["start"].get<double>(), s["energy"]["work"],
+              1e-3);
+}
+
 TEST(Simulate, AMotionThatCannotGoOnIsKeptUntilThere) {
   // a bead on a spring without length: its force has no direction where it arrives
   const std::string scene = temporary_scene("caught.json", R"({"trivium": 1, "name": "caught",
@@ -303,6 +317,35 @@ TEST(Simulate, AMotionThatCannotGoOnIsKeptUntilThere) {
   EXPECT_TRUE(r.err.starts_with("error: " + scene + ": ")) << r.err;
   EXPECT_NE(r.err.find("holds the motion until t = "), std::string::npos) << r.err;
   EXPECT_GE(csv_lines(file).size(), 2u);
+}
+
+TEST(Simulate, AMotionThatCannotGoOnSaysSoInJson) {
+  const Outcome r = run("trivium simulate heavy_top --integrator hem4 --step 0.5 --t-end 5 --json");
+  EXPECT_EQ(r.exit_code, 3);
+  const json s = json::parse(r.out);
+  EXPECT_FALSE(s["complete"]);
+  EXPECT_EQ(s["last_output"], 0);
+  EXPECT_NE(r.err.find(s["error"].get<std::string>()), std::string::npos) << r.out;
+}
+
+// the one word of the method's would be of forces or rows
+TEST(Simulate, AKeptChartThatIsSingularIsNamedWhateverTheMethod) {
+  const std::string scene = temporary_scene("gimbal.json", R"({"trivium": 1, "name": "gimbal",
+    "bodies": [{"name": "stone", "mass": 2, "inertia": [0.1, 0.2, 0.3], "position": [0, 0, 0],
+                "orientation": {"axis_angle": {"axis": [1, 0, 0], "angle": 0.5}},
+                "angular_velocity": [-1, 0, 1e-5]}]})");
+  for (const char* method : {"dopri5", "abm", "bdf", "hem4", "generalized-alpha", "radau5", "arkode-dirk"}) {
+    const Outcome r = run("trivium simulate " + scene + " --formulation r-epsilon --no-reframe --step 0.01 " +
+                          "--t-end 2 --integrator " + method);
+    EXPECT_EQ(r.exit_code, 3) << method;
+    EXPECT_NE(r.err.find("body \"stone\" at t = "), std::string::npos) << r.err;
+    EXPECT_NE(r.err.find("leave re-framing on"), std::string::npos) << r.err;
+    EXPECT_EQ(run("trivium simulate " + scene +
+                  " --formulation r-epsilon --step 0.01 --t-end 2 --integrator " + method)
+                  .exit_code,
+              0)
+        << method;
+  }
 }
 
 TEST(Simulate, AnInconsistentStartIsAnInputErrorUnlessAssembled) {
@@ -335,7 +378,7 @@ TEST(Simulate, NamesOfASceneAreTextInItsFigure) {
 TEST(Simulate, DrawsTheMotion) {
   if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot";
   const fs::path file = fresh("motion.svg");
-  const Outcome r = run("trivium simulate four_bar --t-end 1 --output-step 0.01 --plot " + file.string());
+  const Outcome r = run("trivium simulate four_bar --t-end 1 --plot " + file.string());
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(r.err, "");
   EXPECT_NE(slurp(file).find("</svg>"), std::string::npos);
@@ -431,7 +474,9 @@ TEST(EveryProgram, AnswersMisuseWithExitCodeTwo) {
         "trivium simulate heavy_top --integrator dopri5 --full-newton",
         "trivium simulate heavy_top --baumgarte 1",
         "trivium simulate heavy_top --baumgarte nan 1",
-        "trivium simulate heavy_top --plot motion.svg",
+        "trivium simulate heavy_top --rtol 1e-30 --atol 1e-30",
+        "trivium simulate heavy_top --integrator hem4 --step 0.01 --t-end 1 --baumgarte 1 1",
+        "convergence_order --method cvode-bdf",
         "trivium simulate heavy_top --plot motion.png",
         "trivium simulate heavy_top --out no_such_folder/motion.csv",
         "lambda_invariance no_such_scene",

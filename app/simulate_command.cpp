@@ -37,9 +37,10 @@ extern "C" void interrupt(int signal) {
   std::signal(signal, SIG_DFL);
 }
 constexpr int exit_interrupted = 130;
+constexpr int outputs_of_a_figure = 500;
 
-bool is_implicit(const SimulationOptions& options) {
-  return integrators::find_method(options.integrator)->meets_constraints;
+bool has_own_lambda(const SimulationOptions& options) {
+  return integrators::find_method(options.integrator)->has_own_lambda;
 }
 
 /// What leaves the run: the file, the figure, and a bar that says how far it is.
@@ -47,7 +48,7 @@ class Watcher : public SimulationObserver {
  public:
   Watcher(const SimulateArguments& arguments, const Mechanism<double>& mechanism)
       : arguments_(arguments), progress_("simulating", most_ticks) {
-    if (!arguments.out.empty()) csv_.emplace(mechanism, is_implicit(arguments.options), arguments.out);
+    if (!arguments.out.empty()) csv_.emplace(mechanism, has_own_lambda(arguments.options), arguments.out);
     if (!arguments.plot.empty())
       plot_.emplace(mechanism, fmt::format("{}: {}, {}", mechanism.name, arguments.options.formulation,
                                            arguments.options.integrator));
@@ -76,14 +77,15 @@ class Watcher : public SimulationObserver {
       return false;
     }
   }
-  double last() const { return last_; }
+  /// The last state that it has; none where the motion did not begin.
+  const std::optional<double>& last() const { return last_; }
 
  private:
   static constexpr int most_ticks = 1000;
   const SimulateArguments& arguments_;
   Progress progress_;
   int ticks_ = 0;
-  double last_ = 0;
+  std::optional<double> last_;
   std::optional<MotionCsv> csv_;
   std::optional<MotionPlot> plot_;
 };
@@ -104,10 +106,11 @@ std::vector<std::string> warnings_of(const SimulationReport& report) {
                     report.passages.front().t));
   }
   if (balance_is_large(report))
-    out.push_back(fmt::format(
-        "{:.1e} J are not accounted for, beside {:.1e} J of kinetic energy: the motion is not accurate; take "
-        "tighter tolerances or smaller steps",
-        report.balance, report.largest_kinetic));
+    out.push_back(fmt::format("{:.1e} J are not accounted for, beside {:.1e} J of kinetic energy: the motion "
+                              "is not accurate; take "
+                              "tighter tolerances or smaller steps",
+                              report.balance, report.largest_kinetic) +
+                  (report.near_singular_chart.empty() ? "" : "; " + report.near_singular_chart));
   // index 3 leaves velocities off by its own error
   const auto drifts = [](double left) { return left > 1e-6; };
   if (drifts(report.phi) || (!report.is_implicit && drifts(report.phi_dot)))
@@ -147,6 +150,7 @@ std::string json_of(const SimulateArguments& arguments, const Mechanism<double>&
       .number("rejected_steps", r.counters.rejected_steps)
       .number("right_sides", r.counters.right_sides)
       .number("newton_iterations", r.counters.iterations)
+      .number("jacobians", r.jacobians)
       .number("factorisations", r.factorisations)
       .number("projection_changes", r.projection.changes)
       .number("restarts", r.counters.restarts)
@@ -157,7 +161,7 @@ std::string json_of(const SimulateArguments& arguments, const Mechanism<double>&
       .number("phi_before_projection", r.projection.position)
       .number("phi_dot_before_projection", r.projection.velocity)
       .number("normalisation", r.normalisation);
-  if (r.is_implicit) json.number("raw_lambda", r.lambda_gap);
+  if (r.has_own_lambda) json.number("raw_lambda", r.lambda_gap);
   json.end_object();
   json.begin_object("energy").number("start", r.energy_start).number("end", r.energy_end);
   if (r.does_work) json.number("work", r.work);
@@ -174,6 +178,21 @@ std::string json_of(const SimulateArguments& arguments, const Mechanism<double>&
   return json.str();
 }
 
+std::string json_of_failure(const SimulateArguments& arguments, const Mechanism<double>& mechanism,
+                            const std::optional<double>& last, const char* error) {
+  const SimulationOptions& o = arguments.options;
+  JsonWriter json;
+  json.begin_object()
+      .text("scene", mechanism.name)
+      .text("formulation", o.formulation)
+      .text("integrator", o.integrator)
+      .number("t_start", o.start)
+      .number("t_end", o.end)
+      .flag("complete", false);
+  if (last) json.number("last_output", *last);
+  return json.text("error", error).end_object().str();
+}
+
 std::string text_of(const SimulateArguments& arguments, const Mechanism<double>& mechanism,
                     const SimulationReport& r) {
   const SimulationOptions& o = arguments.options;
@@ -185,7 +204,8 @@ std::string text_of(const SimulateArguments& arguments, const Mechanism<double>&
   add("steps", fmt::format("{}", r.counters.steps));
   add("rejected steps", fmt::format("{}", r.counters.rejected_steps));
   add("right sides", fmt::format("{}", r.counters.right_sides));
-  if (r.is_implicit) add("Newton iterations", fmt::format("{}", r.counters.iterations));
+  if (r.counters.iterations > 0) add("Newton iterations", fmt::format("{}", r.counters.iterations));
+  if (r.jacobians > 0) add("Jacobians (Newton's matrices)", fmt::format("{}", r.jacobians));
   add("factorisations", fmt::format("{}", r.factorisations));
   if (r.is_projected) add("changes by projection", fmt::format("{}", r.projection.changes));
   add("restarts", fmt::format("{}", r.counters.restarts));
@@ -196,7 +216,7 @@ std::string text_of(const SimulateArguments& arguments, const Mechanism<double>&
     add("of positions before projection", fmt::format("{:.1e}", r.projection.position));
     add("of velocities before projection", fmt::format("{:.1e}", r.projection.velocity));
   }
-  if (r.is_implicit) add("largest |raw lambda - lambda of (q, v)|", fmt::format("{:.1e}", r.lambda_gap));
+  if (r.has_own_lambda) add("largest |raw lambda - lambda of (q, v)|", fmt::format("{:.1e}", r.lambda_gap));
   if (r.normalisation > 0) add("of p . p = 1", fmt::format("{:.1e}", r.normalisation));
   add("energy at the start [J]", fmt::format("{:.12g}", r.energy_start));
   add("energy at the end [J]", fmt::format("{:.12g}", r.energy_end));
@@ -223,6 +243,8 @@ int run_simulate(const SimulateArguments& given) {
   options.charts = {*parse_euler_sequence(arguments.sequence), !arguments.raw_chart};
   if (arguments.full_newton) options.parameters.full_newton = true;
   options.projects = !arguments.no_projection && arguments.baumgarte.empty();
+  if (!arguments.plot.empty() && !options.output_step && options.end > options.start)
+    options.output_step = (options.end - options.start) / outputs_of_a_figure;
   if (!arguments.baumgarte.empty()) options.baumgarte = {arguments.baumgarte[0], arguments.baumgarte[1]};
   const scenes::Scene scene = load_state(arguments);
   if (!report_consistency(arguments, consistency_of(scene, arguments.t))) return exit_input_error;
@@ -230,8 +252,10 @@ int run_simulate(const SimulateArguments& given) {
   Watcher watcher(arguments, mechanism);
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, interrupt);
   const auto say_what_is_kept = [&] {
-    if (!arguments.out.empty())
-      fmt::print(stderr, "{} holds the motion until t = {}\n", arguments.out, watcher.last());
+    if (arguments.out.empty()) return;
+    fmt::print(stderr, "{} holds {}\n", arguments.out,
+               watcher.last() ? fmt::format("the motion until t = {}", *watcher.last())
+                              : std::string("no state: the motion did not begin"));
   };
   try {
     const SimulationReport report = simulate<double>(scene, options, watcher);
@@ -249,6 +273,7 @@ int run_simulate(const SimulateArguments& given) {
   } catch (const std::runtime_error& error) {
     // of the model or of the method; what was computed until then is kept
     complain(name_source(arguments.scene, error.what()));
+    if (arguments.json) fmt::print("{}", json_of_failure(arguments, mechanism, watcher.last(), error.what()));
     if (watcher.keep()) say_what_is_kept();
     return exit_solver_failed;
   }
@@ -309,14 +334,13 @@ Command add_simulate_command(CLI::App& app) {
       ->check(positive())
       ->excludes(step)
       ->capture_default_str();
-  CLI::Option* output_step = command
-                                 ->add_option("--output-step", options.output_step,
-                                              "Time between outputs [s] (default: start and end)")
-                                 ->check(positive());
+  command
+      ->add_option("--output-step", options.output_step,
+                   fmt::format("Time between outputs [s] (default: start and end; with --plot {} of them)",
+                               outputs_of_a_figure))
+      ->check(positive());
   command->add_option("--out", arguments->out, "Write the motion to this CSV file")->check(writable_file());
-  command->add_option("--plot", arguments->plot, "Draw the outputs to this SVG file")
-      ->check(figure_file())
-      ->needs(output_step);
+  command->add_option("--plot", arguments->plot, "Draw the outputs to this SVG file")->check(figure_file());
   CLI::Option* no_projection = command->add_flag("--no-projection", arguments->no_projection,
                                                  "Leave drift off the constraints as it is");
   command

@@ -204,7 +204,7 @@ class ConstrainedForm : public FirstOrderForm<F> {
     GraphAssembly<F>& assembly = selected_->evaluated();
     let_springs_resist(assembly, velocity_share, position_share);
     selected_->solver.leave_out_as(solver_.factors());
-    ++newton_factorisations_;
+    ++newton_matrices_;
     try {
       selected_->solver.factor(assembly.matrix());
     } catch (const SingularLink& link) {
@@ -300,7 +300,9 @@ class ConstrainedForm : public FirstOrderForm<F> {
   /// The rate of the work [W] where it was evaluated last.
   S work_rate(const Flat& lambda) { return this->power(selected_->evaluated().body(), lambda, t_); }
 
-  long factorisations() const { return Base::factorisations() + newton_factorisations_; }
+  long factorisations() const { return Base::factorisations() + newton_matrices_; }
+  /// Newton's alone, each made anew.
+  long newton_matrices() const { return newton_matrices_; }
 
  private:
   static auto of(Flat& v, int b) { return v.template segment<Base::velocities>(Base::velocities * b); }
@@ -476,7 +478,7 @@ class ConstrainedForm : public FirstOrderForm<F> {
   std::vector<BalanceSize> size_;
   std::vector<int> soft_;  ///< edges of springs, in the effects' order
   S t_{0};
-  long newton_factorisations_ = 0;
+  long newton_matrices_ = 0;
 };
 
 }  // namespace trivium

@@ -255,12 +255,12 @@ class FirstOrderForm {
     return energy;
   }
 
-  /// What of the model may have made an integrator fail at y; empty where nothing stands out.
+  /// What of the model may have made an integrator fail at y, or near it; empty where nothing stands out.
   std::string suspect(const S& t, const Flat& y) {
     load(y);
     for (int b = 0; b < nb(); ++b) {
       const S distance = F::chart_distance(state_[b].chart, state_[b].q);
-      if (distance < S(0.05))
+      if (distance < S(reframing_distance))
         return fmt::format(
             "body \"{}\" at t = {}: its Euler angles are {:.1e} from where they have no rates; leave "
             "re-framing on, or choose another sequence",

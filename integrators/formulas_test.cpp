@@ -76,7 +76,7 @@ TEST(Radau, ItsErrorEstimateIsOfOrderThree) {
 
 // Hairer, Norsett, Wanner (1993), II.2; and stages behind the second are of order 2, as index 2 asks
 TEST(HalfExplicit, MeetsTheOrderConditionsOfFour) {
-  const HalfExplicitCoefficients<double> m;
+  const Hem4Coefficients<double> m;
   Eigen::Matrix<double, 5, 5> A;
   Eigen::Matrix<double, 5, 1> b, c;
   for (int i = 0; i < 5; ++i) {
@@ -93,6 +93,23 @@ TEST(HalfExplicit, MeetsTheOrderConditionsOfFour) {
   EXPECT_NEAR(b.dot(A * (A * c)), 1.0 / 24, 1e-14);
 }
 
+// every row is a quadrature of its c, from the third on of order 2; those of the step and of the multipliers'
+// rows beyond it of order 3, and the step's own of 5, the embedded one's of 4
+TEST(HalfExplicit, HoldsDormandAndPrincesFormulaAndARowBeyondIt) {
+  const Hedop5Coefficients<double> m;
+  const auto misses = [&](const auto& row, double c, int q) {
+    double sum = 0;
+    for (int j = 0; j < 7; ++j) sum += row[j] * std::pow(m.c[j], q - 1);
+    return std::abs(sum - std::pow(c, q) / q);
+  };
+  for (int i = 1; i < 8; ++i) EXPECT_LE(misses(m.a[i], m.c[i], 1), 1e-14) << i;
+  for (int i = 2; i < 8; ++i) EXPECT_LE(misses(m.a[i], m.c[i], 2), 1e-14) << i;
+  for (int i = 6; i < 8; ++i) EXPECT_LE(misses(m.a[i], m.c[i], 3), 1e-14) << i;
+  for (int q = 4; q <= 5; ++q) EXPECT_LE(misses(m.a[6], 1, q), 1e-14) << q;
+  for (int q = 1; q <= 4; ++q) EXPECT_LE(misses(m.embedded, 1, q), 1e-14) << q;
+  EXPECT_GE(misses(m.embedded, 1, 5), 1e-4);
+}
+
 TEST(ImplicitMethods, RefuseASystemWithoutItsConstraints) {
   const auto expect_refusal = [](const char* name, Steps steps) {
     test::OnACircle system;
@@ -103,7 +120,7 @@ TEST(ImplicitMethods, RefuseASystemWithoutItsConstraints) {
     EXPECT_THROW(method->step(erased, t, y, 0.1), UsageError) << name;
   };
   for (const char* name :
-       {"generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "rattle", "radau5", "hem4"})
+       {"generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "rattle", "radau5", "hem4", "hedop5"})
     expect_refusal(name, Steps::given);
   for (const char* name : {"radau5", "cvode-bdf", "arkode-dirk", "ida"}) expect_refusal(name, Steps::chosen);
 }

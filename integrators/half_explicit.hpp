@@ -1,29 +1,38 @@
 #pragma once
-/// HEM4, half-explicit of order 4 on index 2 (Brasey and Hairer 1993): stages are explicit in q and v, and
-/// each one's multipliers are what puts the velocities of the next onto their rows:
+/// Half-explicit Runge-Kutta methods on index 2: stages are explicit in q and v, and each one's multipliers
+/// are what puts the velocities of the next onto their rows:
 ///
 ///   Q_i = q_n + h sum_{j<i} a_ij Q'_j,   V_i = v_n + h sum_{j<i} a_ij V'_j
 ///
 ///   M(Q_i) V'_i + Phi_q(Q_i)^T lambda_i = Q(Q_i, V_i, t_i),   Phi_q(Q_i+1) V_i+1 = nu(t_i+1)
 ///
+/// HEM4 is of order 4 (Brasey and Hairer, SIAM Journal on Numerical Analysis 30, 1993). HEDOP5 is Dormand and
+/// Prince's 5(4) in this form (Arnold and Murua, Numerical Algorithms 19, 1998): its first stage takes V' and
+/// lambda from the last step, whose seventh found them at its end by rows at 19/20 of the way.
+///
 /// The rows are those of the next stage and the forces those of this one; the symmetric matrix of this stage
 /// solves for both by repetition, which falls by about the angle that bodies turn between the two.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 
 #include "integrators/step_choice.hpp"
 
 namespace trivium::integrators {
 
-/// Its coefficients: the last row is that of the step.
+/// HEM4's coefficients: the last row is that of the step.
 template <class S>
-struct HalfExplicitCoefficients {
+struct Hem4Coefficients {
+  static constexpr int stages = 5, end = 5;  ///< the row that is the step's
+  static constexpr bool first_is_known = false;
   std::array<S, 6> c;
   std::array<std::array<S, 5>, 6> a;
 
-  HalfExplicitCoefficients() {
+  Hem4Coefficients() {
     using std::sqrt;
     const S r = sqrt(S(6)), o(0);
     c = {o, S(3) / 10, (4 - r) / 10, (4 + r) / 10, S(1), S(1)};
@@ -36,49 +45,176 @@ struct HalfExplicitCoefficients {
   }
 };
 
-template <ConstrainedSystem System>
+/// HEDOP5's: the last row is where the seventh stage's multipliers have their rows.
+template <class S>
+struct Hedop5Coefficients {
+  static constexpr int stages = 7, end = 6;
+  static constexpr bool first_is_known = true;
+  std::array<S, 8> c;
+  std::array<std::array<S, 7>, 8> a;
+  std::array<S, 7> embedded;  ///< of order 4
+
+  Hedop5Coefficients() {
+    const S o(0);
+    const auto of = [](long long n, long long d) { return S(S(n) / S(d)); };
+    c = {o, of(1, 5), of(3, 10), of(4, 5), of(8, 9), S(1), S(1), of(19, 20)};
+    a = {{{o, o, o, o, o, o, o},
+          {of(1, 5), o, o, o, o, o, o},
+          {of(3, 40), of(9, 40), o, o, o, o, o},
+          {of(44, 45), of(-56, 15), of(32, 9), o, o, o, o},
+          {of(19372, 6561), of(-25360, 2187), of(64448, 6561), of(-212, 729), o, o, o},
+          {of(9017, 3168), of(-355, 33), of(46732, 5247), of(49, 176), of(-5103, 18656), o, o},
+          {of(35, 384), o, of(500, 1113), of(125, 192), of(-2187, 6784), of(11, 84), o},
+          {of(-18611506045861, 19738176307200), of(59332529, 14479296), of(-2509441598627, 893904224850),
+           of(2763523204159, 3289696051200), of(-41262869588913, 116235927142400),
+           of(46310205821, 287848404480), of(-3280, 75413)}}};
+    embedded = {of(5179, 57600), o,        of(7571, 16695), of(393, 640), of(-92097, 339200),
+                of(187, 2100),   of(1, 40)};
+  }
+};
+
+template <ConstrainedSystem System, class Coefficients>
 class HalfExplicit {
  public:
   using S = typename System::Scalar;
 
+  /// Steps of its own choice to the tolerances, which needs an embedded formula, or of the grid's length.
+  explicit HalfExplicit(std::optional<Tolerances> tolerances = {}) : tolerances_(tolerances) {}
+
   void step(System& system, S& t, Flat<S>& y, const S& stop) {
-    const S h = stop - t;
-    const int nq = system.position_size(), nv = system.velocity_size();
-    lambda_.setZero(system.multipliers());
-    const Flat<S> y_n = y;
-    S work(0);
-    for (int i = 0; i < stages; ++i) {
-      // y is stage i
-      next_ = y_n;
-      system.position_rate(y, y.segment(nq, nv), rate_[i].position);
-      for (int j = 0; j <= i; ++j) {
-        next_.head(nq) += h * of_.a[i + 1][j] * rate_[j].position;
-        if (j < i) next_.segment(nq, nv) += h * of_.a[i + 1][j] * rate_[j].velocity;
-      }
-      advance(system, t + of_.c[i] * h, t + of_.c[i + 1] * h, h * of_.a[i + 1][i], y, rate_[i].velocity);
-      if (y.size() > nq + nv) work += h * of_.a[stages][i] * S(system.work_rate(lambda_));
-      y = next_;
+    if (!has_begun_) begin(system, t, y);
+    if (!tolerances_) {
+      advance(system, t, stop - t, y);
+      require_finite(reached_, stop);
+      accept(stop - t, y);
+      t = stop;
+      return;
     }
-    require_finite(y, stop);
-    if (y.size() > nq + nv) y[nq + nv] = y_n[nq + nv] + work;
-    t = stop;
-    ++counters_.steps;
+    for (std::string trouble;;) {
+      if (choice_.is_too_small(t, stop)) give_up(system, t, y, trouble);
+      const S h = choice_.length(t, stop);
+      S next;
+      try {
+        advance(system, t, h, y);
+        const S error = error_of(h, y);
+        using std::pow;
+        const S factor = error > S(0) ? S(S(0.9) * pow(error, S(-0.2))) : S(5);
+        next = h * std::min(S(5), std::max(S(0.2), factor));
+        if (error <= S(1)) {
+          accept(h, y);
+          choice_.accept(t, S(t + h), stop, next);
+          return;
+        }
+        trouble.clear();
+      } catch (const std::runtime_error& failure) {
+        trouble = failure.what();
+        next = h / 4;
+      }
+      choice_.reject(next);
+      ++counters_.rejected_steps;
+    }
   }
-  void restart() { ++counters_.restarts; }
-  bool shorten() { return false; }
+  void restart() {
+    has_begun_ = has_stepped_ = false;
+    choice_.restart();
+    ++counters_.restarts;
+  }
+  bool shorten() {
+    if (!tolerances_) return false;
+    has_begun_ = has_stepped_ = false;
+    choice_.shorten();
+    --counters_.steps;
+    ++counters_.rejected_steps;
+    return true;
+  }
   const Counters& counters() const { return counters_; }
   /// Of the last stage, at the step's end.
-  const Flat<S>* lambda() const { return counters_.steps > 0 ? &lambda_ : nullptr; }
+  const Flat<S>* lambda() const { return has_stepped_ ? &last_lambda_ : nullptr; }
 
  private:
-  static constexpr int stages = 5;
+  static constexpr int stages = Coefficients::stages, end = Coefficients::end;
+  static constexpr bool first_is_known = Coefficients::first_is_known;
+
+  struct Stage {
+    Flat<S> q_dot, v_dot;
+    S work_rate{0};
+  };
+
+  void begin(System& system, const S& t, const Flat<S>& y) {
+    nq_ = system.position_size();
+    nv_ = system.velocity_size();
+    if constexpr (first_is_known) {
+      Flat<S> y_dot;
+      system.derivative(t, y, y_dot);
+      system.accelerations(t, y, stage_[0].v_dot, lambda_);
+      if (y.size() > nq_ + nv_) stage_[0].work_rate = y_dot[nq_ + nv_];
+      counters_.right_sides += 2;
+    }
+    if (tolerances_ && !choice_.has_begun())
+      choice_.begin(first_step(system, t, y, 5, *tolerances_, counters_.right_sides));
+    has_begun_ = true;
+  }
+
+  /// The stages of a step, and where they lead; y stays.
+  void advance(System& system, const S& t, const S& h, const Flat<S>& y) {
+    lambda_.setZero(system.multipliers());
+    at_ = y;
+    for (int i = 0; i < stages; ++i) {
+      Stage& stage = stage_[i];
+      next_ = y;
+      system.position_rate(at_, at_.segment(nq_, nv_), stage.q_dot);
+      for (int j = 0; j <= i; ++j) {
+        next_.head(nq_) += h * of_.a[i + 1][j] * stage_[j].q_dot;
+        if (j < i) next_.segment(nq_, nv_) += h * of_.a[i + 1][j] * stage_[j].v_dot;
+      }
+      if (first_is_known && i == 0) {
+        next_.segment(nq_, nv_) += h * of_.a[1][0] * stage.v_dot;
+      } else {
+        solve(system, t + of_.c[i] * h, t + of_.c[i + 1] * h, h * of_.a[i + 1][i], at_, stage.v_dot);
+        if (y.size() > nq_ + nv_) stage.work_rate = system.work_rate(lambda_);
+      }
+      std::swap(at_, next_);
+      if (i + 1 == end) reached_ = at_;
+    }
+  }
+  void accept(const S& h, Flat<S>& y) {
+    const Flat<S> before = y;
+    y = reached_;
+    if (y.size() > nq_ + nv_) {
+      y[nq_ + nv_] = before[nq_ + nv_];
+      for (int j = 0; j < end; ++j) y[nq_ + nv_] += h * of_.a[end][j] * stage_[j].work_rate;
+    }
+    if constexpr (first_is_known) {
+      std::swap(stage_[0].v_dot, stage_[stages - 1].v_dot);
+      stage_[0].work_rate = stage_[stages - 1].work_rate;
+    }
+    last_lambda_ = lambda_;
+    has_stepped_ = true;
+    ++counters_.steps;
+  }
+  /// In tolerances.
+  S error_of(const S& h, const Flat<S>& y) const {
+    if constexpr (requires { of_.embedded; }) {
+      Flat<S> off = Flat<S>::Zero(nq_ + nv_);
+      for (int j = 0; j < stages; ++j) {
+        const S share = h * (of_.a[end][j] - of_.embedded[j]);
+        off.head(nq_) += share * stage_[j].q_dot;
+        off.tail(nv_) += share * stage_[j].v_dot;
+      }
+      using std::sqrt;
+      const auto allowed =
+          (S(tolerances_->atol) + S(tolerances_->rtol) * y.cwiseAbs().cwiseMax(reached_.cwiseAbs()).array())
+              .head(nq_ + nv_);
+      return sqrt(S((off.array() / allowed).square().sum() / S(nq_ + nv_)));
+    } else {
+      return S(0);
+    }
+  }
 
   /// V' and lambda of the stage at y, that lead the next one's velocities, which move with V' by `share`,
   /// onto their rows.
-  void advance(System& system, const S& t, const S& t_next, const S& share, const Flat<S>& y,
-               Flat<S>& v_dot) {
-    const int nq = system.position_size(), nv = system.velocity_size();
-    v_dot.setZero(nv);
+  void solve(System& system, const S& t, const S& t_next, const S& share, const Flat<S>& y, Flat<S>& v_dot) {
+    v_dot.setZero(nv_);
     lambda_.setZero();
     system.balance(t, y, v_dot, lambda_);
     ++counters_.right_sides;
@@ -86,7 +222,7 @@ class HalfExplicit {
     system.take_internal_rows(v_dot, left_);
     system.factor(S(0), S(0));
     system.solve_internal_rows(y, left_, v_dot);
-    next_.segment(nq, nv) += share * v_dot;
+    next_.segment(nq_, nv_) += share * v_dot;
     S before = std::numeric_limits<S>::max();
     constexpr int most_repetitions = 60;
     for (int k = 0; k < most_repetitions; ++k) {
@@ -100,11 +236,11 @@ class HalfExplicit {
         if (k > 1) break;
       }
       before = violation;
-      change_.setZero(nv);
+      change_.setZero(nv_);
       system.solve(left_, rows_ / -share, change_, lambda_);
       left_.setZero();
       v_dot += change_;
-      next_.segment(nq, nv) += share * change_;
+      next_.segment(nq_, nv_) += share * change_;
       ++counters_.iterations;
     }
     system.position_rows(t_next, next_);
@@ -114,13 +250,13 @@ class HalfExplicit {
         static_cast<double>(t), system.least_met_row()));
   }
 
-  struct Rate {
-    Flat<S> position, velocity;
-  };
-
-  const HalfExplicitCoefficients<S> of_;
-  std::array<Rate, stages> rate_;
-  Flat<S> next_, lambda_, left_, rows_, change_;
+  const Coefficients of_;
+  const std::optional<Tolerances> tolerances_;
+  StepChoice<S> choice_;
+  std::array<Stage, stages> stage_;
+  Flat<S> at_, next_, reached_, lambda_, last_lambda_, left_, rows_, change_;
+  int nq_ = 0, nv_ = 0;
+  bool has_begun_ = false, has_stepped_ = false;
   Counters counters_;
 };
 

@@ -44,9 +44,15 @@ void checked_step(System& system, M& method, typename System::Scalar& t, Flat<ty
   for (;;) {
     try {
       method.step(system, t, y, limit);
-    } catch (const IntegrationError& error) {
-      if (trouble.empty()) throw;
-      throw IntegrationError(fmt::format("{}; longer ones had failed so: {}", error.what(), trouble));
+    } catch (const UsageError&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      std::string why = error.what();
+      if (!trouble.empty()) why += "; longer ones had failed so: " + trouble;
+      // what fails in a step of given length may be the model's coordinates
+      const std::string suspect = system.suspect(before_t, before);
+      if (!suspect.empty() && why.find(suspect) == std::string::npos) why += "; " + suspect;
+      throw IntegrationError(why);
     }
     const auto stepped = y;
     try {
@@ -76,7 +82,8 @@ void checked_step(System& system, M& method, typename System::Scalar& t, Flat<ty
 enum class Continue { yes, no };
 
 /// Projects the start and after every step unless told not to, and shows `at_step(t, y)` every step and
-/// `at_output(t, y)` the start, every output and the end. Returns whether it came to the end.
+/// `at_output(t, y)` the start, every output and the end, where it was told to stop or came to it. Returns
+/// which.
 template <FirstOrderSystem System, Method<System> M, class AtStep, class AtOutput>
 bool integrate(System& system, M& method, const TimeGrid& grid, bool projects,
                ProjectionReport<typename System::Scalar>& report, const AtStep& at_step,
@@ -114,14 +121,11 @@ bool integrate(System& system, M& method, const TimeGrid& grid, bool projects,
         at_output(passed.front(), between);
       }
       if (system.settle(t, y)) method.restart();
-      const bool goes_on = at_step(t, y) == Continue::yes;
-      if (!passed.empty() && !(t < passed.front())) {
-        at_output(t, y);
-        passed.pop_front();
-      }
-      if (goes_on) continue;
-      if (!(t < stop->t) && stop->is_output) at_output(t, y);
-      return false;
+      const bool goes_on = at_step(t, y) == Continue::yes,
+                 is_output = !passed.empty() && !(t < passed.front());
+      if (is_output) passed.pop_front();
+      if (is_output || !goes_on) at_output(t, y);
+      if (!goes_on) return false;
     }
     if (stop->is_event) {
       const S before = std::exchange(t, stop->t);

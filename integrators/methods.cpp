@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/multiprecision/float128.hpp>
 #include <initializer_list>
+#include <limits>
 
 #include "integrators/bdf.hpp"
 #include "integrators/generalized_alpha.hpp"
@@ -63,12 +64,13 @@ const std::vector<MethodInfo>& methods() {
       {"bulirsch-stoer", "Bulirsch-Stoer extrapolation, orders 4 to 16 (Odeint)", 0, false, true, false},
       {"abm", "Adams-Bashforth-Moulton, multistep, orders 1 to 12, at given steps 5 (Odeint)", 5, true, true,
        false},
-      {"hem4", "half-explicit Runge-Kutta, index 2", 4, true, false, false},
+      {"hedop5", "half-explicit Dormand-Prince 5(4), index 2", 5, true, true, false, true},
+      {"hem4", "half-explicit Runge-Kutta, index 2", 4, true, false, false, true},
       {"generalized-alpha", "generalised-alpha on Lie groups, index 3", 2, true, false, true},
       {"generalized-alpha-gl2", "generalised-alpha on Lie groups, stabilised index 2", 2, true, false, true},
       {"hht", "Hilber-Hughes-Taylor, index 3", 2, true, false, true},
-      {"rattle", "RATTLE on Lie groups, symplectic, in r-omega", 2, true, false, true},
-      {"rattle4", "RATTLE composed to order 4, symplectic, in r-omega", 4, true, false, true},
+      {"rattle", "RATTLE on Lie groups, symplectic, where M is constant", 2, true, false, true},
+      {"rattle4", "RATTLE composed to order 4, symplectic, where M is constant", 4, true, false, true},
       {"radau5", "Radau IIA, stabilised index 2", 5, true, true, true},
       {"bdf", "backward differentiation, orders 1 to 5, index 3", 0, true, false, true},
       {"cvode-adams", "Adams, orders 1 to 12 (CVODE)", 0, false, true, false},
@@ -122,7 +124,7 @@ void check(const MethodInfo& method, Steps steps, const MethodParameters& given)
   only(given.order.has_value(), "an order", {"bdf", "arkode-erk", "arkode-dirk"});
   only(given.rho.has_value(), "rho", {"generalized-alpha"});
   only(given.alpha.has_value(), "alpha", {"hht"});
-  only(given.full_newton.has_value(), "a matrix for every iteration",
+  only(given.full_newton.has_value(), "a matrix for every iteration (full Newton)",
        {"generalized-alpha", "hht", "radau5", "bdf"});
 }
 
@@ -135,6 +137,14 @@ std::unique_ptr<AnyMethod<S>> make_method(std::string_view name, Steps steps, co
   if (method == nullptr) throw UsageError(fmt::format("there is no method \"{}\"", name));
   check(*method, steps, given);
   const bool chosen = steps == Steps::chosen;
+  if (const double u = static_cast<double>(std::numeric_limits<S>::epsilon());
+      chosen && tolerances.rtol < 4 * u && tolerances.atol < 4 * u)
+    throw UsageError(
+        fmt::format("rtol {} and atol {} are below what rounding leaves of a step; accepted: at "
+                    "least one of them from {:.1e} on",
+                    tolerances.rtol, tolerances.atol, 4 * u));
+  const std::optional<Tolerances> of_own_choice =
+      chosen ? std::optional<Tolerances>(tolerances) : std::nullopt;
   NewtonOptions newton;
   newton.is_full = given.full_newton.value_or(false);
   if (name == "dopri5")
@@ -150,13 +160,13 @@ std::unique_ptr<AnyMethod<S>> make_method(std::string_view name, Steps steps, co
     return erase<S>(GeneralizedAlpha<AnySystem<S>>(checked("rho", given.rho, 0.8, 0.0, 1.0),
                                                    name.ends_with("gl2"), newton));
   if (name.starts_with("rattle")) return erase<S>(Rattle<AnySystem<S>>(name == "rattle4" ? 4 : 2));
-  if (name == "hem4") return erase<S>(HalfExplicit<AnySystem<S>>());
+  if (name == "hem4") return erase<S>(HalfExplicit<AnySystem<S>, Hem4Coefficients<S>>());
+  if (name == "hedop5") return erase<S>(HalfExplicit<AnySystem<S>, Hedop5Coefficients<S>>(of_own_choice));
   if (name == "hht")
     return erase<S>(HHT<AnySystem<S>>(checked("alpha", given.alpha, -0.2, -1.0 / 3, 0.0), newton));
-  if (name == "radau5")
-    return erase<S>(
-        Radau5<AnySystem<S>>(chosen ? std::optional<Tolerances>(tolerances) : std::nullopt, newton));
-  if (name == "bdf") return erase<S>(BDF<AnySystem<S>>(checked("an order of", given.order, 2, 1, 5), newton));
+  if (name == "radau5") return erase<S>(Radau5<AnySystem<S>>(of_own_choice, newton));
+  if (name == "bdf")
+    return erase<S>(BDF<AnySystem<S>>(checked("an order of bdf of", given.order, 2, 1, 5), newton));
   if (name == "abm" && !chosen) return erase<S>(GivenSteps<S, AdamsBashforthMoulton<S>>());
   if constexpr (std::is_same_v<S, double>)
     return of_a_library(name, chosen, tolerances, given);

@@ -17,7 +17,8 @@ struct MethodInfo {
   std::string_view name, summary;
   int order;  ///< of positions, velocities and lambda at given steps; 0: it varies
   bool takes_given_steps, chooses_steps;
-  bool meets_constraints;  ///< of positions, by its own equations: it is not projected
+  bool meets_constraints;                   ///< of positions, by its own equations: it is not projected
+  bool has_own_lambda = meets_constraints;  ///< beside that of a state
 };
 
 /// What some methods let one choose; absent: the default that is named.
@@ -38,7 +39,7 @@ std::vector<std::string> method_names();
 const MethodInfo* find_method(std::string_view name);
 
 /// The method, with steps of its own choice to the tolerances, or of the grid's length. Throws a UsageError
-/// where it takes no such steps, or has no such parameter.
+/// where it takes no such steps, has no such parameter, or tolerances are below the rounding of S.
 template <class S>
 std::unique_ptr<AnyMethod<S>> make_method(std::string_view name, Steps steps, const Tolerances& tolerances,
                                           const MethodParameters& parameters = {});

@@ -85,7 +85,7 @@ class ChosenSteps {
     y_dot_.resize(y.size());
     f(y, y_dot_, t);
     for (std::string trouble;;) {
-      if (choice_.is_too_small(t)) give_up(system, t, y, trouble);
+      if (choice_.is_too_small(t, stop)) give_up(system, t, y, trouble);
       const S tried = choice_.length(t, stop);
       S h = tried, moved = t;
       try {

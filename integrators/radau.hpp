@@ -84,7 +84,7 @@ class Radau5 {
       return;
     }
     for (std::string trouble;;) {
-      if (choice_.is_too_small(t)) give_up(system, t, y, trouble);
+      if (choice_.is_too_small(t, stop)) give_up(system, t, y, trouble);
       const S h = choice_.length(t, stop);
       S next;
       try {

@@ -67,9 +67,12 @@ class WorkByTrapezoids {
   template <ConstrainedSystem System>
   void add(System& system, const Flat<S>& lambda, const S& h, Flat<S>& y) {
     const int motion = system.position_size() + system.velocity_size();
-    if (y.size() == motion) return;
-    const S before = std::exchange(rate_, system.work_rate(lambda));
-    y[motion] += h * (before + rate_) / 2;
+    if (y.size() > motion) add(S(system.work_rate(lambda)), h, y[motion]);
+  }
+  /// Over a step of h to where this is its rate.
+  void add(const S& rate, const S& h, S& work) {
+    const S before = std::exchange(rate_, rate);
+    work += h * (before + rate_) / 2;
   }
 
  private:

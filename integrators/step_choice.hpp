@@ -68,10 +68,10 @@ class StepChoice {
   bool has_begun() const { return wanted_ > S(0); }
   void begin(const S& h) { wanted_ = h; }
   void restart() { wanted_ = S(0); }
-  bool is_too_small(const S& t) const {
-    using std::abs;
-    const S least = std::numeric_limits<S>::min();
-    return !(wanted_ > 4 * std::numeric_limits<S>::epsilon() * abs(t)) || !(wanted_ > least);
+  /// Beside the rounding of the times between.
+  bool is_too_small(const S& t, const S& stop) const {
+    using std::abs, std::max;
+    return !(wanted_ > 4 * std::numeric_limits<S>::epsilon() * max(S(abs(t)), S(abs(stop))));
   }
 
  private:
@@ -94,7 +94,7 @@ template <FirstOrderSystem System>
   throw IntegrationError(
       fmt::format("at t = {}: the steps have shrunk to nothing{}{}", static_cast<double>(t),
                   why.empty() ? "" : ": " + why,
-                  suspect.empty() ? "; looser tolerances, or an implicit method, may pass" : "; " + suspect));
+                  suspect.empty() ? "; looser tolerances or another method may pass" : "; " + suspect));
 }
 
 }  // namespace trivium::integrators

@@ -1,5 +1,6 @@
 /// Motions by implicit and symplectic methods, in every formulation.
 
+#include <array>
 #include <cmath>
 
 #include "scenes/test_scenes.hpp"
@@ -72,6 +73,22 @@ TEST_P(Implicit, RadauChoosesLongStepsInAStiffMotion) {
             by_dopri5.report.counters.steps / 30);
   EXPECT_LE(motion.report.counters.rejected_steps, motion.report.counters.steps / 4);
   EXPECT_LE(motion.report.counters.iterations, 8 * motion.report.counters.steps);
+}
+
+// the shift is least in M alone where the stages' matrices have one share of dampers
+TEST_P(Implicit, RadauIsOfOrderFiveWhereDampersAre) {
+  static const Motion exact(catalogue_scene("stewart_platform"), tight("r-omega", "rkf78", 0.05, 1e-20),
+                            test::in_quad);
+  const auto errors = [&](int steps) {
+    const Motion motion(catalogue_scene("stewart_platform"),
+                        stepping(GetParam(), "radau5", 0.05, 0.05 / steps), test::in_quad);
+    double v = 0;
+    for (std::size_t b = 0; b < motion.end().state.twist.size(); ++b)
+      v = std::max(v, (motion.end().state.twist[b].r_dot - exact.end().state.twist[b].r_dot).norm());
+    return std::array{apart(motion, exact), v, (motion.end().lambda - exact.end().lambda).norm()};
+  };
+  const auto coarse = errors(10), fine = errors(20);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(std::log2(coarse[k] / fine[k]), 5, 0.2) << k;
 }
 
 TEST_P(Implicit, RadauMeetsRowsAtTheEndsOfStepsToRounding) {

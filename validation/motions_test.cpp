@@ -228,9 +228,10 @@ TEST_P(InEveryFormulation, EveryMethodGoesOverAJumpOfVelocities) {
   const scenes::Scene scene = catalogue_scene("wellformed/jerked_trolley");
   const Motion exact(scene, tight("r-omega", "rkf78", 1, 1e-12));
   ASSERT_EQ(exact.report.impulses.size(), 2u);
-  for (const char* method :
-       {"dopri5", "bulirsch-stoer", "abm", "cvode-adams", "cvode-bdf", "arkode-erk", "arkode-dirk", "ida",
-        "radau5", "generalized-alpha", "generalized-alpha-gl2", "bdf", "hem4"}) {
+  for (const char* method : {"dopri5", "bulirsch-stoer", "abm", "cvode-adams", "cvode-bdf", "arkode-erk",
+                             "arkode-dirk", "ida", "radau5", "generalized-alpha", "generalized-alpha-gl2",
+                             "bdf", "hem4", "hedop5", "rattle", "rattle4"}) {
+    if (std::string(method).starts_with("rattle") && !inertia_is_constant(GetParam())) continue;
     SimulationOptions options = tight(GetParam(), method, 1, 1e-9);
     const bool steps = !integrators::find_method(method)->chooses_steps;
     if (steps) options.step = 0.001;
@@ -244,7 +245,35 @@ TEST_P(InEveryFormulation, EveryMethodGoesOverAJumpOfVelocities) {
       EXPECT_LE((motion.end().state.pose[b].r - exact.end().state.pose[b].r).norm(), steps ? 1e-4 : 1e-6)
           << method;
     EXPECT_LE(motion.report.phi, 1e-12) << method;
+    EXPECT_LE(motion.report.balance, steps ? 1e-4 : 1e-6) << method;
+    // at the event the method's own multipliers are those of before it
+    EXPECT_LE(motion.report.lambda_gap, steps ? 1e-2 : 1e-5) << method;
   }
+}
+
+// order 4 has parts that go back: none may see what is beyond an event
+TEST(Rattle, KeepsItsOrderOverEvents) {
+  const scenes::Scene scene = catalogue_scene("wellformed/jerked_trolley");
+  const Motion exact(scene, tight("r-omega", "rkf78", 1, 1e-13));
+  const auto error = [&](double h) {
+    SimulationOptions options = tight("r-omega", "rattle4", 1);
+    options.step = h;
+    const Motion motion(scene, options);
+    EXPECT_LE(motion.report.balance, 1e-3 * h);
+    return (motion.end().state.pose[1].r - exact.end().state.pose[1].r).norm();
+  };
+  const double coarse = error(0.05), fine = error(0.025);
+  EXPECT_NEAR(std::log2(coarse / fine), 4, 0.5);
+}
+
+TEST(Rattle, WorkIsOfTheMethodsOrder) {
+  const auto missing = [&](const char* method, double h) {
+    SimulationOptions options = tight("r-omega", method, 1);
+    options.step = h;
+    return Motion(catalogue_scene("driven_crank"), options).report.balance;
+  };
+  EXPECT_NEAR(std::log2(missing("rattle", 0.01) / missing("rattle", 0.005)), 2, 0.2);
+  EXPECT_NEAR(std::log2(missing("rattle4", 0.01) / missing("rattle4", 0.005)), 4, 0.2);
 }
 
 // a wheel that winds a weak spring up moves nearly evenly, so that errors alone would let steps be many turns

@@ -27,7 +27,8 @@ struct SimulationOptions {
   ChartOptions charts;
 };
 
-/// What a run shows at an output, in double whatever it computes in.
+/// What a run shows at an output, in double whatever it computes in; and of runs beyond double, what that
+/// leaves of a state and of lambda.
 struct MotionSample {
   MechanismState<double> state;
   std::vector<Reaction<double>> reactions;  ///< on body j of every joint: global, about its point on i
@@ -35,6 +36,8 @@ struct MotionSample {
   VectorX<double> raw_lambda;   ///< the method's own; empty where it has none
   double energy = 0;            ///< kinetic and potential [J]
   double phi = 0, phi_dot = 0;  ///< largest violation of any row, m or rad (per second)
+  std::optional<MechanismState<double>> state_rest = {};
+  VectorX<double> lambda_rest = {}, raw_lambda_rest = {};
 };
 
 struct SimulationReport {
@@ -42,9 +45,9 @@ struct SimulationReport {
   double seconds = 0;     ///< of this thread's CPU, from the first state to the last
   bool complete = false;  ///< not stopped from outside
   integrators::Counters counters;
-  long factorisations = 0;
-  bool is_projected = true, is_implicit = false;
-  double lambda_gap = 0;  ///< of implicit methods: largest |raw lambda - lambda| of a row at an output
+  long factorisations = 0, jacobians = 0;  ///< of all matrices; Newton's, each made anew
+  bool is_projected = true, is_implicit = false, has_own_lambda = false;
+  double lambda_gap = 0;  ///< of methods with their own: largest |raw lambda - lambda| of a row at an output
   integrators::ProjectionReport<double> projection;
   int reframings = 0;
   double phi = 0, phi_dot = 0;              ///< largest after any step
@@ -55,6 +58,7 @@ struct SimulationReport {
   double balance = 0;          ///< largest change of energy that this work does not account for [J]
   double largest_kinetic = 0;  ///< what that is large beside [J]
   std::vector<SingularPassage> passages;
+  std::string near_singular_chart;  ///< where charts are kept: the first body that came near one, and when
   std::vector<Impulse<double>> impulses;
 };
 

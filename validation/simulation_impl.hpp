@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "validation/cpu_time.hpp"
@@ -38,6 +39,8 @@ class Simulation {
     const MotionEnergy<S> at_start = form_.energy(S(options_.start), form_.start());
     report_.is_projected = projects_;
     report_.is_implicit = is_implicit_;
+    if (const MethodInfo* method = find_method(options_.integrator))
+      report_.has_own_lambda = method->has_own_lambda;
     report_.does_work = form_.does_work();
     report_.energy_start = static_cast<double>(at_start.total());
     const double start = cpu_seconds();
@@ -52,11 +55,12 @@ class Simulation {
           if (options_.watches)
             show(t, y, at_start);
           else
-            observer_.sample({state_at(t, y), {}, {}, {}, 0, 0, 0});
+            observer_.sample({.state = state_at(t, y), .reactions = {}, .lambda = {}, .raw_lambda = {}});
         });
     report_.seconds = cpu_seconds() - start;
     report_.counters = method_->counters();
     report_.factorisations = form_.factorisations();
+    report_.jacobians = form_.newton_matrices();
     report_.reframings = form_.reframings();
     report_.passages = form_.passages();
     for (const Impulse<S>& impulse : form_.impulses())
@@ -71,7 +75,8 @@ class Simulation {
   /// Throws a UsageError where what is asked for does not go with it.
   static bool is_implicit(const SimulationOptions& options) {
     const integrators::MethodInfo* method = integrators::find_method(options.integrator);
-    const bool is = method != nullptr && method->meets_constraints;
+    if (method == nullptr) return false;
+    const bool is = method->meets_constraints;
     if (is && !options.projects && !options.baumgarte)
       throw integrators::UsageError(
           fmt::format("{} meets constraints by its own equations: there is no projection to leave out",
@@ -79,6 +84,11 @@ class Simulation {
     if (is && options.baumgarte)
       throw integrators::UsageError(fmt::format(
           "{} solves for positions on the constraints, which Baumgarte's stabilisation has no part in",
+          options.integrator));
+    if (method->has_own_lambda && options.baumgarte)
+      throw integrators::UsageError(fmt::format(
+          "{} meets the rows of velocities by its own multipliers, which Baumgarte's stabilisation "
+          "of accelerations has no part in",
           options.integrator));
     return is;
   }
@@ -103,8 +113,10 @@ class Simulation {
     sample.phi_dot = seen.phi_dot;
     const VectorX<S> lambda = lambda_at(t, y);
     sample.lambda = scalar_cast<double>(lambda);
+    sample.lambda_rest = rest_of(lambda);
     if (const VectorX<S>* raw = method_->lambda()) {
       sample.raw_lambda = scalar_cast<double>(*raw);
+      sample.raw_lambda_rest = rest_of(*raw);
       const VectorX<S> apart = *raw - form_.solved(t, y).lambda();
       if (apart.size() > 0)
         report_.lambda_gap = std::max(report_.lambda_gap, scalar_cast<double>(apart).cwiseAbs().maxCoeff());
@@ -117,18 +129,31 @@ class Simulation {
           {scalar_cast<double>(r.force), scalar_cast<double>(r.torque), scalar_cast<double>(r.point)});
     }
     sample.state = state_at(t, y);
-    report_.energy_end = sample.energy;
+    if constexpr (is_beyond_double)
+      sample.state_rest = in_double(form_.physical(t, y), [](const auto& x) { return rest_of(x); });
     observer_.sample(sample);
   }
 
   MechanismState<double> state_at(const S& t, const Flat& y) {
-    const MechanismState<S> state = form_.physical(t, y);
-    MechanismState<double> shown{static_cast<double>(t), {}, {}};
-    for (const Pose<S>& pose : state.pose)
-      shown.pose.push_back({scalar_cast<double>(pose.r), scalar_cast<double>(pose.p)});
+    return in_double(form_.physical(t, y), [](const auto& x) { return scalar_cast<double>(x); });
+  }
+  /// What `part` makes of each of its vectors.
+  template <class Part>
+  static MechanismState<double> in_double(const MechanismState<S>& state, const Part& part) {
+    MechanismState<double> shown{static_cast<double>(state.t), {}, {}};
+    for (const Pose<S>& pose : state.pose) shown.pose.push_back({part(pose.r), part(pose.p)});
     for (const Twist<S>& twist : state.twist)
-      shown.twist.push_back({scalar_cast<double>(twist.r_dot), scalar_cast<double>(twist.omega_bar)});
+      shown.twist.push_back({part(twist.r_dot), part(twist.omega_bar)});
     return shown;
+  }
+  static constexpr bool is_beyond_double =
+      std::numeric_limits<S>::digits > std::numeric_limits<double>::digits;
+  /// What double leaves of it; nothing where S is no more.
+  static VectorX<double> rest_of(const VectorX<S>& x) {
+    if constexpr (is_beyond_double)
+      return scalar_cast<double>(VectorX<S>(x - scalar_cast<S>(scalar_cast<double>(x))));
+    else
+      return {};
   }
 
   /// What the report says of every state.
@@ -145,7 +170,11 @@ class Simulation {
     raise(report_.balance,
           static_cast<double>(S(abs(seen.energy.total() - at_start.total() - seen.energy.work))));
     raise(report_.largest_kinetic, static_cast<double>(seen.energy.kinetic));
+    report_.energy_end = static_cast<double>(seen.energy.total());
     report_.work = static_cast<double>(seen.energy.work);
+    // a chart that is kept may be followed through a place where it has no rates, to anywhere
+    if (!options_.charts.reframe && report_.near_singular_chart.empty())
+      report_.near_singular_chart = form_.suspect(t, y);
     return seen;
   }
 

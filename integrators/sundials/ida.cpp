@@ -38,7 +38,7 @@ class Ida final : public Stepper {
   explicit Ida(const Tolerances& tolerances) : Stepper(ida), tolerances_(tolerances) {}
 
   bool interpolates() const override { return true; }
-  const FlatD* lambda() const override { return ny_ > 0 ? &lambda_ : nullptr; }
+  const FlatD* lambda() const override { return has_begun() ? &lambda_ : nullptr; }
 
  private:
   void begin(double t, const FlatD& y, double first_step) override {

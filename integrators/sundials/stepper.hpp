@@ -77,6 +77,7 @@ class Stepper : public AnyMethod<double> {
     }
   }
 
+  bool has_begun() const { return has_begun_; }
   /// y from the library's numbers.
   const FlatD& state(N_Vector numbers) {
     y_ = flat(numbers).head(offset_.size()) + offset_;
