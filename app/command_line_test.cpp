@@ -328,6 +328,20 @@ TEST(Simulate, AMotionThatCannotGoOnSaysSoInJson) {
   EXPECT_NE(r.err.find(s["error"].get<std::string>()), std::string::npos) << r.out;
 }
 
+// no rows to name, and squares that are no numbers
+TEST(Simulate, AMotionThatGrowsWithoutBoundIsAnErrorOfTheSolver) {
+  const std::string scene = temporary_scene("bound.json", R"({"trivium": 1, "name": "bound",
+    "bodies": [{"name": "a", "mass": 1, "inertia": [1, 1, 1], "position": [0, 0, 0]},
+               {"name": "b", "mass": 1, "inertia": [1, 1, 1], "position": [1, 0, 0], "velocity": [0, 1, 0]}],
+    "effects": [{"type": "spring_damper", "name": "stiff", "i": {"body": "a"}, "j": {"body": "b"},
+                 "stiffness": 1e9, "damping": 1e6, "free_length": 0.9}]})");
+  for (const char* method : {"dopri5", "hem4", "hedop5", "rattle", "arkode-erk"}) {
+    const Outcome r = run("trivium simulate " + scene + " --t-end 10 --step 0.01 --integrator " + method);
+    EXPECT_EQ(r.exit_code, 3) << method << r.out;
+    EXPECT_NE(r.err, "") << method;
+  }
+}
+
 // the one word of the method's would be of forces or rows
 TEST(Simulate, AKeptChartThatIsSingularIsNamedWhateverTheMethod) {
   const std::string scene = temporary_scene("gimbal.json", R"({"trivium": 1, "name": "gimbal",

@@ -18,6 +18,7 @@
 
 #include <array>
 #include <deque>
+#include <limits>
 #include <vector>
 
 #include "formulations/first_order_form.hpp"
@@ -198,7 +199,9 @@ class ConstrainedForm : public FirstOrderForm<F> {
   /// The largest |Phi_k| (or |Phi_k'|) of what was evaluated last, beside the lengths (or speeds) of what
   /// moves together; and of which row.
   const S& relative_row_violation() const { return measure_.relative(); }
-  const std::string& least_met_row() const { return measure_.worst_row(); }
+  std::string least_met_row() const {
+    return mechanism_.nc() > 0 ? measure_.worst_row() : std::string("none");
+  }
   /// Newton's matrix of what was balanced last. Throws a ModelError.
   void factor(const S& velocity_share, const S& position_share) {
     GraphAssembly<F>& assembly = selected_->evaluated();
@@ -398,6 +401,7 @@ class ConstrainedForm : public FirstOrderForm<F> {
   S measure_balance(const GraphAssembly<F>& assembly, const Flat& force, const Flat& lambda) {
     apply_multipliers(assembly, lambda);
     for (BalanceSize& size : size_) size = {};
+    S all_left(0);
     for (int b = 0; b < nb(); ++b) {
       const typename F::Reduced& body = assembly.body()[b];
       const Vector3<S> inertia = F::reduced(body, q_of(force, b));
@@ -410,9 +414,12 @@ class ConstrainedForm : public FirstOrderForm<F> {
       BalanceSize& size = size_[measure_.assembly_of(b)];
       size.force = larger(size.force, S(wrenches_[b].F.norm() + r_of(force, b).norm() + held_r.norm()));
       size.moment = larger(size.moment, S(norm(applied) + norm(inertia) + norm(held_x)));
+      all_left += left_r.squaredNorm() + left_x.squaredNorm();
       size.force_left = larger(size.force_left, S(left_r.norm()));
       size.moment_left = larger(size.moment_left, S(norm(left_x)));
     }
+    // comparisons pass over what is no number
+    if (!(all_left <= std::numeric_limits<S>::max())) return std::numeric_limits<S>::max();
     S largest(0);
     for (int b = 0; b < nb(); ++b) {
       const BalanceSize& size = size_[measure_.assembly_of(b)];

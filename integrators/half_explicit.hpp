@@ -98,7 +98,7 @@ class HalfExplicit {
         advance(system, t, h, y);
         const S error = error_of(h, y);
         using std::pow;
-        const S factor = error > S(0) ? S(S(0.9) * pow(error, S(-0.2))) : S(5);
+        const S factor = error == S(0) ? S(5) : S(S(0.9) * pow(error, S(-0.2)));
         next = h * std::min(S(5), std::max(S(0.2), factor));
         if (error <= S(1)) {
           accept(h, y);
@@ -245,9 +245,11 @@ class HalfExplicit {
     }
     system.position_rows(t_next, next_);
     system.velocity_rows();  // for its name
-    throw IntegrationError(fmt::format(
-        "at t = {}: velocities of the next stage do not come to meet row \"{}\"; take smaller steps",
-        static_cast<double>(t), system.least_met_row()));
+    throw IntegrationError(
+        fmt::format("at t = {}: velocities of the next stage do not come to meet row \"{}\"; take smaller "
+                    "steps, or another "
+                    "method where rows are redundant",
+                    static_cast<double>(t), system.least_met_row()));
   }
 
   const Coefficients of_;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "integrators/projection.hpp"
+#include "integrators/step_choice.hpp"
 #include "integrators/time_grid.hpp"
 
 namespace trivium::integrators {
@@ -56,6 +57,7 @@ void checked_step(System& system, M& method, typename System::Scalar& t, Flat<ty
     }
     const auto stepped = y;
     try {
+      require_finite(y, t);
       if (t - before_t > 2 * system.longest_step(t, y))
         throw IntegrationError(
             fmt::format("at t = {}: the step is too long to follow how far springs turn; take smaller steps, "

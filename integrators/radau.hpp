@@ -91,7 +91,7 @@ class Radau5 {
         const S error = advance(system, t, h, y);
         if (error <= S(1)) meet_rows(system, S(t + h), stage_[2].y);
         using std::pow;
-        const S factor = error > S(0) ? S(S(0.9) * pow(error, S(-0.25))) : S(8);
+        const S factor = error == S(0) ? S(8) : S(S(0.9) * pow(error, S(-0.25)));
         next = h * std::min(S(8), std::max(S(0.2), factor));
         if (error <= S(1)) {
           accept(h, y);
@@ -144,6 +144,7 @@ class Radau5 {
     const Start<S> start(system, t, y, tolerances_ ? h / 1000 : h, counters_);
     last_.fill({start.v_dot, start.lambda});
     last_h_.reset();
+    has_matrix_ = false;
     if (tolerances_ && !choice_.has_begun())
       choice_.begin(first_step(system, t, y, 3, *tolerances_, counters_.right_sides));
     has_begun_ = true;
@@ -205,6 +206,8 @@ class Radau5 {
   /// At the end of a step, where the stages met their rows within tolerances. Throws if they cannot be.
   void meet_rows(System& system, const S& t, Flat<S>& y) {
     system.select(2);
+    x_.setZero(nv_);
+    system.constrain(S(1), y, x_);
     const auto meet = [&](const auto& violation, const auto& move) {
       S before = std::numeric_limits<S>::max(), now = violation();
       for (; now > rounding<S>() && now < before; now = violation()) {

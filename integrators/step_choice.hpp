@@ -79,10 +79,10 @@ class StepChoice {
   bool lands_ = false, cut_ = false;
 };
 
-/// Of a step that was given, to where it ends.
+/// Of a step, to where it ends: numbers whose squares are numbers.
 template <class S>
 void require_finite(const Flat<S>& y, const S& t) {
-  if (!y.allFinite())
+  if (!y.allFinite() || !(y.cwiseAbs().maxCoeff() < S(1e100)))
     throw IntegrationError(fmt::format("at t = {}: the motion is not finite any more; take smaller steps",
                                        static_cast<double>(t)));
 }

@@ -75,6 +75,12 @@ TEST_P(Implicit, RadauChoosesLongStepsInAStiffMotion) {
   EXPECT_LE(motion.report.counters.iterations, 8 * motion.report.counters.steps);
 }
 
+// bodies without rows of their own, too
+TEST_P(Implicit, RadauKeepsEulerParametersUnit) {
+  const Motion motion(catalogue_scene("dzhanibekov"), tight(GetParam(), "radau5", 5, 1e-2));
+  EXPECT_LE(motion.report.normalisation, 1e-14);
+}
+
 // the shift is least in M alone where the stages' matrices have one share of dampers
 TEST_P(Implicit, RadauIsOfOrderFiveWhereDampersAre) {
   static const Motion exact(catalogue_scene("stewart_platform"), tight("r-omega", "rkf78", 0.05, 1e-20),
