@@ -106,11 +106,11 @@ std::vector<std::string> warnings_of(const SimulationReport& report) {
                     report.passages.front().t));
   }
   if (balance_is_large(report))
-    out.push_back(fmt::format("{:.1e} J are not accounted for, beside {:.1e} J of kinetic energy: the motion "
-                              "is not accurate; take "
-                              "tighter tolerances or smaller steps",
-                              report.balance, report.largest_kinetic) +
-                  (report.near_singular_chart.empty() ? "" : "; " + report.near_singular_chart));
+    out.push_back(fmt::format(
+        "{:.1e} J are not accounted for, beside {:.1e} J of kinetic energy: the motion is not accurate; take "
+        "tighter tolerances or smaller steps{}{}",
+        report.balance, report.largest_kinetic, report.near_singular_chart.empty() ? "" : "; ",
+        report.near_singular_chart));
   // index 3 leaves velocities off by its own error
   const auto drifts = [](double left) { return left > 1e-6; };
   if (drifts(report.phi) || (!report.is_implicit && drifts(report.phi_dot)))
@@ -119,18 +119,23 @@ std::vector<std::string> warnings_of(const SimulationReport& report) {
   return out;
 }
 
-std::string json_of(const SimulateArguments& arguments, const Mechanism<double>& mechanism,
-                    const SimulationReport& r) {
-  const SimulationOptions& o = arguments.options;
+/// An object that begins with what was asked for.
+JsonWriter json_of_run(const SimulationOptions& o, const Mechanism<double>& mechanism) {
   JsonWriter json;
   json.begin_object()
       .text("scene", mechanism.name)
       .text("formulation", o.formulation)
       .text("integrator", o.integrator)
       .number("t_start", o.start)
-      .number("t_end", o.end)
-      .number("reached", r.reached)
-      .flag("complete", r.complete);
+      .number("t_end", o.end);
+  return json;
+}
+
+std::string json_of(const SimulateArguments& arguments, const Mechanism<double>& mechanism,
+                    const SimulationReport& r) {
+  const SimulationOptions& o = arguments.options;
+  JsonWriter json = json_of_run(o, mechanism);
+  json.number("reached", r.reached).flag("complete", r.complete);
   if (o.step)
     json.number("step", *o.step);
   else
@@ -180,15 +185,8 @@ std::string json_of(const SimulateArguments& arguments, const Mechanism<double>&
 
 std::string json_of_failure(const SimulateArguments& arguments, const Mechanism<double>& mechanism,
                             const std::optional<double>& last, const char* error) {
-  const SimulationOptions& o = arguments.options;
-  JsonWriter json;
-  json.begin_object()
-      .text("scene", mechanism.name)
-      .text("formulation", o.formulation)
-      .text("integrator", o.integrator)
-      .number("t_start", o.start)
-      .number("t_end", o.end)
-      .flag("complete", false);
+  JsonWriter json = json_of_run(arguments.options, mechanism);
+  json.flag("complete", false);
   if (last) json.number("last_output", *last);
   return json.text("error", error).end_object().str();
 }

@@ -199,9 +199,7 @@ class ConstrainedForm : public FirstOrderForm<F> {
   /// The largest |Phi_k| (or |Phi_k'|) of what was evaluated last, beside the lengths (or speeds) of what
   /// moves together; and of which row.
   const S& relative_row_violation() const { return measure_.relative(); }
-  std::string least_met_row() const {
-    return mechanism_.nc() > 0 ? measure_.worst_row() : std::string("none");
-  }
+  const std::string& least_met_row() const { return measure_.worst_row(); }
   /// Newton's matrix of what was balanced last. Throws a ModelError.
   void factor(const S& velocity_share, const S& position_share) {
     GraphAssembly<F>& assembly = selected_->evaluated();
@@ -371,11 +369,10 @@ class ConstrainedForm : public FirstOrderForm<F> {
   /// What the multipliers do to the bodies, into on_.
   void apply_multipliers(const GraphAssembly<F>& assembly, const Flat& lambda) {
     std::fill(on_.begin(), on_.end(), BodyPart<S>{});
-    const auto& plan = plan_;
-    for (std::size_t e = 0; e < plan.graph.edges.size(); ++e) {
-      const GraphEdge& edge = plan.graph.edges[e];
-      if (edge.is_soft || plan.rows_slot[e] < 0) continue;
-      const EdgeRows<S>& rows = assembly.matrix().rows[plan.rows_slot[e]];
+    for (std::size_t e = 0; e < plan_.graph.edges.size(); ++e) {
+      const GraphEdge& edge = plan_.graph.edges[e];
+      if (edge.is_soft || plan_.rows_slot[e] < 0) continue;
+      const EdgeRows<S>& rows = assembly.matrix().rows[plan_.rows_slot[e]];
       for (int k = 0; k < edge.size(); ++k) {
         const S& multiplier = lambda[edge.rows[k]];
         on_[edge.i] += {multiplier * rows.C_i.r.col(k), multiplier * rows.C_i.x.col(k)};
@@ -383,9 +380,9 @@ class ConstrainedForm : public FirstOrderForm<F> {
       }
     }
     for (const auto& link : assembly.links()) {
-      const GraphEdge& edge = plan.graph.edges[link.edge];
+      const GraphEdge& edge = plan_.graph.edges[link.edge];
       const PointRows<S>& rows = assembly.matrix().point[link.link];
-      const EliminationPlan::Link& bodies = plan.links[link.link];
+      const EliminationPlan::Link& bodies = plan_.links[link.link];
       Padded<S> f = Padded<S>::Zero();
       for (int k = 0; k < 3; ++k) f[k] = rows.sign * lambda[edge.rows[k]];
       Padded<S> on_child = times<S, 3>(rows.L_child, f), on_parent = -times<S, 3>(rows.L_parent, f);

@@ -55,9 +55,10 @@ class ConstraintMeasure {
   S measure_velocities(const GraphVector<S>& phi_dot) { return largest(phi_dot, &Extent::speed); }
   /// Of the last measure, the largest beside the lengths or speeds of the row's own assembly.
   const S& relative() const { return relative_; }
-  /// The row of the last measure.
+  /// The row of the last measure; "none" where there are none.
   const std::string& worst_row() const {
-    return mechanism_.row_names[graph_.edges[worst_.edge].rows[worst_.k]];
+    static const std::string none = "none";
+    return mechanism_.nc() == 0 ? none : mechanism_.row_names[graph_.edges[worst_.edge].rows[worst_.k]];
   }
 
   /// Bodies that rows connect, not through the ground, have the same number, below nb.

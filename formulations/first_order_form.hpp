@@ -148,9 +148,7 @@ class FirstOrderForm {
     take_motion();
     return mechanism_.effects.longest_step(view(t));
   }
-  std::string worst_row() const {
-    return mechanism_.nc() > 0 ? projection_.measure().worst_row() : std::string("none");
-  }
+  const std::string& worst_row() const { return projection_.measure().worst_row(); }
   /// Of what was measured last; the matrix is factored where asked, else it is that of before.
   void correct_positions(Flat& y, bool factor) {
     if (factor) projection_.factor();

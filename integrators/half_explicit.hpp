@@ -90,29 +90,13 @@ class HalfExplicit {
       t = stop;
       return;
     }
-    for (std::string trouble;;) {
-      if (choice_.is_too_small(t, stop)) give_up(system, t, y, trouble);
-      const S h = choice_.length(t, stop);
-      S next;
-      try {
-        advance(system, t, h, y);
-        const S error = error_of(h, y);
-        using std::pow;
-        const S factor = error == S(0) ? S(5) : S(S(0.9) * pow(error, S(-0.2)));
-        next = h * std::min(S(5), std::max(S(0.2), factor));
-        if (error <= S(1)) {
-          accept(h, y);
-          choice_.accept(t, S(t + h), stop, next);
-          return;
-        }
-        trouble.clear();
-      } catch (const std::runtime_error& failure) {
-        trouble = failure.what();
-        next = h / 4;
-      }
-      choice_.reject(next);
-      ++counters_.rejected_steps;
-    }
+    take_chosen_step(
+        system, choice_, {S(-0.2), S(5)}, counters_, t, y, stop,
+        [&](const S& h) {
+          advance(system, t, h, y);
+          return error_of(h, y);
+        },
+        [&](const S& h) { accept(h, y); });
   }
   void restart() {
     has_begun_ = has_stepped_ = false;

@@ -68,11 +68,8 @@ class Radau5 {
   /// Steps of its own choice to the tolerances, or of the grid's length.
   Radau5(std::optional<Tolerances> tolerances, const NewtonOptions& newton)
       : tolerances_(tolerances), newton_(newton) {
-    // what Newton's method leaves would stand in the estimated error, which grows no smaller with the step;
-    // within the step that is enough for the rows, too
-    if (!tolerances) return;
-    newton_.tolerance = std::min(1e-6, tolerances->rtol / 100);
-    enough_of_rows_ = std::max(enough_of_rows_, S(newton_.tolerance));
+    // what Newton's method leaves would stand in the estimated error, which grows no smaller with the step
+    if (tolerances) newton_.tolerance = std::min(1e-6, tolerances->rtol / 100);
   }
 
   void step(System& system, S& t, Flat<S>& y, const S& stop) {
@@ -83,29 +80,14 @@ class Radau5 {
       t = stop;
       return;
     }
-    for (std::string trouble;;) {
-      if (choice_.is_too_small(t, stop)) give_up(system, t, y, trouble);
-      const S h = choice_.length(t, stop);
-      S next;
-      try {
-        const S error = advance(system, t, h, y);
-        if (error <= S(1)) meet_rows(system, S(t + h), stage_[2].y);
-        using std::pow;
-        const S factor = error == S(0) ? S(8) : S(S(0.9) * pow(error, S(-0.25)));
-        next = h * std::min(S(8), std::max(S(0.2), factor));
-        if (error <= S(1)) {
-          accept(h, y);
-          choice_.accept(t, S(t + h), stop, next);
-          return;
-        }
-        trouble.clear();
-      } catch (const std::runtime_error& failure) {
-        trouble = failure.what();
-        next = h / 4;
-      }
-      choice_.reject(next);
-      ++counters_.rejected_steps;
-    }
+    take_chosen_step(
+        system, choice_, {S(-0.25), S(8)}, counters_, t, y, stop,
+        [&](const S& h) {
+          const S error = advance(system, t, h, y);
+          if (error <= S(1)) meet_rows(system, S(t + h), stage_[2].y);
+          return error;
+        },
+        [&](const S& h) { accept(h, y); });
   }
   void restart() {
     has_begun_ = false;
@@ -140,6 +122,7 @@ class Radau5 {
     nq_ = system.position_size();
     nv_ = system.velocity_size();
     nc_ = system.multipliers();
+    system.spring_constants(stiffness_, damping_);
     const S h = stop - t;
     const Start<S> start(system, t, y, tolerances_ ? h / 1000 : h, counters_);
     last_.fill({start.v_dot, start.lambda});
@@ -165,7 +148,8 @@ class Radau5 {
     anderson_.clear();
     S before = std::numeric_limits<S>::max();
     const S enough = std::max(S(newton_.tolerance), rounding<S>()),
-            stalled = 1000 * std::min(enough, S(1e-10));
+            enough_of_rows = tolerances_ ? enough : rounding<S>(),  // those of its end are met behind it
+        stalled = 1000 * std::min(enough, S(1e-10));
     bool is_factored = false;
     for (int k = 0, rises = 0; k < 40 && rises < 5; ++k) {
       place(system, h, y, v);
@@ -186,8 +170,8 @@ class Radau5 {
         system.take_imbalance(stage.left);
         stage_work_[i] = y.size() > nq_ + nv_ ? S(system.work_rate(stage.lambda)) : S(0);
       }
-      const S now = imbalance / enough + violation / enough_of_rows_;
-      if (imbalance <= enough && violation <= enough_of_rows_) return true;
+      const S now = imbalance / enough + violation / enough_of_rows;
+      if (imbalance <= enough && violation <= enough_of_rows) return true;
       const bool falls = now <= before / 2;
       if (!falls) {
         if (imbalance <= stalled && violation <= 1000 * rounding<S>()) return true;
@@ -345,7 +329,6 @@ class Radau5 {
       system.select(i);
       system.factor(share, S(share * share));
     }
-    system.spring_constants(stiffness_, damping_);
     resistance_ = share * damping_ + share * share * stiffness_;
     has_matrix_ = true;
   }
@@ -433,7 +416,6 @@ class Radau5 {
   const RadauCoefficients<S> coefficients_;
   std::optional<Tolerances> tolerances_;
   NewtonOptions newton_;
-  S enough_of_rows_ = rounding<S>();
   StepChoice<S> choice_;
   Anderson<S> anderson_, springs_anderson_;
   std::array<Stage, 3> stage_;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -95,6 +96,48 @@ template <FirstOrderSystem System>
       fmt::format("at t = {}: the steps have shrunk to nothing{}{}", static_cast<double>(t),
                   why.empty() ? "" : ": " + why,
                   suspect.empty() ? "; looser tolerances or another method may pass" : "; " + suspect));
+}
+
+/// How long the next step may be beside one of an estimated error, in tolerances: 0.9 error^power, to `most`.
+template <class S>
+struct StepRule {
+  S power, most;
+
+  S operator()(const S& error) const {
+    using std::pow;
+    const S factor = error == S(0) ? most : S(S(0.9) * pow(error, power));
+    return std::min(most, std::max(S(0.2), factor));
+  }
+};
+
+/// Tries lengths until `attempt(h)` estimates an error of at most 1; `accept(h)` then takes the step. Where
+/// an attempt throws a runtime_error, a quarter is tried. Gives up where none is left to try.
+template <FirstOrderSystem System, class Attempt, class Accept>
+void take_chosen_step(System& system, StepChoice<typename System::Scalar>& choice,
+                      const StepRule<typename System::Scalar>& rule, Counters& counters,
+                      typename System::Scalar& t, const Flat<typename System::Scalar>& y,
+                      const typename System::Scalar& stop, const Attempt& attempt, const Accept& accept) {
+  using S = typename System::Scalar;
+  for (std::string trouble;;) {
+    if (choice.is_too_small(t, stop)) give_up(system, t, y, trouble);
+    const S h = choice.length(t, stop);
+    S next;
+    try {
+      const S error = attempt(h);
+      next = h * rule(error);
+      if (error <= S(1)) {
+        accept(h);
+        choice.accept(t, S(t + h), stop, next);
+        return;
+      }
+      trouble.clear();
+    } catch (const std::runtime_error& failure) {
+      trouble = failure.what();
+      next = h / 4;
+    }
+    choice.reject(next);
+    ++counters.rejected_steps;
+  }
 }
 
 }  // namespace trivium::integrators

@@ -41,9 +41,6 @@ struct Case {
   std::string scene = "spatial_slider_crank";
 };
 
-/// Of all scenes that cases name.
-constexpr std::array<std::string_view, 2> measured{"spatial_slider_crank", "stewart_platform"};
-
 std::vector<Case> cases() {
   std::vector<Case> all{{"dopri5", "dopri5", {}, 5, 0, 20},
                         {"rkf78", "rkf78", {}, 8, 0, 4},
@@ -315,10 +312,6 @@ struct Options {
 };
 
 int run(const Program& program, const Options& options) {
-  std::vector<NamedScene> scenes = program.scenes(0);
-  if (!program.names_scenes())
-    std::erase_if(scenes,
-                  [](const NamedScene& s) { return std::ranges::count(measured, s.scene.name) == 0; });
   std::vector<Case> chosen = cases();
   if (!options.methods.empty())
     std::erase_if(chosen, [&](const Case& c) {
@@ -328,6 +321,11 @@ int run(const Program& program, const Options& options) {
     fmt::print(stderr, "error: {}", not_here());
     return exit_input_error;
   }
+  std::vector<NamedScene> scenes = program.scenes(0);
+  if (!program.names_scenes())
+    std::erase_if(scenes, [&](const NamedScene& s) {
+      return std::ranges::count(chosen, s.scene.name, &Case::scene) == 0;
+    });
   std::vector<Row> rows;
   Progress progress("convergence_order", scenes.size() * formulation_names().size() * chosen.size());
   bool solved = true, passed = true;
