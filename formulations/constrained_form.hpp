@@ -146,7 +146,7 @@ class ConstrainedForm : public FirstOrderForm<F> {
   bool inertia_is_constant() const { return F::inertia_is_constant; }
   /// M(q) v' at y.
   void inertia_force(const Flat& y, const Flat& v_dot, Flat& force) {
-    this->load(y);
+    if constexpr (!F::inertia_is_constant) this->load(y);
     force.resize(velocity_size());
     for (int b = 0; b < nb(); ++b) {
       const RigidBody<S>& of_body = mechanism_.bodies[b];

@@ -11,8 +11,9 @@
 ///
 /// Newton's method has a real matrix for each stage, made where that stage is, as stiff springs turn within a
 /// step. Rows are met through A^-1. Springs resist in it by the share h gamma of A's real eigenvalue; what
-/// they do from stage to stage through A is iterated on in their own few numbers, without evaluating
-/// anything. Order 5 in positions and velocities, 3 in its own lambda.
+/// they do from stage to stage through A is solved for in their own few numbers, without evaluating anything.
+/// To tolerances, it ends where the changes still to come are small by those that came. Order 5 in positions
+/// and velocities, 3 in its own lambda.
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@
 #include <optional>
 #include <string>
 
+#include "integrators/conjugate_residuals.hpp"
 #include "integrators/newton.hpp"
 #include "integrators/start.hpp"
 #include "integrators/step_choice.hpp"
@@ -69,7 +71,9 @@ class Radau5 {
   Radau5(std::optional<Tolerances> tolerances, const NewtonOptions& newton)
       : tolerances_(tolerances), newton_(newton) {
     // what Newton's method leaves would stand in the estimated error, which grows no smaller with the step
-    if (tolerances) newton_.tolerance = std::min(1e-6, tolerances->rtol / 100);
+    if (!tolerances) return;
+    newton_.tolerance = std::min(1e-6, tolerances->rtol / 100);
+    most_to_come_ = std::min(0.03, 0.03 * std::pow(tolerances->rtol / 1e-3, 0.25));
   }
 
   void step(System& system, S& t, Flat<S>& y, const S& stop) {
@@ -115,6 +119,7 @@ class Radau5 {
     Flat<S> v, theta, rate, y;   ///< where they lead
     Flat<S> bend;                ///< by how much theta's rate is not v
     Flat<S> left, phi, phi_dot;  ///< what is left to solve
+    Flat<S> rows;                ///< asked of the matrix
     Flat<S> stretch;             ///< of springs, with the last change
   };
 
@@ -146,7 +151,7 @@ class Radau5 {
   bool solve_stages(System& system, const S& t, const S& h, const Flat<S>& y) {
     const Flat<S> v = y.segment(nq_, nv_);
     anderson_.clear();
-    S before = std::numeric_limits<S>::max();
+    S before = std::numeric_limits<S>::max(), moved_before = before;
     const S enough = std::max(S(newton_.tolerance), rounding<S>()),
             enough_of_rows = tolerances_ ? enough : rounding<S>(),  // those of its end are met behind it
         stalled = 1000 * std::min(enough, S(1e-10));
@@ -180,9 +185,18 @@ class Radau5 {
       }
       before = now;
       if (!is_factored) anderson_.clear();
-      correct(system, h, is_factored && !newton_.is_full);
+      const Flat<S>& step = correct(system, h, is_factored && !newton_.is_full);
       is_factored = true;
       ++counters_.iterations;
+      if (!tolerances_) continue;
+      const S moved = size_of(step, h, y);
+      // what is left to come, where changes go on to fall as they did
+      if (k > 0 && moved <= S(1) && moved * moved <= most_to_come_ * (moved_before - moved)) {
+        place(system, h, y, v);
+        meet_internal(system, h, y, v);
+        return true;
+      }
+      moved_before = moved;
     }
     return false;
   }
@@ -261,6 +275,8 @@ class Radau5 {
     }
     // theta depends on its own rate where positions are a group
     S before = std::numeric_limits<S>::max();
+    const S enough =
+        std::max(2 * std::numeric_limits<S>::epsilon(), tolerances_ ? S(1e-3 * tolerances_->rtol) : S(0));
     for (int k = 0; k < 50; ++k) {
       S moved(0), size(0);
       for (int i = 0; i < 3; ++i) {
@@ -269,7 +285,7 @@ class Radau5 {
         size = std::max(size, S(x_.norm()));
         std::swap(stage_[i].theta, x_);
       }
-      if (k > 0 && (moved <= 2 * std::numeric_limits<S>::epsilon() * size || !(moved < before))) break;
+      if (k > 0 && (moved <= enough * size || !(moved < before))) break;
       before = moved;
       for (Stage& stage : stage_) {
         system.displacement_rate(stage.theta, stage.v, stage.rate);
@@ -302,19 +318,16 @@ class Radau5 {
     place(system, h, y, v);
   }
 
-  void correct(System& system, const S& h, bool is_factored) {
+  const Flat<S>& correct(System& system, const S& h, bool is_factored) {
     if (!is_factored) factor(system, h);
     change_.setZero(3 * (2 * nv_ + nc_));
-    const Flat<S> no_slack = Flat<S>::Zero(stiffness_.size()), no_force = Flat<S>::Zero(nv_);
-    for (int i = 0; i < 3; ++i) {
-      Stage& stage = stage_[i];
-      const Flat<S> rows = stage.phi_dot + mixed(coefficients_.inverse[i], &Stage::phi) / -h;
-      x_.setZero(nv_);
-      mu_.setZero(nc_);
-      system.select(i);
-      system.solve(no_force, rows, no_slack, x_, mu_, stage.stretch);
-      change_.segment(3 * (nv_ + nc_) + i * nv_, nv_) = x_;
-    }
+    slack_.setZero(3 * stiffness_.size());
+    for (int i = 0; i < 3; ++i)
+      stage_[i].rows = stage_[i].phi_dot + mixed(coefficients_.inverse[i], &Stage::phi) / -h;
+    no_force_.setZero(nv_);
+    solve_each(
+        system, [&](int) -> const Flat<S>& { return no_force_; },
+        [&](int i) { change_.segment(3 * (nv_ + nc_) + i * nv_, nv_) = x_; });
     solve_together(system, h);
     const Flat<S>& step = anderson_.step(change_, 3 * nv_);
     for (int i = 0; i < 3; ++i) {
@@ -322,6 +335,35 @@ class Radau5 {
       stage_[i].lambda += step.segment(3 * nv_ + i * nc_, nc_);
       stage_[i].shift += step.segment(3 * (nv_ + nc_) + i * nv_, nv_);
     }
+    return step;
+  }
+  /// How far a correction moves the stages, in tolerances.
+  S size_of(const Flat<S>& step, const S& h, const Flat<S>& y) {
+    const auto mixed_parts = [&](const std::array<S, 3>& row, Eigen::Index first) {
+      return row[0] * step.segment(first, nv_) + row[1] * step.segment(first + nv_, nv_) +
+             row[2] * step.segment(first + 2 * nv_, nv_);
+    };
+    S largest(0);
+    for (int i = 0; i < 3; ++i) {
+      x_ = h * mixed_parts(coefficients_.a[i], 0);
+      force_ = h * h * mixed_parts(coefficients_.square[i], 0) +
+               h * mixed_parts(coefficients_.a[i], 3 * (nv_ + nc_));
+      largest = std::max(largest, in_tolerances(y, force_, x_));
+    }
+    return largest;
+  }
+  /// A displacement with a change of velocities, in tolerances.
+  S in_tolerances(const Flat<S>& y, const Flat<S>& of_q, const Flat<S>& of_v) const {
+    using std::abs, std::sqrt;
+    const S size_q = y.head(nq_).cwiseAbs().maxCoeff();
+    S sum(0);
+    for (int k = 0; k < nv_; ++k) {
+      const S v = of_v[k] / (S(tolerances_->atol) +
+                             S(tolerances_->rtol) * std::max(S(abs(y[nq_ + k])), S(abs(stage_[2].v[k])))),
+              q = of_q[k] / (S(tolerances_->atol) + S(tolerances_->rtol) * size_q);
+      sum += v * v + q * q;
+    }
+    return sqrt(sum / (2 * nv_));
   }
   void factor(System& system, const S& h) {
     const S share = h * coefficients_.gamma;
@@ -329,46 +371,69 @@ class Radau5 {
       system.select(i);
       system.factor(share, S(share * share));
     }
+    slackenings_.clear();
     resistance_ = share * damping_ + share * share * stiffness_;
     has_matrix_ = true;
   }
+  /// Of each stage's own matrix, for its rows and slacks; take(i) finds what solves them in x_ and mu_.
+  template <class Left, class Take>
+  void solve_each(System& system, const Left& left, const Take& take) {
+    const Eigen::Index springs = stiffness_.size();
+    for (int i = 0; i < 3; ++i) {
+      x_.setZero(nv_);
+      mu_.setZero(nc_);
+      system.select(i);
+      system.solve(left(i), stage_[i].rows, slack_.segment(i * springs, springs), x_, mu_, stage_[i].stretch);
+      take(i);
+    }
+  }
   /// What the stages' v' and lambda change by. The matrix resists by a share of each stage's own stretch what
-  /// A mixes from all: slacks make up for the difference.
+  /// A mixes from all: slacks make up for the difference, and what they do is known as long as the factors.
   void solve_together(System& system, const S& h) {
     const Eigen::Index springs = stiffness_.size();
-    std::array<Flat<S>, 3> rows, shifted;
+    given_.resize(3 * springs);
     for (int i = 0; i < 3; ++i) {
-      rows[i] = mixed(coefficients_.inverse[i], &Stage::phi_dot) / -h;
-      shifted[i] = h * stiffness_.cwiseProduct(mixed(coefficients_.a[i], &Stage::stretch));
+      // what the positions' own change stretches springs by
+      given_.segment(i * springs, springs) =
+          h * stiffness_.cwiseProduct(mixed(coefficients_.a[i], &Stage::stretch));
+      stage_[i].rows = mixed(coefficients_.inverse[i], &Stage::phi_dot) / -h;
     }
-    Flat<S> slack = Flat<S>::Zero(3 * springs), missed = slack;
-    springs_anderson_.clear();
-    for (int k = 0; k < most_slackenings; ++k) {
-      for (int i = 0; i < 3; ++i) {
-        x_.setZero(nv_);
-        mu_.setZero(nc_);
-        system.select(i);
-        system.solve(stage_[i].left, rows[i], slack.segment(i * springs, springs), x_, mu_,
-                     stage_[i].stretch);
-        change_.segment(i * nv_, nv_) = x_;
-        change_.segment(3 * nv_ + i * nc_, nc_) = mu_;
-      }
-      if (springs == 0) return;
-      S most_missed(0), most(0);
-      for (int i = 0; i < 3; ++i) {
-        const Flat<S> force =
-            shifted[i] + h * damping_.cwiseProduct(mixed(coefficients_.a[i], &Stage::stretch)) +
-            h * h * stiffness_.cwiseProduct(mixed(coefficients_.square[i], &Stage::stretch));
-        missed.segment(i * springs, springs) =
-            stage_[i].stretch - force.cwiseQuotient(resistance_) - slack.segment(i * springs, springs);
-        most_missed =
-            std::max(most_missed,
-                     S(missed.segment(i * springs, springs).cwiseProduct(resistance_).cwiseAbs().maxCoeff()));
-        most = std::max(most, S(force.cwiseAbs().maxCoeff()));
-      }
-      if (!(most_missed > S(1e-2) * most)) return;
-      slack += springs_anderson_.step(missed, missed.size());
+    const auto put_into = [this](Flat<S>& change) {
+      return [this, &change](int i) {
+        change.segment(i * nv_, nv_) = x_;
+        change.segment(3 * nv_ + i * nc_, nc_) = mu_;
+      };
+    };
+    solve_each(
+        system, [&](int i) -> const Flat<S>& { return stage_[i].left; }, put_into(change_));
+    if (springs == 0) return;
+    measure_missed(h, missed_);
+    missed_ -= given_;
+    const S enough = S(1e-3) * std::max(missed_.cwiseAbs().maxCoeff(), given_.cwiseAbs().maxCoeff());
+    auto change = change_.head(3 * (nv_ + nc_));
+    slackenings_.reduce(missed_, change);
+    for (Stage& stage : stage_) stage.rows.setZero();
+    direction_.resize(3 * (nv_ + nc_));
+    for (int k = 0; k < most_slackenings && missed_.cwiseAbs().maxCoeff() > enough; ++k) {
+      for (int i = 0; i < 3; ++i)
+        slack_.segment(i * springs, springs) =
+            missed_.segment(i * springs, springs).cwiseQuotient(resistance_);
+      solve_each(
+          system, [&](int) -> const Flat<S>& { return no_force_; }, put_into(direction_));
+      measure_missed(h, image_);
+      if (!slackenings_.keep(direction_, image_)) break;
+      slackenings_.reduce(missed_, change);
     }
+  }
+  /// By how much the matrix resists more than A asks for [N, N m].
+  void measure_missed(const S& h, Flat<S>& missed) {
+    const Eigen::Index springs = stiffness_.size();
+    missed.resize(3 * springs);
+    for (int i = 0; i < 3; ++i)
+      missed.segment(i * springs, springs) =
+          resistance_.cwiseProduct(stage_[i].stretch - slack_.segment(i * springs, springs)) -
+          h * damping_.cwiseProduct(mixed(coefficients_.a[i], &Stage::stretch)) -
+          h * h * stiffness_.cwiseProduct(mixed(coefficients_.square[i], &Stage::stretch));
   }
 
   /// Of order 3, filtered by the matrix of springs: what it would damp is no error.
@@ -386,17 +451,7 @@ class Radau5 {
     x_.setZero(nv_);
     mu_.setZero(nc_);
     system.solve_force(force_, x_, mu_);
-    const S size_q = y.head(nq_).cwiseAbs().maxCoeff();
-    S sum(0);
-    for (int k = 0; k < nv_; ++k) {
-      using std::abs;
-      const S of_v = x_[k] / (S(tolerances_->atol) +
-                              S(tolerances_->rtol) * std::max(S(abs(v[k])), S(abs(stage_[2].v[k])))),
-              of_q = off_q[k] / (S(tolerances_->atol) + S(tolerances_->rtol) * size_q);
-      sum += of_v * of_v + of_q * of_q;
-    }
-    using std::sqrt;
-    return sqrt(sum / (2 * nv_));
+    return in_tolerances(y, off_q, x_);
   }
 
   void accept(const S& h, Flat<S>& y) {
@@ -416,13 +471,16 @@ class Radau5 {
   const RadauCoefficients<S> coefficients_;
   std::optional<Tolerances> tolerances_;
   NewtonOptions newton_;
+  S most_to_come_{0};  ///< of Newton's changes, in tolerances: together those of all steps stay below one
   StepChoice<S> choice_;
-  Anderson<S> anderson_, springs_anderson_;
+  Anderson<S> anderson_;
+  ConjugateResiduals<S> slackenings_;
   std::array<Stage, 3> stage_;
   std::array<Known, 3> last_;
   std::array<S, 3> stage_work_;
   std::optional<S> last_h_;
-  Flat<S> force_, change_, rows_, x_, mu_, stiffness_, damping_, resistance_;
+  Flat<S> force_, change_, rows_, x_, mu_, no_force_, stiffness_, damping_, resistance_;
+  Flat<S> slack_, given_, missed_, direction_, image_;  ///< of springs, stage by stage
   int nq_ = 0, nv_ = 0, nc_ = 0;
   bool has_begun_ = false, has_matrix_ = false;
   Counters counters_;
