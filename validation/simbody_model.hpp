@@ -173,7 +173,8 @@ struct Motion {
   long steps = 0, realizations = 0;
 };
 
-/// Through the times, which Simbody's steps end at; constraints to the accuracy. Throws Refused, and nothing
+/// Through the times, which steps end at but for those of CPodes, that interpolates; constraints to the
+/// accuracy. Throws Refused, and nothing
 /// else.
 Motion move(const Model& model, Way way, Integrator integrator, double accuracy,
             const std::vector<double>& times);
