@@ -20,7 +20,7 @@ Vector3<double> vector(const simbody::Vector3& v) { return {v[0], v[1], v[2]}; }
 std::vector<Entry> peer_entries(bool quick) {
   std::vector<Entry> all;
   std::vector<double> accuracies = tolerances(quick);
-  if (!quick) accuracies.push_back(finest_tolerance);
+  if (!quick) accuracies.insert(accuracies.end(), finest_tolerances.begin(), finest_tolerances.end());
   for (const char* method : {"RungeKuttaMerson", "RungeKuttaFeldberg", "CPodes Adams", "CPodes BDF"})
     for (const double accuracy : accuracies) all.push_back({"Simbody", "", method, accuracy, {}});
   return all;
