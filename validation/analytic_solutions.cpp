@@ -174,12 +174,6 @@ void four_bars(const std::string& formulation, Errors& errors) {
   }
 }
 
-std::string reference_directory() {
-  if (const char* from_environment = std::getenv("TRIVIUM_REFERENCE")) return from_environment;
-  const std::filesystem::path installed = catalogue_directory().parent_path() / "reference";
-  return std::filesystem::is_directory(installed) ? installed.string() : TRIVIUM_SOURCE_REFERENCE;
-}
-
 /// Position, velocity, acceleration, orientation, angular velocity and acceleration, and the joint's force
 /// and torque on the ground, as MSC ADAMS has them: to about 5e-6 m, on the universal joint to 1e-3 m, as the
 /// exact motions of the same pendulums show. `looser`: how much more is granted there.

@@ -25,6 +25,12 @@ fs::path catalogue_directory() {
   return TRIVIUM_SOURCE_SCENES;
 }
 
+std::string reference_directory() {
+  if (const char* from_environment = std::getenv("TRIVIUM_REFERENCE")) return from_environment;
+  const fs::path installed = catalogue_directory().parent_path() / "reference";
+  return fs::is_directory(installed) ? installed.string() : TRIVIUM_SOURCE_REFERENCE;
+}
+
 std::vector<fs::path> catalogue() {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(catalogue_directory()))

@@ -34,6 +34,7 @@ struct Options {
 struct Contest {
   std::string scene;
   double t_end, reference_error;
+  bool is_trusted;
   std::vector<Outcome> outcomes;
 };
 
@@ -88,9 +89,11 @@ std::string cost_table(const Contest& contest) {
     }
     table.add(row);
   }
-  std::string out =
-      fmt::format("{}, {} s: CPU time to reach an error of positions (reference: {:.0e} m)\n\n{}",
-                  contest.scene, contest.t_end, contest.reference_error, table.text());
+  std::string out = fmt::format("{}, {} s: CPU time to reach an error of positions (reference: {}{})\n\n{}",
+                                contest.scene, contest.t_end,
+                                contest.reference_error > 0 ? fmt::format("{:.0e} m", contest.reference_error)
+                                                            : "no difference in double",
+                                contest.is_trusted ? ", trusted numbers among it" : "", table.text());
   for (const double target : targets) {
     const Outcome *ours = cheapest(contest, target, [](const Entry&e) { return !is_peer(e); }),
                   *peer = cheapest(contest, target, is_peer);
@@ -222,7 +225,7 @@ int run(const Program& program, const Options& options) {
   std::vector<Contest> contests;
   for (const TimedMotion& motion : all) {
     const Reference reference = reference_of(motion);
-    contests.push_back({motion.scene.name, motion.t_end, reference.own_error,
+    contests.push_back({motion.scene.name, motion.t_end, reference.own_error, reference.is_trusted,
                         contest(motion, reference, entered, options.repetitions, [&] { progress.step(); })});
     if (!program.json()) fmt::print("{}", cost_table(contests.back()));
     std::fflush(stdout);

@@ -106,7 +106,8 @@ Reference reference_of(const TimedMotion& motion) {
   MotionErrors apart;
   for (std::size_t k = 0; k < first.all.size(); ++k)
     add_errors(first.all[k].state, second.all[k].state, apart);
-  return {second.all, apart.position};
+  const std::optional<double> trusted = apart_from_trusted(motion.scene.name, second.all);
+  return {second.all, std::max(apart.position, trusted.value_or(0)), trusted.has_value()};
 }
 
 std::vector<double> tolerances(bool quick) {

@@ -55,14 +55,20 @@ struct Outcome {
 /// A motion's states (and ours' reactions) at the outputs.
 struct Reference {
   std::vector<MotionSample> samples;
-  double own_error = 0;  ///< [m]: what another method at a tighter tolerance makes of it
+  double own_error = 0;  ///< [m]: what another method at a tighter tolerance makes of it, and trusted numbers
+  bool is_trusted = false;  ///< whether there are any
 };
 
 /// Every output time but the start's.
 std::vector<double> output_times(const TimedMotion& motion);
 
-/// By Fehlberg's method in quad, confirmed by Bulirsch and Stoer's.
+/// By Fehlberg's method in quad, confirmed by Bulirsch and Stoer's, and by trusted numbers where there are
+/// any.
 Reference reference_of(const TimedMotion& motion);
+
+/// How far [m, or rad of orientations] samples of a scene's motion are from trusted numbers
+/// (validation/reference/) at the times of both; nothing where there are none.
+std::optional<double> apart_from_trusted(const std::string& scene, const std::vector<MotionSample>& samples);
 
 /// What methods that choose their steps are run with.
 std::vector<double> tolerances(bool quick);
