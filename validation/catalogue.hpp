@@ -16,8 +16,8 @@ namespace trivium {
 /// the source tree's.
 std::filesystem::path catalogue_directory();
 
-/// The folder of trusted numbers: $TRIVIUM_REFERENCE, else `reference` beside the catalogue's, else the source
-/// tree's.
+/// The folder of trusted numbers: $TRIVIUM_REFERENCE, else `reference` beside the catalogue's, else the
+/// source tree's.
 std::string reference_directory();
 
 /// All scene files of the catalogue, sorted by name.

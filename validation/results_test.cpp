@@ -145,12 +145,13 @@ class WrittenResults : public ::testing::Test {
   }
   void TearDown() override { fs::remove_all(directory_); }
 
-  void write(const std::vector<std::vector<std::string>>& rows) {
+  void write(const std::vector<std::vector<std::string>>& rows, const std::vector<const char*>& more = {}) {
     ResultsFile file("question", {"name", "error"});
     for (const auto& row : rows) file.add(row);
     const std::string path = csv_.string();
-    const char* const arguments[] = {"question", "--seed", "1", "--csv", path.c_str()};
-    file.write(csv_, static_cast<int>(std::size(arguments)), arguments);
+    std::vector<const char*> arguments{"question", "--seed", "1", "--csv", path.c_str()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    file.write(csv_, static_cast<int>(arguments.size()), arguments.data());
   }
   void set_commit(const std::string& commit) {
     std::string manifest = read_whole(manifest_of(csv_));
@@ -196,6 +197,11 @@ TEST_F(WrittenResults, OfAnotherCommandAreRefused) {
   set_commit("0123456789ab");
   schema_.command.back() = "2";
   EXPECT_EQ(refusals_of({schema_}, csv_).size(), 1U);
+}
+
+TEST_F(WrittenResults, AreTheSameWithFiguresBesideThem) {
+  write({{"a", "1.0e-16"}}, {"--plot", "figures"});
+  EXPECT_TRUE(check_results(schema_, read_results(csv_)).empty());
 }
 
 TEST_F(WrittenResults, AreAcceptedWithTheirManifest) {

@@ -1,8 +1,12 @@
 #include "validation/simbody_model.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 
 #include "validation/cpu_time.hpp"
@@ -17,6 +21,29 @@ using SimTK::Rotation;
 using SimTK::SpatialVec;
 using SimTK::Transform;
 using SimTK::Vec3;
+
+/// Nothing reaches stderr while this lives: CPodes writes of its troubles there, thousands of lines, whose
+/// upshot is an exception or stands in the result.
+class SilentErrors {
+ public:
+  SilentErrors() : kept_(::dup(STDERR_FILENO)) {
+    std::fflush(stderr);
+    const int nowhere = ::open("/dev/null", O_WRONLY);
+    if (kept_ >= 0 && nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
+    if (nowhere >= 0) ::close(nowhere);
+  }
+  ~SilentErrors() {
+    std::fflush(stderr);
+    if (kept_ < 0) return;
+    ::dup2(kept_, STDERR_FILENO);
+    ::close(kept_);
+  }
+  SilentErrors(const SilentErrors&) = delete;
+  SilentErrors& operator=(const SilentErrors&) = delete;
+
+ private:
+  int kept_;
+};
 
 /// A model rebuilt in Simbody, at its state.
 class System {
@@ -53,6 +80,7 @@ class System {
     const bool interpolates = which == Integrator::cpodes_adams || which == Integrator::cpodes_bdf;
     integrator->setAllowInterpolation(interpolates);
     Motion out;
+    const SilentErrors silent;
     const double start = cpu_seconds();
     integrator->initialize(state_);
     for (const double t : times) {

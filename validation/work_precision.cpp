@@ -184,18 +184,19 @@ void plot(const Contest& contest, const std::filesystem::path& folder) {
     done.push_back(name);
     const std::size_t n = done.size();
     int failed = 0;
-    data += fmt::format("$m{} << EOD\n", n);
+    std::string points;
     for (const Outcome& o : contest.outcomes) {
       if (who(o.entry) != name) continue;
       if (!o.solved())
         ++failed;
       else if (o.errors.position > contest.reference_error)
-        data += fmt::format("{:.3e} {:.5g} {:.5g} {:.5g}\n", o.errors.position, o.seconds.median,
-                            o.seconds.low, o.seconds.high);
+        points += fmt::format("{:.3e} {:.5g} {:.5g} {:.5g}\n", o.errors.position, o.seconds.median,
+                              o.seconds.low, o.seconds.high);
     }
-    data += "EOD\n";
+    if (!points.empty()) data += fmt::format("$m{} << EOD\n{}EOD\n", n, points);
     curves.push_back(
-        fmt::format("$m{0} using 1:2:3:4 with yerrorlines lw 1.5 pt {1} ps 0.5 lc {2} dt {3} title {4}", n,
+        fmt::format("{} with yerrorlines lw 1.5 pt {} ps 0.5 lc {} dt {} title {}",
+                    points.empty() ? "keyentry" : fmt::format("$m{} using 1:2:3:4", n),
                     is_peer(first.entry) ? 4
                     : n > 8              ? 9
                                          : 7,
