@@ -1,48 +1,15 @@
-/// The laws of the Formulation concept, the same for all.
+/// The laws of the Formulation concept, the same for all: places and velocities.
 
-#include "formulations/moving_body.hpp"
+#include "formulations/test_samples.hpp"
 
 namespace trivium {
 namespace {
 
-using test::distance, test::Random, test::roundings;
+using test::distance, test::for_all_samples, test::Random, test::roundings;
 
 template <class F>
 class FormulationLaws : public testing::Test {};
 TYPED_TEST_SUITE(FormulationLaws, test::TestedFormulations, test::FormulationNames);
-
-template <class F>
-struct Sample {
-  using S = typename F::Scalar;
-  typename F::Chart chart;
-  Vector4<S> p;
-  Vector3<S> omega_bar, omega_bar_dot, a_bar;
-  Matrix3<S> J_bar;
-  typename F::Coordinates q;
-  typename F::Kinematics body;
-};
-
-/// Poses and velocities at home in every formulation, over all sequences.
-template <class F, class Law>
-void for_all_samples(const Law& law) {
-  using S = typename F::Scalar;
-  Random random(51);
-  for (const auto name : euler_sequence_names)
-    for (int n = 0; n < 8; ++n) {
-      Sample<F> s;
-      s.p = random.euler_parameters<S>();
-      s.chart = F::choose_chart({*parse_euler_sequence(name), true}, s.p);
-      s.omega_bar = random.vector<S, 3>();
-      s.omega_bar_dot = random.vector<S, 3>();
-      s.a_bar = random.vector<S, 3>();
-      const Matrix3<S> axes = rotation_matrix(random.euler_parameters<S>());
-      s.J_bar = axes * Vector3<S>(S(1), S(random.uniform(1, 2)), S(2)).asDiagonal() * axes.transpose();
-      s.q = F::from_pose(s.chart, s.p, s.omega_bar);
-      const Vector3<S> r = random.vector<S, 3>(), r_dot = random.vector<S, 3>();
-      s.body = F::kinematics(s.chart, r, r_dot, s.q);
-      law(s);
-    }
-}
 
 TYPED_TEST(FormulationLaws, KeepsPoseAndAngularVelocity) {
   using F = TypeParam;
@@ -106,72 +73,6 @@ TYPED_TEST(FormulationLaws, JacobianTimesLiftIsTheBodyFrameJacobian) {
   });
 }
 
-TYPED_TEST(FormulationLaws, AngularAccelerationGoesThereAndBack) {
-  using F = TypeParam;
-  using S = typename F::Scalar;
-  for_all_samples<F>([](const auto& s) {
-    const typename F::Unknown q_ddot = F::from_angular_acceleration(s.body, s.omega_bar_dot);
-    EXPECT_LE(distance(F::to_angular_acceleration(s.body, q_ddot), s.omega_bar_dot), roundings<S>(1000));
-    // q'' is affine in omega_bar' with slope lift, and keeps the internal row
-    const typename F::Unknown at_zero = F::from_angular_acceleration(s.body, Vector3<S>::Zero());
-    EXPECT_LE(distance(q_ddot - at_zero, F::lift(s.body) * s.omega_bar_dot), roundings<S>(1000));
-    EXPECT_LE(distance(F::internal_jacobian(s.body) * q_ddot, F::internal_gamma(s.body)), roundings<S>(1000));
-  });
-}
-
-TYPED_TEST(FormulationLaws, AngularAccelerationIsTheDerivativeOfAngularVelocity) {
-  using F = TypeParam;
-  using S = typename F::Scalar;
-  Random random(52);
-  test::for_all_charts([&](const ChartOptions& options) {
-    auto path = test::random_path<F>(random, options);
-    if constexpr (F::internal_constraints == 1) {  // omega_bar is 2 G p' on the unit sphere only
-      path.q_dot -= path.p.dot(path.q_dot) * path.p;
-      path.q_ddot -= (path.p.dot(path.q_ddot) + path.q_dot.squaredNorm()) * path.p;
-    }
-    const auto body = test::moving_body(path);
-    EXPECT_LE(distance(test::first_derivative<S, 3, 1>(body.along.omega_bar),
-                       F::to_angular_acceleration(body.now, body.acceleration.q_ddot)),
-              roundings<S>(1000));
-  });
-}
-
-TYPED_TEST(FormulationLaws, EquationsAreEulersInDisguise) {
-  using F = TypeParam;
-  using S = typename F::Scalar;
-  for_all_samples<F>([](const auto& s) {
-    // lift^T (mass_block q'' - velocity_force - applied_force) is Euler's Jbar omega_bar' + ... - nbar
-    const Vector3<S> n_bar = s.a_bar;
-    const typename F::Unknown q_ddot = F::from_angular_acceleration(s.body, s.omega_bar_dot);
-    const typename F::Unknown native = F::mass_block(s.body, s.J_bar) * q_ddot -
-                                       F::velocity_force(s.body, s.J_bar) - F::applied_force(s.body, n_bar);
-    const Vector3<S> euler = s.J_bar * s.omega_bar_dot + s.omega_bar.cross(s.J_bar * s.omega_bar) - n_bar;
-    EXPECT_LE(distance(F::lift(s.body).transpose() * native, euler), roundings<S>(5000));
-  });
-}
-
-TYPED_TEST(FormulationLaws, MassBlockCarriesTheRotationalEnergy) {
-  using F = TypeParam;
-  using S = typename F::Scalar;
-  for_all_samples<F>([](const auto& s) {
-    const typename F::Unknown q_dot = F::lift(s.body) * s.omega_bar;
-    const auto M = F::mass_block(s.body, s.J_bar);
-    const S twice = s.omega_bar.dot(s.J_bar * s.omega_bar);
-    EXPECT_LE(std::abs(static_cast<double>(S(q_dot.dot(M * q_dot) - twice))), roundings<S>(1000));
-    EXPECT_LE(distance(M, M.transpose()), roundings<S>(300));
-  });
-}
-
-TYPED_TEST(FormulationLaws, AppliedForceDoesTheWorkOfItsMoment) {
-  using F = TypeParam;
-  using S = typename F::Scalar;
-  for_all_samples<F>([](const auto& s) {
-    const typename F::Unknown q_dot = F::lift(s.body) * s.omega_bar;
-    const S work = F::applied_force(s.body, s.a_bar).dot(q_dot);
-    EXPECT_LE(std::abs(static_cast<double>(S(work - s.a_bar.dot(s.omega_bar)))), roundings<S>(300));
-  });
-}
-
 TYPED_TEST(FormulationLaws, DisplacementLeadsFromOnePlaceToTheOther) {
   using F = TypeParam;
   using S = typename F::Scalar;
@@ -227,22 +128,6 @@ TYPED_TEST(FormulationLaws, ConstrainMeetsTheInternalRowByItsShare) {
       EXPECT_EQ(x, before);
       EXPECT_EQ(change, F::Unknown::Zero());
     }
-  });
-}
-
-// what a generalised force does along the increments of the reduced unknowns, and as a moment
-TYPED_TEST(FormulationLaws, ReducedForceDoesTheSameWork) {
-  using F = TypeParam;
-  using S = typename F::Scalar;
-  Random random(56);
-  for_all_samples<F>([&](const auto& s) {
-    const typename F::Reduced body{s.body};
-    const typename F::Unknown force = random.vector<S, F::rotational_unknowns>();
-    const Vector3<S> x = random.vector<S, 3>();
-    const S work = force.dot(F::increment(body, x)), reduced = F::reduced(body, force).dot(x);
-    EXPECT_LE(std::abs(static_cast<double>(S(work - reduced))), roundings<S>(300));
-    const Vector3<S> moment = F::moment(body, F::reduced(body, F::applied_force(s.body, s.a_bar)));
-    EXPECT_LE(distance(moment, s.a_bar), roundings<S>(1000));
   });
 }
 
