@@ -39,7 +39,7 @@ class TimeGrid {
       if (output_step) require_whole(output_step_, *step_, "output step");
     }
     for (const double t : events)
-      if (t > start && t < end) events_.push_back(t);
+      if (t > start && t <= end) events_.push_back(t);
     std::sort(events_.begin(), events_.end());
     events_.erase(std::unique(events_.begin(), events_.end()), events_.end());
   }

@@ -39,7 +39,7 @@ TEST(TimeGrid, EventsWithinTheRunAreStopsOnce) {
   EXPECT_TRUE(all[0].t == 0.3 && all[0].is_event && !all[0].is_output);
   EXPECT_TRUE(all[1].t == 0.5 && all[1].is_event && all[1].is_output);
   EXPECT_TRUE(all[2].t == 0.7 && all[2].is_event);
-  EXPECT_TRUE(all[3].t == 1 && !all[3].is_event && all[3].is_output);
+  EXPECT_TRUE(all[3].t == 1 && all[3].is_event && all[3].is_output);
 }
 
 TEST(TimeGrid, AStepThatDoesNotDivideTheRunIsAnErrorThatNamesOneThatDoes) {

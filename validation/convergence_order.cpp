@@ -334,13 +334,20 @@ int run(const Program& program, const Options& options) {
     reference.integrator = "rkf78";
     reference.end = options.t_end;
     reference.tolerances = {1e-19, 1e-21};
-    const std::vector<MotionSample> exact = outputs_of(named.scene, reference);
+    std::vector<MotionSample> exact;
+    std::string error;
+    try {
+      exact = outputs_of(named.scene, reference);
+    } catch (const std::runtime_error& of_reference) {
+      error = name_source(named.source, fmt::format("no reference: {}", of_reference.what()));
+    }
     for (const Case& of : chosen)
       for (const std::string& formulation : formulation_names()) {
         progress.step();
         if (of.method.starts_with("rattle") && !inertia_is_constant(formulation)) continue;
         if (!program.names_scenes() && of.scene != named.scene.name) continue;
-        rows.push_back(measure(named, formulation, of, options.t_end, options.levels, exact));
+        rows.push_back(error.empty() ? measure(named, formulation, of, options.t_end, options.levels, exact)
+                                     : Row{named.scene.name, formulation, error, of, {}, {}, {}});
         solved = solved && rows.back().solved();
         passed = passed && rows.back().passed();
       }

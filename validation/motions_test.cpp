@@ -224,6 +224,17 @@ TEST_P(InEveryFormulation, ADriverWhoseSpeedJumpsStrikesWithAnImpulse) {
   EXPECT_LE(struck.report.balance, 1e-10);
 }
 
+// the state after it is that of the end
+TEST_P(InEveryFormulation, AJumpAtTheEndOfTheRunIsStillPassed) {
+  for (const char* method : {"dopri5", "cvode-bdf", "ida", "radau5", "hedop5", "generalized-alpha", "bdf"}) {
+    SimulationOptions options = tight(GetParam(), method, 0.5, 1e-9);
+    if (!integrators::find_method(method)->chooses_steps) options.step = 0.001;
+    const Motion motion(catalogue_scene("wellformed/jerked_trolley"), options);
+    ASSERT_EQ(motion.report.impulses.size(), 1u) << method;
+    EXPECT_NEAR(motion.end().state.twist[0].r_dot[0], 1.4, 1e-9) << method;
+  }
+}
+
 TEST_P(InEveryFormulation, EveryMethodGoesOverAJumpOfVelocities) {
   const scenes::Scene scene = catalogue_scene("wellformed/jerked_trolley");
   const Motion exact(scene, tight("r-omega", "rkf78", 1, 1e-12));

@@ -140,14 +140,15 @@ std::vector<std::string> fields(const Contest& contest, const Outcome& o) {
           word(o.failure)};
 }
 
-std::string json(const std::vector<Contest>& contests) {
+std::string json(const std::vector<Contest>& contests, const std::string& errors) {
   JsonWriter out;
   out.begin_object().begin_array("contests");
   for (const Contest& c : contests) {
     out.begin_object()
         .text("scene", c.scene)
         .number("t_end", c.t_end)
-        .number("reference_error", c.reference_error);
+        .number("reference_error", c.reference_error)
+        .flag("trusted_numbers", c.is_trusted);
     out.begin_array("runs");
     for (const Outcome& o : c.outcomes) {
       out.begin_object()
@@ -155,21 +156,30 @@ std::string json(const std::vector<Contest>& contests) {
           .text("method", o.entry.method)
           .text("setting", o.entry.setting());
       if (!is_peer(o.entry)) out.text("formulation", o.entry.formulation);
-      if (o.solved())
+      if (o.solved()) {
         out.number("position", o.errors.position)
             .number("orientation", o.errors.orientation)
-            .number("velocity", o.errors.velocity)
+            .number("velocity", o.errors.velocity);
+        if (o.errors.reaction) out.number("reaction", *o.errors.reaction);
+        if (o.errors.drift) out.number("drift", *o.errors.drift);
+        if (o.errors.energy) out.number("energy", *o.errors.energy);
+        out.number("steps", o.steps)
+            .number("evaluations", o.evaluations)
+            .number("factorisations", o.factorisations)
             .number("least_ms", 1e3 * o.seconds.least)
             .number("median_ms", 1e3 * o.seconds.median)
             .number("low_ms", 1e3 * o.seconds.low)
             .number("high_ms", 1e3 * o.seconds.high);
-      else
+      } else {
         out.text("failure", o.failure);
+      }
       out.end_object();
     }
     out.end_array().end_object();
   }
-  return out.end_array().end_object().str();
+  out.end_array();
+  if (!errors.empty()) out.text("error", errors);
+  return out.end_object().str();
 }
 
 /// Seconds over errors, a line a method: ours in r-omega and Simbody's. The legend counts runs that failed.
@@ -223,26 +233,35 @@ int run(const Program& program, const Options& options) {
   const std::vector<Entry> entered = entries(options.quick);
   Progress progress("work_precision",
                     all.size() * (entered.size() + static_cast<std::size_t>(options.repetitions)));
+  if (!options.plots.empty()) std::filesystem::create_directories(options.plots);
   std::vector<Contest> contests;
+  ErrorLines errors;
   for (const TimedMotion& motion : all) {
-    const Reference reference = reference_of(motion);
-    contests.push_back({motion.scene.name, motion.t_end, reference.own_error, reference.is_trusted,
-                        contest(motion, reference, entered, options.repetitions, [&] { progress.step(); })});
+    std::optional<Reference> reference;
+    try {
+      reference = reference_of(motion);
+    } catch (const std::runtime_error& error) {
+      errors.add(name_source(motion.scene.name, error.what()), "the reference");
+      continue;
+    }
+    contests.push_back({motion.scene.name, motion.t_end, reference->own_error, reference->is_trusted,
+                        contest(motion, *reference, entered, options.repetitions, [&] { progress.step(); })});
     if (!program.json()) fmt::print("{}", cost_table(contests.back()));
     std::fflush(stdout);
     if (!options.plots.empty()) plot(contests.back(), options.plots);
   }
   if (!program.json())
     fmt::print(
-        "Times are medians of {} repetitions, fewer of runs that take long; the CSV has their intervals, of "
-        "confidence {:.2f}.\n",
-        options.repetitions, confidence(options.repetitions));
+        "{}Times are medians of {} repetitions; the CSV has their intervals, of confidence {:.2f}. A run of "
+        "a\n"
+        "second or more is timed once: its interval has no width.\n",
+        errors.text(), options.repetitions, confidence(options.repetitions));
   ResultsFile file("work_precision", columns());
   for (const Contest& c : contests)
     for (const Outcome& o : c.outcomes) file.add(fields(c, o));
   program.write(file);
-  if (program.json()) fmt::print("{}", json(contests));
-  return exit_done;
+  if (program.json()) fmt::print("{}", json(contests, errors.text()));
+  return batch_exit(contests.size() == all.size(), true);
 }
 
 }  // namespace
