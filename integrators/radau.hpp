@@ -73,7 +73,7 @@ class Radau5 {
     // what Newton's method leaves would stand in the estimated error, which grows no smaller with the step
     if (!tolerances) return;
     newton_.tolerance = std::min(1e-6, tolerances->rtol / 100);
-    most_to_come_ = std::min(0.03, 0.03 * std::pow(tolerances->rtol / 1e-3, 0.25));
+    most_to_come_ = 0.03 * std::min(1.0, std::pow(tolerances->rtol / 1e-3, 0.25));
   }
 
   void step(System& system, S& t, Flat<S>& y, const S& stop) {
@@ -153,8 +153,8 @@ class Radau5 {
     anderson_.clear();
     S before = std::numeric_limits<S>::max(), moved_before = before;
     const S enough = std::max(S(newton_.tolerance), rounding<S>()),
-            enough_of_rows = tolerances_ ? enough : rounding<S>(),  // those of its end are met behind it
-        stalled = 1000 * std::min(enough, S(1e-10));
+            // those of its end are met behind it
+        enough_of_rows = tolerances_ ? enough : rounding<S>(), stalled = 1000 * std::min(enough, S(1e-10));
     bool is_factored = false;
     for (int k = 0, rises = 0; k < 40 && rises < 5; ++k) {
       place(system, h, y, v);
@@ -260,9 +260,13 @@ class Radau5 {
   }
 
   // expressions, of the stages as they are when it is taken
+  template <class Of>
+  static auto mix(const std::array<S, 3>& row, const Of& of) {
+    return row[0] * of(0) + row[1] * of(1) + row[2] * of(2);
+  }
   template <class T, class Part>
   static auto mixed(const std::array<S, 3>& row, const std::array<T, 3>& stages, Flat<S> Part::*of) {
-    return row[0] * (stages[0].*of) + row[1] * (stages[1].*of) + row[2] * (stages[2].*of);
+    return mix(row, [&](int j) -> const Flat<S>& { return stages[j].*of; });
   }
   template <class Part>
   auto mixed(const std::array<S, 3>& row, Flat<S> Part::*of) const {
@@ -340,15 +344,12 @@ class Radau5 {
   }
   /// How far a correction moves the stages, in tolerances.
   S size_of(const Flat<S>& step, const S& h, const Flat<S>& y) {
-    const auto mixed_parts = [&](const std::array<S, 3>& row, Eigen::Index first) {
-      return row[0] * step.segment(first, nv_) + row[1] * step.segment(first + nv_, nv_) +
-             row[2] * step.segment(first + 2 * nv_, nv_);
-    };
+    const auto of_v_dot = [&](int j) { return step.segment(j * nv_, nv_); },
+               of_shift = [&](int j) { return step.segment(3 * (nv_ + nc_) + j * nv_, nv_); };
     S largest(0);
     for (int i = 0; i < 3; ++i) {
-      x_ = h * mixed_parts(coefficients_.a[i], 0);
-      force_ = h * h * mixed_parts(coefficients_.square[i], 0) +
-               h * mixed_parts(coefficients_.a[i], 3 * (nv_ + nc_));
+      x_ = h * mix(coefficients_.a[i], of_v_dot);
+      force_ = h * h * mix(coefficients_.square[i], of_v_dot) + h * mix(coefficients_.a[i], of_shift);
       largest = std::max(largest, in_tolerances(y, force_, x_));
     }
     return largest;

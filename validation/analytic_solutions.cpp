@@ -7,7 +7,6 @@
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <tuple>
 
 #include "formulations/acceleration_solver.hpp"

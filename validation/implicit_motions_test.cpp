@@ -75,7 +75,6 @@ TEST_P(Implicit, RadauChoosesLongStepsInAStiffMotion) {
   EXPECT_LE(motion.report.counters.iterations, 8 * motion.report.counters.steps);
 }
 
-// bodies without rows of their own, too
 // where springs hold each other, no force is left that their rounding could be measured by
 TEST_P(Implicit, ABodyComesToRestOnStiffSpringsAlone) {
   scenes::Scene scene;
@@ -108,6 +107,7 @@ TEST_P(Implicit, ABodyComesToRestOnStiffSpringsAlone) {
   EXPECT_LE(chosen.report.counters.rejected_steps, chosen.report.counters.steps / 4);
 }
 
+// bodies without rows of their own, too
 TEST_P(Implicit, RadauKeepsEulerParametersUnit) {
   const Motion motion(catalogue_scene("dzhanibekov"), tight(GetParam(), "radau5", 5, 1e-2));
   EXPECT_LE(motion.report.normalisation, 1e-14);

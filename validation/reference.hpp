@@ -1,6 +1,8 @@
 #pragma once
 /// Trusted numbers (validation/reference/*.csv; each says where it comes from).
 
+#include <array>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -47,5 +49,18 @@ struct Reference {
     throw std::runtime_error("no value " + name);
   }
 };
+
+/// Of Andrews' squeezer at the file's only time: every body's angle [rad] about z, in the scene's order.
+inline std::array<double, 7> andrews_angles(const Reference& file) {
+  const auto value = [&](const char* name) { return file.value(name); };
+  return {value("beta"),  value("beta") + value("theta"),    value("gamma"),  value("phi") + value("delta"),
+          value("delta"), value("omega") + value("epsilon"), value("epsilon")};
+}
+
+/// How far [rad] a body that turned by Euler parameters p about z is from an angle.
+template <class EulerParameters>
+double apart_from_angle(const EulerParameters& p, double angle) {
+  return std::abs(std::remainder(2 * std::atan2(p[3], p[0]) - angle, 2 * std::acos(-1.0)));
+}
 
 }  // namespace trivium

@@ -174,8 +174,7 @@ struct Motion {
 };
 
 /// Through the times, which steps end at but for those of CPodes, that interpolates; constraints to the
-/// accuracy. Throws Refused, and nothing
-/// else.
+/// accuracy. Throws Refused, and nothing else.
 Motion move(const Model& model, Way way, Integrator integrator, double accuracy,
             const std::vector<double>& times);
 

@@ -216,7 +216,6 @@ void plot(const Contest& contest, const std::filesystem::path& folder) {
                                          : 1,
                     gnuplot_quoted(failed == 0 ? name : fmt::format("{} ({} failed)", name, failed))));
   }
-  std::filesystem::create_directories(folder);
   for (const auto& [terminal, suffix] :
        {std::pair("svg size 900,650 noenhanced font 'sans,11' background '#ffffff'", ".svg"),
         {"pdfcairo size 16cm,11.5cm noenhanced font 'sans,9'", ".pdf"}})
@@ -252,9 +251,8 @@ int run(const Program& program, const Options& options) {
   }
   if (!program.json())
     fmt::print(
-        "{}Times are medians of {} repetitions; the CSV has their intervals, of confidence {:.2f}. A run of "
-        "a\n"
-        "second or more is timed once: its interval has no width.\n",
+        "{}Times are medians of {} repetitions; the CSV has their intervals, of confidence {:.2f}.\n"
+        "A run of a second or more is timed once: its interval has no width.\n",
         errors.text(), options.repetitions, confidence(options.repetitions));
   ResultsFile file("work_precision", columns());
   for (const Contest& c : contests)

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 
 #include "validation/catalogue.hpp"
 #include "validation/precision/contest.hpp"
@@ -21,16 +23,10 @@ Apart place_of(std::size_t body, double x, double y) {
 }
 
 double andrews(const MotionSample& sample, const trivium::Reference& file, std::size_t) {
-  const auto value = [&](const char* name) { return file.value(name); };
-  const double angles[] = {
-      value("beta"),  value("beta") + value("theta"),    value("gamma"),  value("phi") + value("delta"),
-      value("delta"), value("omega") + value("epsilon"), value("epsilon")};
+  const auto angles = andrews_angles(file);
   double most = 0;
-  for (std::size_t b = 0; b < std::size(angles); ++b) {
-    const auto& p = sample.state.pose[b].p;
-    most =
-        std::max(most, std::abs(std::remainder(2 * std::atan2(p[3], p[0]) - angles[b], 2 * std::acos(-1.0))));
-  }
+  for (std::size_t b = 0; b < angles.size(); ++b)
+    most = std::max(most, apart_from_angle(sample.state.pose[b].p, angles[b]));
   return most;
 }
 
