@@ -116,6 +116,12 @@ class ConstrainedForm : public FirstOrderForm<F> {
     for (int b = 0; b < nb(); ++b)
       this->place(rate, b) << r_of(v, b), F::flat_rate(state_[b].chart, this->flat(y, b), q_of(v, b));
   }
+  /// By displacements' numbers: a body's distance from the origin [m], and 1 for what turns it.
+  void position_sizes(const Flat& y, Flat& sizes) const {
+    sizes.setOnes(velocity_size());
+    for (int b = 0; b < nb(); ++b)
+      of(sizes, b).template head<3>().setConstant(y.template segment<3>(Base::positions * b).norm());
+  }
   /// Adds to v' what moves y, by `share` of it, onto the internal rows, and moves y's positions there.
   /// Returns whether there are any such rows.
   bool constrain(const S& share, Flat& y, Flat& v_dot) const {
@@ -423,12 +429,13 @@ class ConstrainedForm : public FirstOrderForm<F> {
     S largest(0);
     for (int b = 0; b < nb(); ++b) {
       const BalanceSize& size = size_[measure_.assembly_of(b)];
-      const S& reach = measure_.reach_of(b);
       const auto raise = [&](const S& left, const S& whole) {
         if (left > largest * whole) largest = left / whole;
       };
       raise(size.force_left, size.force);
-      raise(size.moment_left, S(size.moment + reach * size.force));
+      // arms are differences of places
+      raise(S(size.moment_left - std::numeric_limits<S>::epsilon() * measure_.length_of(b) * size.force),
+            S(size.moment + measure_.arm_of(b) * size.force));
     }
     return largest;
   }

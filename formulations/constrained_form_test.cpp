@@ -144,6 +144,17 @@ TYPED_TEST(Constrained, PositionsGrowAsTheFirstOrderFormSays) {
   }
 }
 
+TYPED_TEST(Constrained, APlaceIsAsLargeAsItIsFarFromTheOriginAndATurnIsOne) {
+  auto form = form_of<TypeParam>(test::varied_scene(0));
+  const Flat y = form.start();
+  Flat sizes;
+  form.position_sizes(y, sizes);
+  const int positions = form.position_size() / form.nb(), velocities = form.velocity_size() / form.nb();
+  for (int b = 0; b < form.nb(); ++b)
+    for (int k = 0; k < velocities; ++k)
+      EXPECT_EQ(sizes[velocities * b + k], k < 3 ? y.segment<3>(positions * b).norm() : 1.0) << b << " " << k;
+}
+
 TYPED_TEST(Constrained, AccelerationsLeaveNothingOfInternalRowsAndWhatIsLeftIsSolvedFor) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     auto form = form_of<TypeParam>(test::varied_scene(seed));

@@ -63,21 +63,28 @@ class ConstraintMeasure {
 
   /// Bodies that rows connect, not through the ground, have the same number, below nb.
   int assembly_of(int body) const { return assembly_[body]; }
-  /// The largest distance [m] of a joint's point from the centre of its body, in the body's assembly.
-  const S& reach_of(int body) const { return extent_[assembly_[body]].reach; }
+  /// The largest distance [m] of a joint's point from the centre of its body, in the body's assembly; the
+  /// ground has no centre.
+  const S& arm_of(int body) const { return extent_[assembly_[body]].arm; }
+  /// How far [m] from the origin the points of the body's assembly are.
+  const S& length_of(int body) const { return extent_[assembly_[body]].length; }
 
  private:
   /// How large an assembly's numbers are.
   struct Extent {
-    S reach{0};  ///< of the points of its joints
+    S arm{0}, reach{0};  ///< of the points of its joints: on bodies, and on the ground, too
     S length{0}, speed{0}, fastest{0};
   };
 
   void measure_reaches() {
     const int nb = mechanism_.nb();
     for (const Joint<S>& joint : mechanism_.joints) {
-      S& reach = extent_[assembly_[joint.i == nb ? joint.j : joint.i]].reach;
-      reach = std::max({reach, S(joint.frame_i.point.norm()), S(joint.frame_j.point.norm())});
+      Extent& extent = extent_[assembly_[joint.i == nb ? joint.j : joint.i]];
+      for (const auto& [body, point] :
+           {std::pair(joint.i, joint.frame_i.point), {joint.j, joint.frame_j.point}}) {
+        extent.reach = larger(extent.reach, S(point.norm()));
+        if (body != nb) extent.arm = larger(extent.arm, S(point.norm()));
+      }
     }
   }
 

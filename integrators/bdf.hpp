@@ -5,16 +5,15 @@
 ///   M v'_n+1 + Phi_q^T lambda_n+1 = Q,    Phi(q_n+1, t_n+1) = 0
 ///
 /// On a Lie group q counts as the displacement theta from q_n, with the rate T(theta)^-1 v: the formula is
-/// that of a chart about q_n, and keeps its order. The first steps, and those after a restart, are taken by
-/// Fehlberg's method of order 8 with tight tolerances, and projected.
+/// that of a chart about q_n, and keeps its order. The first steps, and those after a restart, are Radau's:
+/// of order 5 as none here is above, and stiff ones are no shorter.
 
 #include <array>
 #include <cmath>
 #include <deque>
 
 #include "integrators/newton.hpp"
-#include "integrators/odeint.hpp"
-#include "integrators/projection.hpp"
+#include "integrators/radau.hpp"
 
 namespace trivium::integrators {
 
@@ -40,12 +39,12 @@ class BDF {
 
   /// Of order 1 to 5.
   BDF(int order, const NewtonOptions& newton)
-      : order_(order), formula_(BackwardFormula::of_order(order)), newton_(newton) {}
+      : order_(order), formula_(BackwardFormula::of_order(order)), newton_(newton), start_({}, newton) {}
 
   void step(System& system, S& t, Flat<S>& y, const S& stop) {
     using std::abs;
     const S h = stop - t;
-    if (abs(h - h_) > S(1e-9) * h) past_.clear();
+    if (abs(h - h_) > S(1e-9) * h) forget();
     h_ = h;
     if (past_.empty()) remember(system, t, y);
     if (static_cast<int>(past_.size()) < order_) {
@@ -58,7 +57,7 @@ class BDF {
     ++counters_.steps;
   }
   void restart() {
-    past_.clear();
+    forget();
     ++counters_.restarts;
   }
   bool shorten() { return false; }
@@ -70,6 +69,10 @@ class BDF {
     Flat<S> y, v_dot, lambda;
   };
 
+  void forget() {
+    past_.clear();
+    start_.restart();
+  }
   /// A state that index 1 tells all of.
   void remember(System& system, const S& t, const Flat<S>& y) {
     Point point{y, {}, {}};
@@ -83,19 +86,11 @@ class BDF {
   }
 
   void start(System& system, S& t, Flat<S>& y, const S& stop) {
-    using std::pow;
-    using Controlled = odeint::controlled_runge_kutta<Fehlberg78<S>>;
-    const S tolerance = pow(std::numeric_limits<S>::epsilon(), S(0.75));
-    ChosenSteps<S, Controlled> method(
-        Controlled(typename Controlled::error_checker_type(tolerance, tolerance)), 8,
-        {static_cast<double>(tolerance), static_cast<double>(tolerance)});
-    Projection<System> project;
-    ProjectionReport<S> report;
-    while (t < stop) {
-      method.step(system, t, y, stop);
-      project(system, t, y, report);
-    }
-    counters_.right_sides += method.counters().right_sides;
+    const Counters before = start_.counters();
+    start_.step(system, t, y, stop);
+    counters_.right_sides += start_.counters().right_sides - before.right_sides;
+    counters_.iterations += start_.counters().iterations - before.iterations;
+    system.select(0);
   }
 
   void advance(System& system, const S& t, Flat<S>& y) {
@@ -150,6 +145,7 @@ class BDF {
   const int order_;
   const BackwardFormula formula_;
   Newton<System> newton_;
+  Radau5<System> start_;
   std::deque<Point> past_;  ///< the latest first
   S h_{0};
   Flat<S> theta_, rate_, v_;

@@ -42,6 +42,7 @@ class AnySystem {
   virtual void displacement(const Flat<S>& from, const Flat<S>& to, Flat<S>& displacement) const = 0;
   virtual void displacement_rate(const Flat<S>& displacement, const Flat<S>& v, Flat<S>& rate) const = 0;
   virtual void position_rate(const Flat<S>& y, const Flat<S>& v, Flat<S>& rate) const = 0;
+  virtual void position_sizes(const Flat<S>& y, Flat<S>& sizes) const = 0;
   virtual bool constrain(const S& share, Flat<S>& y, Flat<S>& v_dot) const = 0;
   virtual void constrain_velocity(const S& share, const Flat<S>& y, Flat<S>& v_dot) const = 0;
   virtual bool inertia_is_constant() const = 0;
@@ -120,6 +121,9 @@ class Erased final : public AnySystem<typename System::Scalar> {
   }
   void position_rate(const Flat<S>& y, const Flat<S>& v, Flat<S>& rate) const override {
     constrained([&](const auto& system) { system.position_rate(y, v, rate); });
+  }
+  void position_sizes(const Flat<S>& y, Flat<S>& sizes) const override {
+    constrained([&](const auto& system) { system.position_sizes(y, sizes); });
   }
   bool constrain(const S& share, Flat<S>& y, Flat<S>& v_dot) const override {
     return constrained([&](const auto& system) { return system.constrain(share, y, v_dot); });

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "integrators/bdf.hpp"
 #include "integrators/half_explicit.hpp"
 #include "integrators/methods.hpp"

@@ -70,9 +70,10 @@ class Radau5 {
   /// Steps of its own choice to the tolerances, or of the grid's length.
   Radau5(std::optional<Tolerances> tolerances, const NewtonOptions& newton)
       : tolerances_(tolerances), newton_(newton) {
-    // what Newton's method leaves would stand in the estimated error, which grows no smaller with the step
     if (!tolerances) return;
-    newton_.tolerance = std::min(1e-6, tolerances->rtol / 100);
+    // changes say when to end, beside the errors that tolerances are about; forces would not
+    newton_.tolerance = 0;
+    stalled_ = std::min(stalled_, 10 * tolerances->rtol);
     most_to_come_ = 0.03 * std::min(1.0, std::pow(tolerances->rtol / 1e-3, 0.25));
   }
 
@@ -140,11 +141,16 @@ class Radau5 {
 
   /// Solves the stages of a step; y stays. Returns the estimated error, in tolerances.
   S advance(System& system, const S& t, const S& h, const Flat<S>& y) {
-    predict(h);
-    if (solve_stages(system, t, h, y)) return error_of(system, h, y);
-    stay();  // after a transient what the last stages foretell may be far off
-    if (solve_stages(system, t, h, y)) return error_of(system, h, y);
-    throw_not_converged(system, t);
+    system.position_sizes(y, sizes_);
+    const auto solved_from = [&](auto foretell) {
+      (this->*foretell)(h);
+      return solve_stages(system, t, h, y);
+    };
+    // after a transient what the last stages foretell may be far off, and in one even what they end with
+    if (!(last_h_ && solved_from(&Radau5::predict)) && !solved_from(&Radau5::stay) &&
+        !solved_from(&Radau5::coast))
+      throw_not_converged(system, t);
+    return error_of(system, h, y);
   }
 
   /// From the stages as predicted; whether they came to solve their equations.
@@ -153,8 +159,7 @@ class Radau5 {
     anderson_.clear();
     S before = std::numeric_limits<S>::max(), moved_before = before;
     const S enough = std::max(S(newton_.tolerance), rounding<S>()),
-            // those of its end are met behind it
-        enough_of_rows = tolerances_ ? enough : rounding<S>(), stalled = 1000 * std::min(enough, S(1e-10));
+            stalled = std::max(S(stalled_), S(1000 * rounding<S>()));
     bool is_factored = false;
     for (int k = 0, rises = 0; k < 40 && rises < 5; ++k) {
       place(system, h, y, v);
@@ -175,8 +180,8 @@ class Radau5 {
         system.take_imbalance(stage.left);
         stage_work_[i] = y.size() > nq_ + nv_ ? S(system.work_rate(stage.lambda)) : S(0);
       }
-      const S now = imbalance / enough + violation / enough_of_rows;
-      if (imbalance <= enough && violation <= enough_of_rows) return true;
+      const S now = imbalance / enough + violation / rounding<S>();
+      if (imbalance <= enough && violation <= rounding<S>()) return true;
       const bool falls = now <= before / 2;
       if (!falls) {
         if (imbalance <= stalled && violation <= 1000 * rounding<S>()) return true;
@@ -237,7 +242,6 @@ class Radau5 {
 
   /// On from the last step's stages, by the polynomial through them.
   void predict(const S& h) {
-    if (!last_h_) return stay();
     const auto& c = coefficients_.c;
     for (int i = 0; i < 3; ++i) {
       const S x = 1 + c[i] * h / *last_h_;
@@ -249,8 +253,12 @@ class Radau5 {
     }
   }
   /// As at the end of the last step.
-  void stay() {
+  void stay(const S&) {
     for (int i = 0; i < 3; ++i) begin_stage(i, last_[2].v_dot, last_[2].lambda);
+  }
+  /// At constant velocities.
+  void coast(const S&) {
+    for (int i = 0; i < 3; ++i) begin_stage(i, Flat<S>::Zero(nv_), last_[2].lambda);
   }
   void begin_stage(int i, const Flat<S>& v_dot, const Flat<S>& lambda) {
     stage_[i].v_dot = v_dot;
@@ -357,12 +365,11 @@ class Radau5 {
   /// A displacement with a change of velocities, in tolerances.
   S in_tolerances(const Flat<S>& y, const Flat<S>& of_q, const Flat<S>& of_v) const {
     using std::abs, std::sqrt;
-    const S size_q = y.head(nq_).cwiseAbs().maxCoeff();
+    const S atol(tolerances_->atol), rtol(tolerances_->rtol);
     S sum(0);
     for (int k = 0; k < nv_; ++k) {
-      const S v = of_v[k] / (S(tolerances_->atol) +
-                             S(tolerances_->rtol) * std::max(S(abs(y[nq_ + k])), S(abs(stage_[2].v[k])))),
-              q = of_q[k] / (S(tolerances_->atol) + S(tolerances_->rtol) * size_q);
+      const S v = of_v[k] / (atol + rtol * std::max(S(abs(y[nq_ + k])), S(abs(stage_[2].v[k])))),
+              q = of_q[k] / (atol + rtol * sizes_[k]);
       sum += v * v + q * q;
     }
     return sqrt(sum / (2 * nv_));
@@ -471,7 +478,8 @@ class Radau5 {
   const RadauCoefficients<S> coefficients_;
   std::optional<Tolerances> tolerances_;
   NewtonOptions newton_;
-  S most_to_come_{0};  ///< of Newton's changes, in tolerances: together those of all steps stay below one
+  double stalled_ = 1e-7;  ///< imbalance that rounding may leave
+  S most_to_come_{0};      ///< of Newton's changes, in tolerances: together those of all steps stay below one
   StepChoice<S> choice_;
   Anderson<S> anderson_;
   ConjugateResiduals<S> slackenings_;
@@ -481,6 +489,7 @@ class Radau5 {
   std::array<S, 3> stage_work_;
   std::optional<S> last_h_;
   Flat<S> force_, change_, rows_, x_, mu_, no_force_, stiffness_, damping_, resistance_;
+  Flat<S> sizes_;                               ///< of what displacements move
   Flat<S> given_, missed_, direction_, image_;  ///< of springs, stage by stage
   int nq_ = 0, nv_ = 0, nc_ = 0;
   bool has_begun_ = false, has_matrix_ = false;

@@ -61,8 +61,16 @@ class StepChoice {
     t = lands_ ? stop : moved;
     // a step cut short says little of the next
     wanted_ = cut_ && wanted_ > next ? wanted_ : next;
+    if (!(wanted_ > passable_)) return;
+    wanted_ = passable_;
+    passable_ = S(1.1) * passable_;
   }
   void reject(const S& next) { wanted_ = next; }
+  /// A step of this length could not be solved: those after it come back to it slowly.
+  void fail(const S& h) {
+    wanted_ = h / 4;
+    passable_ = h / 2;
+  }
   /// Of the step accepted last.
   void shorten() { wanted_ = tried_ / 4; }
 
@@ -76,7 +84,7 @@ class StepChoice {
   }
 
  private:
-  S wanted_{0}, tried_{0};
+  S wanted_{0}, tried_{0}, passable_{std::numeric_limits<S>::max()};
   bool lands_ = false, cut_ = false;
 };
 
@@ -121,21 +129,20 @@ void take_chosen_step(System& system, StepChoice<typename System::Scalar>& choic
   for (std::string trouble;;) {
     if (choice.is_too_small(t, stop)) give_up(system, t, y, trouble);
     const S h = choice.length(t, stop);
-    S next;
     try {
       const S error = attempt(h);
-      next = h * rule(error);
+      const S next = h * rule(error);
       if (error <= S(1)) {
         accept(h);
         choice.accept(t, S(t + h), stop, next);
         return;
       }
       trouble.clear();
+      choice.reject(next);
     } catch (const std::runtime_error& failure) {
       trouble = failure.what();
-      next = h / 4;
+      choice.fail(h);
     }
-    choice.reject(next);
     ++counters.rejected_steps;
   }
 }

@@ -46,9 +46,10 @@ concept FirstOrderSystem = requires(System& system, const typename System::Scala
 /// M(q) v' + Phi_q^T lambda = Q(q, v, t), Phi(q, t) = 0 beside the same as y' = f(t, y): y begins with q and
 /// v, and what follows grows by `work_rate`. Implicit methods see q move by displacements, which are of v's
 /// kind: `displace` sets y's positions to where one leads from another's, `displacement` is the way between
-/// two, `displacement_rate` how one grows with v, `position_rate` how y's own numbers of positions do.
-/// `constrain` is for rows that a model keeps to itself, met by a change of v' that moves q by `share` of it;
-/// it returns whether there are any.
+/// two, `displacement_rate` how one grows with v, `position_rate` how y's own numbers of positions do;
+/// `position_sizes` how large, number by number of a displacement, what it moves is: errors relative to it
+/// are. `constrain` is for rows that a model keeps to itself, met by a change of v' that moves q by `share`
+/// of it; it returns whether there are any.
 ///
 /// `constrain_velocity` is the same for their derivatives.
 ///
@@ -81,6 +82,7 @@ concept ConstrainedSystem = FirstOrderSystem<System> &&
   system.displacement(y, y, changed);
   system.displacement_rate(v, v, changed);
   system.position_rate(y, v, changed);
+  system.position_sizes(y, changed);
   { system.constrain(t, changed, lambda) } -> std::same_as<bool>;
   system.constrain_velocity(t, y, changed);
   { system.inertia_is_constant() } -> std::same_as<bool>;

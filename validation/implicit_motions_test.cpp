@@ -75,6 +75,37 @@ TEST_P(Implicit, RadauChoosesLongStepsInAStiffMotion) {
   EXPECT_LE(motion.report.counters.iterations, 8 * motion.report.counters.steps);
 }
 
+// errors are weighed by what turns and by where it is, each for itself; steps are those of the same motion
+// about the origin
+TEST_P(Implicit, RadauIsAsAccurateFarFromTheOrigin) {
+  const auto pendulum_at = [](double x) {
+    scenes::Scene scene;
+    scene.name = "pendulum";
+    scene.bodies.push_back(test::body("bob", 1, {0.1, 0.2, 0.25}, {x + 1, 0, 0}));
+    scene.constraints.push_back(test::joint(scenes::ConstraintType::revolute, "pivot",
+                                            test::side(scenes::ground, {{x, 0, 0}}, {{0, 1, 0}}),
+                                            test::side(0, {{-1, 0, 0}}, {{0, 1, 0}})));
+    scene.effects.push_back(test::gravity());
+    return scene;
+  };
+  const Motion exact(pendulum_at(0), tight("r-omega", "rkf78", 3, 1e-12));
+  for (const double rtol : {1e-3, 1e-6}) {
+    const Motion near(pendulum_at(0), tight(GetParam(), "radau5", 3, rtol)),
+        far(pendulum_at(1e5), tight(GetParam(), "radau5", 3, rtol));
+    const auto off = [&](const Motion& motion, double x) {
+      const auto &r = motion.end().state.pose[0].r, &there = exact.end().state.pose[0].r;
+      return std::hypot(r[0] - x - there[0], r[2] - there[2]);
+    };
+    EXPECT_LE(off(far, 1e5), 2 * off(near, 0)) << rtol;
+    EXPECT_LE(off(near, 0), 10 * rtol) << rtol;
+    const auto tried = [](const Motion& motion) {
+      const auto& counters = motion.report.counters;
+      return static_cast<double>(counters.steps + counters.rejected_steps);
+    };
+    EXPECT_NEAR(tried(far), tried(near), 0.1 * tried(near)) << rtol;
+  }
+}
+
 // where springs hold each other, no force is left that their rounding could be measured by
 TEST_P(Implicit, ABodyComesToRestOnStiffSpringsAlone) {
   scenes::Scene scene;
@@ -105,6 +136,28 @@ TEST_P(Implicit, ABodyComesToRestOnStiffSpringsAlone) {
   const Motion chosen(scene, tight(GetParam(), "radau5", 0.5, 1e-9));
   EXPECT_NEAR(chosen.end().state.pose[0].r[2], -9.81 / 2e8, 1e-10);
   EXPECT_LE(chosen.report.counters.rejected_steps, chosen.report.counters.steps / 4);
+}
+
+// an explicit method would need some 10 000 steps of what is here one
+TEST_P(Implicit, BackwardDifferencesBeginInAStiffMotionAsTheyGoOn) {
+  scenes::Scene scene;
+  scene.name = "damped wheel";
+  scene.bodies.push_back(test::body("wheel", 1, {0.1, 0.2, 0.25}));
+  scene.bodies[0].angular_velocity = {0, 1, 0};
+  scene.constraints.push_back(test::joint(scenes::ConstraintType::revolute, "axle",
+                                          test::side(scenes::ground, {{0, 0, 0}}, {{0, 1, 0}}),
+                                          test::side(0, {{0, 0, 0}}, {{0, 1, 0}})));
+  scenes::TorsionalSpringDamper spring;
+  spring.stiffness = 1e6;
+  spring.damping = 1e6;
+  scene.effects.emplace_back(spring);
+  for (int order = 1; order <= 5; ++order) {
+    auto options = stepping(GetParam(), "bdf", 0.02, 1e-3);
+    options.parameters.order = order;
+    const Motion motion(scene, options);
+    EXPECT_LE(motion.end().state.twist[0].omega_bar.norm(), 1e-6) << order;
+    EXPECT_LE(motion.report.counters.right_sides, 200) << order;
+  }
 }
 
 // bodies without rows of their own, too
