@@ -109,6 +109,16 @@ class System {
  private:
   std::unique_ptr<SimTK::Integrator> make(Integrator which) const {
     switch (which) {
+      case Integrator::explicit_euler:
+        return std::make_unique<SimTK::ExplicitEulerIntegrator>(system_);
+      case Integrator::semi_explicit_euler_2:
+        return std::make_unique<SimTK::SemiExplicitEuler2Integrator>(system_);
+      case Integrator::verlet:
+        return std::make_unique<SimTK::VerletIntegrator>(system_);
+      case Integrator::runge_kutta_2:
+        return std::make_unique<SimTK::RungeKutta2Integrator>(system_);
+      case Integrator::runge_kutta_3:
+        return std::make_unique<SimTK::RungeKutta3Integrator>(system_);
       case Integrator::runge_kutta_merson:
         return std::make_unique<SimTK::RungeKuttaMersonIntegrator>(system_);
       case Integrator::runge_kutta_feldberg:

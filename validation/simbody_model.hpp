@@ -158,7 +158,18 @@ Answer solve(const Model& model, Way way);
 
 // motions, by Simbody's own integrators
 
-enum class Integrator { runge_kutta_merson, runge_kutta_feldberg, cpodes_adams, cpodes_bdf };
+/// Those that control their errors: all but a semi-explicit Euler at given steps.
+enum class Integrator {
+  explicit_euler,
+  semi_explicit_euler_2,
+  verlet,
+  runge_kutta_2,
+  runge_kutta_3,
+  runge_kutta_merson,
+  runge_kutta_feldberg,
+  cpodes_adams,
+  cpodes_bdf
+};
 
 /// Where a body is and how it moves: p of e0 first, omega_bar in the body frame.
 struct BodyState {

@@ -182,49 +182,70 @@ std::string json(const std::vector<Contest>& contests, const std::string& errors
   return out.end_object().str();
 }
 
-/// Seconds over errors, a line a method: ours in r-omega and Simbody's. The legend counts runs that failed.
-void plot(const Contest& contest, const std::filesystem::path& folder) {
-  std::string data;
-  std::vector<std::string> curves;
-  std::vector<std::string> done;
-  for (const Outcome& first : contest.outcomes) {
-    const std::string name = who(first.entry);
-    const bool is_shown = is_peer(first.entry) || first.entry.formulation == "r-omega";
-    if (!is_shown || std::find(done.begin(), done.end(), name) != done.end()) continue;
-    done.push_back(name);
-    const std::size_t n = done.size();
-    int failed = 0;
-    std::string points;
+/// What one method's runs look like in a figure.
+struct Curve {
+  std::string name, points;
+  bool is_peer;
+  std::vector<std::string> failed_at;  ///< where runs that failed are marked, along the axis of errors
+
+  Curve(const Contest& contest, const Entry& method)
+      : name(who(method)), is_peer(precision::is_peer(method)) {
     for (const Outcome& o : contest.outcomes) {
       if (who(o.entry) != name) continue;
-      if (!o.solved())
-        ++failed;
-      else if (o.errors.position > contest.reference_error)
+      if (!o.solved()) {
+        failed_at.push_back(o.entry.rtol ? fmt::format("first {:.0e}", *o.entry.rtol) : "graph 0.98");
+      } else if (o.errors.position > contest.reference_error) {
         points += fmt::format("{:.3e} {:.5g} {:.5g} {:.5g}\n", o.errors.position, o.seconds.median,
                               o.seconds.low, o.seconds.high);
+      }
     }
-    if (!points.empty()) data += fmt::format("$m{} << EOD\n{}EOD\n", n, points);
-    curves.push_back(
-        fmt::format("{} with yerrorlines lw 1.5 pt {} ps 0.5 lc {} dt {} title {}",
-                    points.empty() ? "keyentry" : fmt::format("$m{} using 1:2:3:4", n),
-                    is_peer(first.entry) ? 4
-                    : n > 8              ? 9
-                                         : 7,
-                    (n - 1) % 8 + 1,
-                    is_peer(first.entry) ? 2
-                    : n > 8              ? 4
-                                         : 1,
-                    gnuplot_quoted(failed == 0 ? name : fmt::format("{} ({} failed)", name, failed))));
+  }
+};
+
+/// Seconds over errors, a line a method: ours in r-omega and Simbody's. Runs that failed are crosses at the
+/// bottom, at the tolerance or, of given steps, at the right; the legend counts them.
+void plot(const Contest& contest, const std::filesystem::path& folder) {
+  std::vector<Curve> curves;
+  for (const Outcome& o : contest.outcomes) {
+    const bool is_shown = is_peer(o.entry) || o.entry.formulation == "r-omega";
+    const auto is_its = [&](const Curve& curve) { return curve.name == who(o.entry); };
+    if (is_shown && std::none_of(curves.begin(), curves.end(), is_its)) curves.emplace_back(contest, o.entry);
+  }
+  std::string data, crosses;
+  std::vector<std::string> lines;
+  int rows_of_crosses = 0;
+  for (std::size_t n = 0; n < curves.size(); ++n) {
+    const Curve& curve = curves[n];
+    const std::size_t color = n % 8 + 1;
+    if (!curve.points.empty()) data += fmt::format("$m{} << EOD\n{}EOD\n", n, curve.points);
+    // that none hides another's
+    if (!curve.failed_at.empty()) ++rows_of_crosses;
+    for (const std::string& at : curve.failed_at)
+      crosses += fmt::format("set label '' at {}, graph {:.3f} point pt 2 ps 0.6 lc {}\n", at,
+                             0.015 * rows_of_crosses, color);
+    const std::string counted = curve.failed_at.empty()
+                                    ? curve.name
+                                    : fmt::format("{} ({} failed)", curve.name, curve.failed_at.size());
+    lines.push_back(fmt::format("{} with yerrorlines lw 1.5 pt {} ps 0.5 lc {} dt {} title {}",
+                                curve.points.empty() ? "keyentry" : fmt::format("$m{} using 1:2:3:4", n),
+                                curve.is_peer ? 4
+                                : n >= 8      ? 9
+                                              : 7,
+                                color,
+                                curve.is_peer ? 2
+                                : n >= 8      ? 4
+                                              : 1,
+                                gnuplot_quoted(counted)));
   }
   for (const auto& [terminal, suffix] :
        {std::pair("svg size 900,650 noenhanced font 'sans,11' background '#ffffff'", ".svg"),
         {"pdfcairo size 16cm,11.5cm noenhanced font 'sans,9'", ".pdf"}})
     run_gnuplot(fmt::format(
-        "{}set terminal {}\nset output {}\nset title {}\nset grid\nset logscale xy\nset format '%.0e'\n"
-        "set xlabel 'error of positions [m]'\nset ylabel 'CPU time [s]'\nset key outside right\nplot {}\n",
-        data, terminal, gnuplot_quoted((folder / (contest.scene + suffix)).string()),
-        gnuplot_quoted(fmt::format("{}, {} s", contest.scene, contest.t_end)),
-        fmt::join(curves, ", \\\n  ")));
+        "{}{}set terminal {}\nset output {}\nset title {}\nset grid\nset logscale xy\nset format '%.0e'\n"
+        "set xlabel 'error of positions [m]; crosses: runs that failed, at their tolerance'\n"
+        "set ylabel 'CPU time [s]'\nset key outside right\nplot {}\n",
+        data, crosses, terminal, gnuplot_quoted((folder / (contest.scene + suffix)).string()),
+        gnuplot_quoted(fmt::format("{}, {} s", contest.scene, contest.t_end)), fmt::join(lines, ", \\\n  ")));
 }
 
 int run(const Program& program, const Options& options) {

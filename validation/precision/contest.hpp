@@ -55,7 +55,9 @@ struct Outcome {
 /// A motion's states (and ours' reactions) at the outputs.
 struct Reference {
   std::vector<MotionSample> samples;
-  double own_error = 0;  ///< [m]: what another method at a tighter tolerance makes of it, and trusted numbers
+  /// [m], or [rad] where trusted numbers are angles: the most that another method at a tighter tolerance or
+  /// trusted numbers make of it.
+  double own_error = 0;
   bool is_trusted = false;  ///< whether there are any
 };
 

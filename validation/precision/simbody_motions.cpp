@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <iterator>
+
 #include "bodies/scalar.hpp"
 #include "validation/precision/contest.hpp"
 #include "validation/simbody_translation.hpp"
@@ -6,11 +9,25 @@ namespace trivium::precision {
 
 namespace {
 
+/// Simbody's integrators by their names there, down to accuracies that their orders make affordable.
+constexpr struct Peer {
+  const char* name;
+  simbody::Integrator which;
+  double finest;
+} peers[] = {{"ExplicitEuler", simbody::Integrator::explicit_euler, 1e-3},
+             {"SemiExplicitEuler2", simbody::Integrator::semi_explicit_euler_2, 1e-3},
+             {"Verlet", simbody::Integrator::verlet, 1e-4},
+             {"RungeKutta2", simbody::Integrator::runge_kutta_2, 1e-4},
+             {"RungeKutta3", simbody::Integrator::runge_kutta_3, 1e-5},
+             {"RungeKuttaMerson", simbody::Integrator::runge_kutta_merson, 0},
+             {"RungeKuttaFeldberg", simbody::Integrator::runge_kutta_feldberg, 0},
+             {"CPodes Adams", simbody::Integrator::cpodes_adams, 0},
+             {"CPodes BDF", simbody::Integrator::cpodes_bdf, 0}};
+
 simbody::Integrator integrator_of(const std::string& method) {
-  if (method == "RungeKuttaMerson") return simbody::Integrator::runge_kutta_merson;
-  if (method == "RungeKuttaFeldberg") return simbody::Integrator::runge_kutta_feldberg;
-  if (method == "CPodes Adams") return simbody::Integrator::cpodes_adams;
-  return simbody::Integrator::cpodes_bdf;
+  return std::find_if(std::begin(peers), std::end(peers),
+                      [&](const Peer& peer) { return method == peer.name; })
+      ->which;
 }
 
 Vector3<double> vector(const simbody::Vector3& v) { return {v[0], v[1], v[2]}; }
@@ -21,8 +38,9 @@ std::vector<Entry> peer_entries(bool quick) {
   std::vector<Entry> all;
   std::vector<double> accuracies = tolerances(quick);
   if (!quick) accuracies.insert(accuracies.end(), finest_tolerances.begin(), finest_tolerances.end());
-  for (const char* method : {"RungeKuttaMerson", "RungeKuttaFeldberg", "CPodes Adams", "CPodes BDF"})
-    for (const double accuracy : accuracies) all.push_back({"Simbody", "", method, accuracy, {}});
+  for (const Peer& peer : peers)
+    for (const double accuracy : accuracies)
+      if (accuracy >= peer.finest) all.push_back({"Simbody", "", peer.name, accuracy, {}});
   return all;
 }
 
