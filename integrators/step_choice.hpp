@@ -63,20 +63,22 @@ class StepChoice {
     wanted_ = cut_ && wanted_ > next ? wanted_ : next;
     if (!(wanted_ > passable_)) return;
     wanted_ = passable_;
-    passable_ = S(1.1) * passable_;
+    passable_ = relief_ * passable_;
+    relief_ = std::min(S(8), S(relief_ * relief_));
   }
   void reject(const S& next) { wanted_ = next; }
-  /// A step of this length could not be solved: those after it come back to it slowly.
+  /// A step of this length could not be solved: those after it come back to it slowly at first.
   void fail(const S& h) {
     wanted_ = h / 4;
     passable_ = h / 2;
+    relief_ = S(1.1);
   }
   /// Of the step accepted last.
   void shorten() { wanted_ = tried_ / 4; }
 
   bool has_begun() const { return wanted_ > S(0); }
   void begin(const S& h) { wanted_ = h; }
-  void restart() { wanted_ = S(0); }
+  void restart() { *this = {}; }
   /// Beside the rounding of the times between.
   bool is_too_small(const S& t, const S& stop) const {
     using std::abs, std::max;
@@ -84,7 +86,7 @@ class StepChoice {
   }
 
  private:
-  S wanted_{0}, tried_{0}, passable_{std::numeric_limits<S>::max()};
+  S wanted_{0}, tried_{0}, passable_{std::numeric_limits<S>::max()}, relief_{1};
   bool lands_ = false, cut_ = false;
 };
 
