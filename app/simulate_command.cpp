@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <memory>
 #include <optional>
 
@@ -29,12 +30,17 @@ struct SimulateArguments : SceneArguments {
   bool raw_chart = false, no_projection = false, full_newton = false, json = false;
 };
 
-/// Set by the first Ctrl-C (or SIGTERM), which ends the run after the step at hand; the second ends the
-/// program.
+/// Set by the first Ctrl-C (or SIGTERM), which ends the run after the step at hand; one two seconds later or
+/// more ends the program. Those between are taken for the same one, sent to a process and to its group.
 volatile std::sig_atomic_t interrupted = 0;
+volatile std::time_t interrupted_at = 0;
 extern "C" void interrupt(int signal) {
+  if (interrupted != 0 && std::time(nullptr) > interrupted_at + 1) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+  if (interrupted == 0) interrupted_at = std::time(nullptr);
   interrupted = 1;
-  std::signal(signal, SIG_DFL);
 }
 constexpr int exit_interrupted = 130;
 constexpr int outputs_of_a_figure = 500;

@@ -1,8 +1,10 @@
 #pragma once
 /// How far a state is from its constraints, row by row, in metres or radians (per second) whatever a row's
-/// scale; and beside the numbers of what moves together, so that rounding is some u.
+/// scale; and beside the numbers of what moves together, lengths beside lengths and turns beside turns, so
+/// that rounding is some u whatever the size of a mechanism.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -20,14 +22,18 @@ class ConstraintMeasure {
       : mechanism_(mechanism),
         graph_(graph),
         scale_(graph.edges.size()),
+        turns_(graph.edges.size()),
         assembly_(assemblies_of(graph)),
         extent_(assembly_.size()) {
     measure_reaches();
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {
       scale_[e].setOnes();
       if (graph.edges[e].is_soft) continue;
-      for (int k = 0; k < graph.edges[e].size(); ++k)
-        scale_[e][k] = row_scale(mechanism.rows[graph.edges[e].rows[k]], t);
+      for (int k = 0; k < graph.edges[e].size(); ++k) {
+        const BasicConstraint<S>& row = mechanism.rows[graph.edges[e].rows[k]];
+        scale_[e][k] = row_scale(row, t);
+        turns_[e][k] = std::holds_alternative<DP1<S>>(row) || std::holds_alternative<TurningDP1<S>>(row);
+      }
     }
   }
 
@@ -36,24 +42,35 @@ class ConstraintMeasure {
   void move(const std::vector<Body>& body) {
     for (Extent& extent : extent_) {
       extent.length = S(0);
-      extent.speed =
-          extent.fastest / 1000;  // at rest for a moment, velocities are the rounding of what they were
+      // at rest for a moment, velocities are the rounding of what they were
+      extent.speed = extent.fastest / 1000;
+      extent.spin = extent.fastest_spin / 1000;
     }
     for (int b = 0; b < mechanism_.nb(); ++b) {
       Extent& extent = extent_[assembly_[b]];
       extent.length = larger(extent.length, S(body[b].r.norm() + extent.reach));
-      extent.speed = larger(extent.speed, S(body[b].r_dot.norm() + body[b].omega_bar.norm() * extent.reach));
+      const S v = body[b].r_dot.norm(), omega = body[b].omega_bar.norm();
+      extent.speed = larger(extent.speed, S(v + omega * extent.reach));
+      // what is at rest turns by the rounding of how its joints' points move
+      extent.spin = larger(extent.spin, extent.arm > S(0) ? S(omega + v / extent.arm) : S(omega + v));
     }
   }
   /// The motion has reached the bodies' state.
   void settle() {
-    for (Extent& extent : extent_) extent.fastest = larger(extent.fastest, extent.speed);
+    for (Extent& extent : extent_) {
+      extent.fastest = larger(extent.fastest, extent.speed);
+      extent.fastest_spin = larger(extent.fastest_spin, extent.spin);
+    }
   }
 
   /// The largest |Phi_k| or |Phi_k'| of values as assembled.
-  S measure_positions(const GraphVector<S>& phi) { return largest(phi, &Extent::length); }
-  S measure_velocities(const GraphVector<S>& phi_dot) { return largest(phi_dot, &Extent::speed); }
-  /// Of the last measure, the largest beside the lengths or speeds of the row's own assembly.
+  S measure_positions(const GraphVector<S>& phi) {
+    return largest(phi, [](const Extent& of, bool is_turn) { return is_turn ? S(1) : of.length; });
+  }
+  S measure_velocities(const GraphVector<S>& phi_dot) {
+    return largest(phi_dot, [](const Extent& of, bool is_turn) { return is_turn ? of.spin : of.speed; });
+  }
+  /// Of the last measure, the largest beside the lengths, turns or speeds of the row's own assembly.
   const S& relative() const { return relative_; }
   /// The row of the last measure; "none" where there are none.
   const std::string& worst_row() const {
@@ -73,7 +90,7 @@ class ConstraintMeasure {
   /// How large an assembly's numbers are.
   struct Extent {
     S arm{0}, reach{0};  ///< of the points of its joints: on bodies, and on the ground, too
-    S length{0}, speed{0}, fastest{0};
+    S length{0}, speed{0}, fastest{0}, spin{0}, fastest_spin{0};
   };
 
   void measure_reaches() {
@@ -88,16 +105,17 @@ class ConstraintMeasure {
     }
   }
 
-  S largest(const GraphVector<S>& values, S Extent::*of_assembly) {
+  template <class Size>
+  S largest(const GraphVector<S>& values, const Size& size_of) {
     using std::abs;
     S largest(0);
     relative_ = S(0);
     for (std::size_t e = 0; e < values.edge.size(); ++e) {
       const GraphEdge& edge = graph_.edges[e];
       if (edge.is_soft) continue;
-      const S made_of = extent_[assembly_[edge.i == mechanism_.nb() ? edge.j : edge.i]].*of_assembly;
+      const Extent& extent = extent_[assembly_[edge.i == mechanism_.nb() ? edge.j : edge.i]];
       for (int k = 0; k < edge.size(); ++k) {
-        const S size = abs(values.edge[e][k]) / scale_[e][k];
+        const S size = abs(values.edge[e][k]) / scale_[e][k], made_of = size_of(extent, turns_[e][k]);
         if (!(size <= relative_ * made_of)) relative_ = made_of > S(0) ? S(size / made_of) : size;
         if (size <= largest || largest != largest) continue;  // a NaN goes in and stays
         largest = size;
@@ -110,7 +128,8 @@ class ConstraintMeasure {
   const Mechanism<S>& mechanism_;
   const BodyJointGraph& graph_;
   std::vector<Vector6<S>> scale_;
-  std::vector<int> assembly_;  ///< by body, the ground last
+  std::vector<std::array<bool, 6>> turns_;  ///< whether the row is an angle's
+  std::vector<int> assembly_;               ///< by body, the ground last
   std::vector<Extent> extent_;
   S relative_{0};
   EdgeRow worst_{0, 0};
