@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "paper/figure.hpp"
 #include "paper/statistics.hpp"
@@ -34,13 +36,15 @@ std::string convergence_order_table(Results& results, Numbers& numbers) {
   std::map<std::string, Line> lines;
   Sample distance;
   std::size_t failed = 0, compared = 0;
+  std::optional<double> observed;  // at the finest step above rounding
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    if (table.text(row, "order") != "none") observed = table.number(row, "order");
     const std::string& verdict = table.text(row, "verdict");
-    if (verdict == "none") continue;  // not the finest step
+    if (verdict == "none" || !observed) continue;  // not the finest step
     const std::string &method = table.text(row, "method"), &formulation = table.text(row, "formulation"),
                       &quantity = table.text(row, "quantity"), &published = table.text(row, "published");
     if (!lines.contains(method)) methods.push_back(method);
-    const double order = table.number(row, "order");
+    const double order = *std::exchange(observed, {});
     lines[method].order[{formulation, quantity}] = order;
     if (quantity == "r" && formulation == "r-omega") lines[method].published = published;
     ++compared;
