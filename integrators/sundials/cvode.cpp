@@ -56,6 +56,10 @@ class Cvode final : public OdeStepper {
       return iterate_by(Owned<SUNNonlinearSolver>(SUNNonlinSol_FixedPoint(numbers(), 0, context())));
     iterate_by_newton();
     accept(CVodeSetLinSysFn(memory(), linear_system), "its matrix");
+    // what Newton's method leaves along stiff springs is little of a length and much of a force, which the
+    // estimated errors of the steps behind see
+    if (system().has_springs())
+      accept(CVodeSetNonlinConvCoef(memory(), 0.01), "how far Newton's method goes");
     if (!projects_) return;
     accept(CVodeSetProjFn(memory(), project), "its projection");
     // what errors leave along the constraints alone lets steps grow by a tenth, and errors tenfold
