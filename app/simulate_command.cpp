@@ -35,12 +35,14 @@ struct SimulateArguments : SceneArguments {
 volatile std::sig_atomic_t interrupted = 0;
 volatile std::time_t interrupted_at = 0;
 extern "C" void interrupt(int signal) {
-  if (interrupted != 0 && std::time(nullptr) > interrupted_at + 1) {
+  const std::time_t now = std::time(nullptr);
+  if (interrupted == 0) {
+    interrupted_at = now;
+    interrupted = 1;
+  } else if (now > interrupted_at + 1) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
-  if (interrupted == 0) interrupted_at = std::time(nullptr);
-  interrupted = 1;
 }
 constexpr int exit_interrupted = 130;
 constexpr int outputs_of_a_figure = 500;

@@ -176,6 +176,13 @@ Scalar row_scale(const BasicConstraint<Scalar>& constraint, const Scalar& t) {
   return scale > Scalar(0) ? scale : Scalar(1);
 }
 
+/// Whether Phi, over its scale, is an angle [rad]; a length [m] where it is not.
+template <class Scalar>
+bool is_of_angle(const BasicConstraint<Scalar>& constraint) {
+  return std::holds_alternative<DP1<Scalar>>(constraint) ||
+         std::holds_alternative<TurningDP1<Scalar>>(constraint);
+}
+
 /// Phi'' of one constraint under given accelerations of its bodies, from the features alone: no Jacobian, no
 /// gamma.
 template <BodyKinematics Body, class Acceleration>

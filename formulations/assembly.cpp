@@ -30,10 +30,10 @@ Extent extent_of(const Mechanism<double>& mechanism, const MechanismState<double
   return m;
 }
 
-double row_norm(const EquationsOfMotion<F>::Row& row, double length, bool holds_points) {
+double row_norm(const EquationsOfMotion<F>::Row& row, double length, bool is_angle) {
   const double translation = row.r_i.squaredNorm() + row.r_j.squaredNorm();
   const double rotation = row.rot_i.squaredNorm() + row.rot_j.squaredNorm();
-  const double norm = std::sqrt(holds_points ? translation + rotation / (length * length) : rotation);
+  const double norm = std::sqrt(is_angle ? rotation : translation + rotation / (length * length));
   return norm > 0 ? norm : 1.0;
 }
 
@@ -74,11 +74,6 @@ std::vector<std::string> wrong_branches_of(const Joint<double>& joint, const Glo
     if (std::cos(theta - joint.angle(t).f) < 0) say("its angle is a half turn from alpha(t)");
   }
   return wrong;
-}
-
-bool holds_points(const Mechanism<double>& mechanism, int k) {
-  return !std::holds_alternative<DP1<double>>(mechanism.rows[k]) &&
-         !std::holds_alternative<TurningDP1<double>>(mechanism.rows[k]);
 }
 
 /// The least change x, in the metric, with Phi x = c (least squares where rows contradict each other).
@@ -155,16 +150,16 @@ Consistency check_consistency(const Mechanism<double>& mechanism, const Mechanis
   constexpr double tolerance = 1e-8;  // of the scene's own lengths and speeds
   const VectorX<double> velocity = velocity_residual(eom);
   for (int k = 0; k < eom.nc(); ++k) {
-    const bool points = holds_points(mechanism, k);
-    const double norm = row_norm(eom.row[k], m.length, points);
-    const double length = points ? m.length : 1.0, speed = points ? m.speed : m.speed / m.length;
+    const bool is_angle = is_of_angle(mechanism.rows[k]);
+    const double norm = row_norm(eom.row[k], m.length, is_angle);
+    const double length = is_angle ? 1.0 : m.length, speed = is_angle ? m.speed / m.length : m.speed;
     const auto judge = [&](double residual, double most, const char* unit) {
       const double size = std::abs(residual) / norm;
       return Violation{mechanism.row_names[k], residual, size, most, unit, !(size <= most)};
     };
-    out.positions.push_back(judge(eom.row[k].phi, tolerance * length, points ? "m" : "rad"));
+    out.positions.push_back(judge(eom.row[k].phi, tolerance * length, is_angle ? "rad" : "m"));
     out.velocities.push_back(
-        judge(velocity[k], tolerance * speed + 1e-12 * length, points ? "m/s" : "rad/s"));
+        judge(velocity[k], tolerance * speed + 1e-12 * length, is_angle ? "rad/s" : "m/s"));
   }
   for (const Joint<double>& joint : mechanism.joints)
     for (std::string& wrong : wrong_branches_of(joint, global_axes(eom, joint), state.t))

@@ -405,6 +405,7 @@ class ConstrainedForm : public FirstOrderForm<F> {
   S measure_balance(const GraphAssembly<F>& assembly, const Flat& force, const Flat& lambda) {
     apply_multipliers(assembly, lambda);
     for (BalanceSize& size : size_) size = {};
+    const S u = std::numeric_limits<S>::epsilon();
     S all_left(0);
     for (int b = 0; b < nb(); ++b) {
       const typename F::Reduced& body = assembly.body()[b];
@@ -420,7 +421,6 @@ class ConstrainedForm : public FirstOrderForm<F> {
       size.moment = larger(size.moment, S(norm(applied) + norm(inertia) + norm(held_x)));
       all_left += left_r.squaredNorm() + left_x.squaredNorm();
       // springs that hold each other may leave no force that their own rounding could be measured by
-      const S& u = std::numeric_limits<S>::epsilon();
       size.force_left = larger(size.force_left, S(left_r.norm() - u * spring_size_[b].force));
       size.moment_left = larger(size.moment_left, S(norm(left_x) - u * spring_size_[b].moment));
     }
@@ -434,7 +434,7 @@ class ConstrainedForm : public FirstOrderForm<F> {
       };
       raise(size.force_left, size.force);
       // arms are differences of places
-      raise(S(size.moment_left - std::numeric_limits<S>::epsilon() * measure_.length_of(b) * size.force),
+      raise(S(size.moment_left - u * measure_.length_of(b) * size.force),
             S(size.moment + measure_.arm_of(b) * size.force));
     }
     return largest;

@@ -3,10 +3,10 @@
 /// scale; and beside the numbers of what moves together, lengths beside lengths and turns beside turns, so
 /// that rounding is some u whatever the size of a mechanism.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "formulations/assemblies.hpp"
@@ -32,7 +32,7 @@ class ConstraintMeasure {
       for (int k = 0; k < graph.edges[e].size(); ++k) {
         const BasicConstraint<S>& row = mechanism.rows[graph.edges[e].rows[k]];
         scale_[e][k] = row_scale(row, t);
-        turns_[e][k] = std::holds_alternative<DP1<S>>(row) || std::holds_alternative<TurningDP1<S>>(row);
+        turns_[e][k] = is_of_angle(row);
       }
     }
   }

@@ -85,6 +85,7 @@ class Radau5 {
       t = stop;
       return;
     }
+    system.position_sizes(y, sizes_);
     take_chosen_step(
         system, choice_, {S(-0.25), S(8)}, counters_, t, y, stop,
         [&](const S& h) {
@@ -141,14 +142,13 @@ class Radau5 {
 
   /// Solves the stages of a step; y stays. Returns the estimated error, in tolerances.
   S advance(System& system, const S& t, const S& h, const Flat<S>& y) {
-    system.position_sizes(y, sizes_);
-    const auto solved_from = [&](auto foretell) {
-      (this->*foretell)(h);
-      return solve_stages(system, t, h, y);
+    const auto solved = [&] { return solve_stages(system, t, h, y); };
+    const auto solved_from = [&](const Flat<S>& v_dot) {
+      for (int i = 0; i < 3; ++i) begin_stage(i, v_dot, last_[2].lambda);
+      return solved();
     };
     // after a transient what the last stages foretell may be far off, and in one even what they end with
-    if (!(last_h_ && solved_from(&Radau5::predict)) && !solved_from(&Radau5::stay) &&
-        !solved_from(&Radau5::coast))
+    if (!(predict(h) && solved()) && !solved_from(last_[2].v_dot) && !solved_from(Flat<S>::Zero(nv_)))
       throw_not_converged(system, t);
     return error_of(system, h, y);
   }
@@ -240,8 +240,9 @@ class Radau5 {
         [&] { y.segment(nq_, nv_) += x_; });
   }
 
-  /// On from the last step's stages, by the polynomial through them.
-  void predict(const S& h) {
+  /// On from the last step's stages, by the polynomial through them; false where there are none.
+  bool predict(const S& h) {
+    if (!last_h_) return false;
     const auto& c = coefficients_.c;
     for (int i = 0; i < 3; ++i) {
       const S x = 1 + c[i] * h / *last_h_;
@@ -251,14 +252,7 @@ class Radau5 {
           if (k != j) weight[j] *= (x - c[k]) / (c[j] - c[k]);
       begin_stage(i, mixed(weight, last_, &Known::v_dot), mixed(weight, last_, &Known::lambda));
     }
-  }
-  /// As at the end of the last step.
-  void stay(const S&) {
-    for (int i = 0; i < 3; ++i) begin_stage(i, last_[2].v_dot, last_[2].lambda);
-  }
-  /// At constant velocities.
-  void coast(const S&) {
-    for (int i = 0; i < 3; ++i) begin_stage(i, Flat<S>::Zero(nv_), last_[2].lambda);
+    return true;
   }
   void begin_stage(int i, const Flat<S>& v_dot, const Flat<S>& lambda) {
     stage_[i].v_dot = v_dot;

@@ -67,10 +67,10 @@ class StepChoice {
     relief_ = std::min(S(8), S(relief_ * relief_));
   }
   void reject(const S& next) { wanted_ = next; }
-  /// A step of this length could not be solved: those after it come back to it slowly at first.
-  void fail(const S& h) {
-    wanted_ = h / 4;
-    passable_ = h / 2;
+  /// The step could not be solved: those after it come back to its length slowly at first.
+  void fail() {
+    wanted_ = tried_ / 4;
+    passable_ = tried_ / 2;
     relief_ = S(1.1);
   }
   /// Of the step accepted last.
@@ -143,7 +143,7 @@ void take_chosen_step(System& system, StepChoice<typename System::Scalar>& choic
       choice.reject(next);
     } catch (const std::runtime_error& failure) {
       trouble = failure.what();
-      choice.fail(h);
+      choice.fail();
     }
     ++counters.rejected_steps;
   }

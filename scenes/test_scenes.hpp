@@ -38,6 +38,24 @@ inline scenes::Constraint joint(scenes::ConstraintType type, std::string name, s
   return c;
 }
 
+/// A body, 0, that turns about its own z axis, which is the ground's, beside a torsional spring with a
+/// damper.
+inline scenes::Scene sprung_wheel(double inertia, double speed, double stiffness, double damping) {
+  scenes::Scene scene;
+  scene.name = "sprung wheel";
+  scene.bodies.push_back(body("wheel", 1, {inertia, inertia, inertia}));
+  scene.bodies[0].angular_velocity = {0, 0, speed};
+  scene.constraints.push_back(joint(scenes::ConstraintType::revolute, "axle",
+                                    side(scenes::ground, {}, {{0, 0, 1}}, {{1, 0, 0}}),
+                                    side(0, {}, {{0, 0, 1}}, {{1, 0, 0}})));
+  scenes::TorsionalSpringDamper spring;
+  spring.joint = 0;
+  spring.stiffness = stiffness;
+  spring.damping = damping;
+  scene.effects.emplace_back(spring);
+  return scene;
+}
+
 inline scenes::Effect gravity(double g = 9.81) { return scenes::Gravity{"", {0, 0, -g}}; }
 
 }  // namespace trivium::test

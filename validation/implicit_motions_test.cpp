@@ -140,17 +140,7 @@ TEST_P(Implicit, ABodyComesToRestOnStiffSpringsAlone) {
 
 // an explicit method would need some 10 000 steps of what is here one
 TEST_P(Implicit, BackwardDifferencesBeginInAStiffMotionAsTheyGoOn) {
-  scenes::Scene scene;
-  scene.name = "damped wheel";
-  scene.bodies.push_back(test::body("wheel", 1, {0.1, 0.2, 0.25}));
-  scene.bodies[0].angular_velocity = {0, 1, 0};
-  scene.constraints.push_back(test::joint(scenes::ConstraintType::revolute, "axle",
-                                          test::side(scenes::ground, {{0, 0, 0}}, {{0, 1, 0}}),
-                                          test::side(0, {{0, 0, 0}}, {{0, 1, 0}})));
-  scenes::TorsionalSpringDamper spring;
-  spring.stiffness = 1e6;
-  spring.damping = 1e6;
-  scene.effects.emplace_back(spring);
+  const scenes::Scene scene = test::sprung_wheel(0.2, 1, 1e6, 1e6);
   for (int order = 1; order <= 5; ++order) {
     auto options = stepping(GetParam(), "bdf", 0.02, 1e-3);
     options.parameters.order = order;

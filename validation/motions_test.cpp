@@ -310,17 +310,7 @@ TEST(Rattle, WorkIsOfTheMethodsOrder) {
 
 // a wheel that winds a weak spring up moves nearly evenly, so that errors alone would let steps be many turns
 TEST_P(InEveryFormulation, NoStepLosesCountOfTheTurns) {
-  scenes::Scene scene;
-  scene.name = "wheel";
-  scene.bodies.push_back(test::body("wheel", 1, {0.5, 0.5, 0.5}));
-  scene.bodies[0].angular_velocity = {0, 0, 20};
-  scene.constraints.push_back(test::joint(scenes::ConstraintType::revolute, "hub",
-                                          test::side(scenes::ground, {}, {{0, 0, 1}}, {{1, 0, 0}}),
-                                          test::side(0, {}, {{0, 0, 1}}, {{1, 0, 0}})));
-  scenes::TorsionalSpringDamper spring;
-  spring.joint = 0;
-  spring.stiffness = 0.2;
-  scene.effects.emplace_back(spring);
+  const scenes::Scene scene = test::sprung_wheel(0.5, 20, 0.2, 0);
   for (const char* method : {"dopri5", "rkf78", "bulirsch-stoer", "abm", "cvode-adams", "arkode-erk"}) {
     const Motion motion(scene, tight(GetParam(), method, 5, 1e-6));
     EXPECT_NEAR(motion.end().state.twist[0].omega_bar[2], 20 * std::cos(5 * std::sqrt(0.4)), 1e-3) << method;
