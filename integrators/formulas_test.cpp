@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
+#include <Eigen/Eigenvalues>
+#include <array>
+#include <type_traits>
 
 #include "integrators/bdf.hpp"
 #include "integrators/half_explicit.hpp"
@@ -28,52 +30,80 @@ TEST(BackwardFormula, IsExactForPolynomialsOfItsOrder) {
   }
 }
 
-TEST(Radau, MeetsTheOrderConditionsOfFive) {
-  const RadauCoefficients<double> r;
-  for (int q = 1; q <= 5; ++q) {
-    double sum = 0;
-    for (int j = 0; j < 3; ++j) sum += r.a[2][j] * std::pow(r.c[j], q - 1);
-    EXPECT_NEAR(sum, 1.0 / q, 1e-15) << q;
+template <class Stages>
+class Radau : public testing::Test {
+ protected:
+  static constexpr int stages = Stages::value;
+  using Square = Eigen::Matrix<double, stages, stages>;
+
+  static Square matrix(const std::array<std::array<double, stages>, stages>& rows) {
+    Square matrix;
+    for (int i = 0; i < stages; ++i)
+      for (int j = 0; j < stages; ++j) matrix(i, j) = rows[i][j];
+    return matrix;
   }
-  for (int i = 0; i < 3; ++i)
-    for (int q = 1; q <= 3; ++q) {
-      double sum = 0;
-      for (int j = 0; j < 3; ++j) sum += r.a[i][j] * std::pow(r.c[j], q - 1);
-      EXPECT_NEAR(sum, std::pow(r.c[i], q) / q, 1e-15) << i << " " << q;
+
+  const RadauCoefficients<double, stages> radau;
+};
+using Stages = testing::Types<std::integral_constant<int, 3>, std::integral_constant<int, 5>>;
+TYPED_TEST_SUITE(Radau, Stages);
+
+TYPED_TEST(Radau, MeetsTheOrderConditions) {
+  constexpr int s = TypeParam::value;
+  const auto& r = this->radau;
+  const auto quadrature = [&](int i, int q) {
+    double sum = 0;
+    for (int j = 0; j < s; ++j) sum += r.a[i][j] * std::pow(r.c[j], q - 1);
+    return sum;
+  };
+  for (int q = 1; q <= 2 * s - 1; ++q) EXPECT_NEAR(quadrature(s - 1, q), 1.0 / q, 2e-15) << q;
+  EXPECT_GT(std::abs(quadrature(s - 1, 2 * s) - 1.0 / (2 * s)), 1e-7);
+  for (int i = 0; i < s; ++i)
+    for (int q = 1; q <= s; ++q)
+      EXPECT_NEAR(quadrature(i, q), std::pow(r.c[i], q) / q, 1e-15) << i << " " << q;
+}
+
+TYPED_TEST(Radau, ItsInverseAndSquareAreThoseOfItsMatrix) {
+  const auto A = this->matrix(this->radau.a);
+  const auto one = TestFixture::Square::Identity();
+  EXPECT_LE((A * this->matrix(this->radau.inverse) - one).cwiseAbs().maxCoeff(), 2e-14);
+  EXPECT_LE((A * A - this->matrix(this->radau.square)).cwiseAbs().maxCoeff(), 1e-15);
+}
+
+TYPED_TEST(Radau, GammaIsTheRealEigenvalueOfItsMatrix) {
+  const auto eigenvalues = this->matrix(this->radau.a).eigenvalues();
+  int real = 0;
+  for (const auto& z : eigenvalues)
+    if (std::abs(z.imag()) < 1e-8) {
+      ++real;
+      EXPECT_NEAR(z.real(), this->radau.gamma, 1e-14);
     }
+  EXPECT_EQ(real, 1);
 }
 
-TEST(Radau, ItsInverseIsThatOfItsMatrix) {
-  const RadauCoefficients<double> r;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      double product = 0;
-      for (int k = 0; k < 3; ++k) product += r.a[i][k] * r.inverse[k][j];
-      EXPECT_NEAR(product, i == j, 1e-14);
-    }
-}
-
-TEST(Radau, ItsSquareIsThatOfItsMatrixAndGammaItsRealEigenvalue) {
-  const RadauCoefficients<double> r;
-  Eigen::Matrix3d A;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) A(i, j) = r.a[i][j];
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) EXPECT_NEAR(r.square[i][j], (A * A)(i, j), 1e-15);
-  EXPECT_NEAR((A - r.gamma * Eigen::Matrix3d::Identity()).determinant(), 0, 1e-16);
-}
-
-// the estimate is of order 3: it sees nothing of a polynomial of degree 3
-TEST(Radau, ItsErrorEstimateIsOfOrderThree) {
-  const RadauCoefficients<double> r;
-  for (int m = 1; m <= 4; ++m) {
+// the estimate is of order s: it sees nothing of a polynomial of degree s
+TYPED_TEST(Radau, ItsErrorEstimateIsOfTheOrderOfItsStages) {
+  constexpr int s = TypeParam::value;
+  const auto& r = this->radau;
+  for (int m = 1; m <= s + 1; ++m) {
     double sum = m == 1 ? r.gamma : 0;  // y = t^m from t = 0, in a step of 1
-    for (int i = 0; i < 3; ++i) sum += r.error[i] * std::pow(r.c[i], m);
-    if (m <= 3)
+    for (int i = 0; i < s; ++i) sum += r.error[i] * std::pow(r.c[i], m);
+    if (m <= s)
       EXPECT_NEAR(sum, 0, 1e-15) << m;
     else
-      EXPECT_GT(std::abs(sum), 1e-3);
+      EXPECT_GT(std::abs(sum), 1e-5);
   }
+}
+
+// Hairer and Wanner (1996), IV.5 and IV.8
+TEST(RadauOfThreeStages, HasItsPublishedCoefficients) {
+  const RadauCoefficients<double, 3> r;
+  const double root = std::sqrt(6.0);
+  EXPECT_NEAR(r.c[0], (4 - root) / 10, 1e-16);
+  EXPECT_NEAR(r.a[0][0], (88 - 7 * root) / 360, 1e-16);
+  EXPECT_NEAR(r.gamma, (6 + std::cbrt(81.0) - std::cbrt(9.0)) / 30, 1e-16);
+  const std::array<double, 3> error{-13 - 7 * root, -13 + 7 * root, -1};
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(r.error[i], r.gamma / 3 * error[i], 1e-15) << i;
 }
 
 // Hairer, Norsett, Wanner (1993), II.2; and stages behind the second are of order 2, as index 2 asks
@@ -121,10 +151,11 @@ TEST(ImplicitMethods, RefuseASystemWithoutItsConstraints) {
     Flat<double> y = system.start();
     EXPECT_THROW(method->step(erased, t, y, 0.1), UsageError) << name;
   };
-  for (const char* name :
-       {"generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "rattle", "radau5", "hem4", "hedop5"})
+  for (const char* name : {"generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "rattle", "radau5",
+                           "radau9", "hem4", "hedop5"})
     expect_refusal(name, Steps::given);
-  for (const char* name : {"radau5", "cvode-bdf", "arkode-dirk", "ida"}) expect_refusal(name, Steps::chosen);
+  for (const char* name : {"radau5", "radau9", "cvode-bdf", "arkode-dirk", "ida"})
+    expect_refusal(name, Steps::chosen);
 }
 
 TEST(ImplicitMethods, RefuseParametersThatAreNotTheirs) {

@@ -71,7 +71,8 @@ const std::vector<MethodInfo>& methods() {
       {"hht", "Hilber-Hughes-Taylor, index 3", 2, true, false, true},
       {"rattle", "RATTLE on Lie groups, symplectic, where M is constant", 2, true, false, true},
       {"rattle4", "RATTLE composed to order 4, symplectic, where M is constant", 4, true, false, true},
-      {"radau5", "Radau IIA, stabilised index 2", 5, true, true, true},
+      {"radau5", "Radau IIA of 3 stages, stabilised index 2", 5, true, true, true},
+      {"radau9", "Radau IIA of 5 stages, stabilised index 2", 9, true, true, true},
       {"bdf", "backward differentiation, orders 1 to 5, index 3", 0, true, false, true},
       {"cvode-adams", "Adams, orders 1 to 12 (CVODE)", 0, false, true, false},
       {"cvode-bdf", "backward differentiation, orders 1 to 5, projected within its steps (CVODE)", 0, false,
@@ -125,7 +126,7 @@ void check(const MethodInfo& method, Steps steps, const MethodParameters& given)
   only(given.rho.has_value(), "rho", {"generalized-alpha"});
   only(given.alpha.has_value(), "alpha", {"hht"});
   only(given.full_newton.has_value(), "a matrix for every iteration (full Newton)",
-       {"generalized-alpha", "hht", "radau5", "bdf"});
+       {"generalized-alpha", "hht", "radau", "bdf"});
 }
 
 }  // namespace
@@ -165,6 +166,7 @@ std::unique_ptr<AnyMethod<S>> make_method(std::string_view name, Steps steps, co
   if (name == "hht")
     return erase<S>(HHT<AnySystem<S>>(checked("alpha", given.alpha, -0.2, -1.0 / 3, 0.0), newton));
   if (name == "radau5") return erase<S>(Radau5<AnySystem<S>>(of_own_choice, newton));
+  if (name == "radau9") return erase<S>(Radau9<AnySystem<S>>(of_own_choice, newton));
   if (name == "bdf")
     return erase<S>(BDF<AnySystem<S>>(checked("an order of bdf of", given.order, 2, 1, 5), newton));
   if (name == "abm" && !chosen) return erase<S>(GivenSteps<S, AdamsBashforthMoulton<S>>());

@@ -1,78 +1,49 @@
 #pragma once
-/// Radau IIA of order 5 on the stabilised index 2 (Gear, Gupta and Leimkuhler): Hairer and Wanner, Solving
-/// Ordinary Differential Equations II (1996), IV.8 and VII. Stages i = 1, 2, 3, the last at the end of the
-/// step:
+/// Radau IIA of s stages, of order 2 s - 1, on the stabilised index 2 (Gear, Gupta and Leimkuhler): Hairer
+/// and Wanner, Solving Ordinary Differential Equations II (1996), IV.8 and VII; of more than three stages:
+/// Hairer and Wanner, Stiff differential equations solved by Radau methods, J. Comput. Appl. Math. 111
+/// (1999). Stages i = 1 .. s, the last at the end of the step:
 ///
 ///   V_i = v_n + h sum a_ij V'_j,   M(Q_i) V'_i + Phi_q^T lambda_i = Q(Q_i, V_i, t_i),   Phi_q V_i = nu
 ///
-///   Q_i = q_n o exp(theta_i),   theta_i = h sum a_ij (T(theta_j)^-1 V_j + s_j)
+///   Q_i = q_n o exp(theta_i),   theta_i = h sum a_ij T(theta_j)^-1 (V_j + s_j)
 ///
 ///   Phi(Q_i, t_i) = 0,   M s_i + Phi_q^T mu_i = 0
 ///
 /// Newton's method has a real matrix for each stage, made where that stage is, as stiff springs turn within a
 /// step. Rows are met through A^-1. Springs resist in it by the share h gamma of A's real eigenvalue; what
 /// they do from stage to stage through A is solved for in their own few numbers, without evaluating anything.
-/// To tolerances, it ends where the changes still to come are small by those that came. Order 5 in positions
-/// and velocities, 3 in its own lambda.
+/// To tolerances, it ends where the changes still to come are small by those that came. Order s in its own
+/// lambda.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "integrators/conjugate_residuals.hpp"
 #include "integrators/newton.hpp"
+#include "integrators/radau_coefficients.hpp"
 #include "integrators/start.hpp"
 #include "integrators/step_choice.hpp"
 
 namespace trivium::integrators {
 
-/// The method's coefficients.
-template <class S>
-struct RadauCoefficients {
-  std::array<S, 3> c, error;
-  std::array<std::array<S, 3>, 3> a, inverse, square;  ///< A, A^-1, A^2
-  S gamma;  ///< A's real eigenvalue; the estimated error is h gamma f(y_n) + sum error_i (Y_i - y_n)
-
-  RadauCoefficients() {
-    using std::pow, std::sqrt;
-    const S r = sqrt(S(6));
-    c = {(4 - r) / 10, (4 + r) / 10, S(1)};
-    a = {{{(88 - 7 * r) / 360, (296 - 169 * r) / 1800, (-2 + 3 * r) / 225},
-          {(296 + 169 * r) / 1800, (88 + 7 * r) / 360, (-2 - 3 * r) / 225},
-          {(16 - r) / 36, (16 + r) / 36, S(1) / 9}}};
-    invert();
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) square[i][j] = a[i][0] * a[0][j] + a[i][1] * a[1][j] + a[i][2] * a[2][j];
-    gamma = (6 + pow(S(81), S(1) / 3) - pow(S(9), S(1) / 3)) / 30;
-    error = {gamma / 3 * (-13 - 7 * r), gamma / 3 * (-13 + 7 * r), -gamma / 3};
-  }
-
- private:
-  void invert() {
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        const int k = (j + 1) % 3, l = (j + 2) % 3, m = (i + 1) % 3, n = (i + 2) % 3;
-        inverse[i][j] = a[k][m] * a[l][n] - a[k][n] * a[l][m];
-      }
-    const S determinant = a[0][0] * inverse[0][0] + a[0][1] * inverse[1][0] + a[0][2] * inverse[2][0];
-    for (auto& row : inverse)
-      for (S& x : row) x /= determinant;
-  }
-};
-
-template <ConstrainedSystem System>
-class Radau5 {
+/// Of an odd number of stages.
+template <ConstrainedSystem System, int s>
+class Radau {
  public:
   using S = typename System::Scalar;
 
   /// Steps of its own choice to the tolerances, or of the grid's length.
-  Radau5(std::optional<Tolerances> tolerances, const NewtonOptions& newton)
+  Radau(std::optional<Tolerances> tolerances, const NewtonOptions& newton)
       : tolerances_(tolerances), newton_(newton) {
+    // errors of order 9 are soon below what a balance to 1e-10 leaves
+    if (tolerances || s > 3) newton_.tolerance = 0;
     if (!tolerances) return;
     // changes say when to end, beside the errors that tolerances are about; forces would not
-    newton_.tolerance = 0;
     stalled_ = std::min(stalled_, 10 * tolerances->rtol);
     most_to_come_ = 0.03 * std::min(1.0, std::pow(tolerances->rtol / 1e-3, 0.25));
   }
@@ -87,10 +58,10 @@ class Radau5 {
     }
     system.position_sizes(y, sizes_);
     take_chosen_step(
-        system, choice_, {S(-0.25), S(8)}, counters_, t, y, stop,
+        system, choice_, {S(-1) / (s + 1), S(8)}, counters_, t, y, stop,
         [&](const S& h) {
           const S error = advance(system, t, h, y);
-          if (error <= S(1)) meet_rows(system, S(t + h), stage_[2].y);
+          if (error <= S(1)) meet_rows(system, S(t + h), stage_.back().y);
           return error;
         },
         [&](const S& h) { accept(h, y); });
@@ -109,7 +80,7 @@ class Radau5 {
     return true;
   }
   const Counters& counters() const { return counters_; }
-  const Flat<S>* lambda() const { return has_begun_ ? &stage_[2].lambda : nullptr; }
+  const Flat<S>* lambda() const { return has_begun_ ? &stage_.back().lambda : nullptr; }
 
  private:
   /// What the next step goes on from.
@@ -118,8 +89,9 @@ class Radau5 {
   };
   struct Stage : Known {
     Flat<S> shift;               ///< the third unknown
+    Flat<S> normal;              ///< the share in it that internal rows have
     Flat<S> v, theta, rate, y;   ///< where they lead
-    Flat<S> bend;                ///< by how much theta's rate is not v
+    Flat<S> bend;                ///< by how much theta's rate is not v + shift + normal
     Flat<S> left, phi, phi_dot;  ///< what is left to solve
     Flat<S> rows;                ///< asked of the matrix
     Flat<S> slack, stretch;      ///< of springs, with the last change
@@ -136,7 +108,7 @@ class Radau5 {
     last_h_.reset();
     has_matrix_ = false;
     if (tolerances_ && !choice_.has_begun())
-      choice_.begin(first_step(system, t, y, 3, *tolerances_, counters_.right_sides));
+      choice_.begin(first_step(system, t, y, s, *tolerances_, counters_.right_sides));
     has_begun_ = true;
   }
 
@@ -144,11 +116,11 @@ class Radau5 {
   S advance(System& system, const S& t, const S& h, const Flat<S>& y) {
     const auto solved = [&] { return solve_stages(system, t, h, y); };
     const auto solved_from = [&](const Flat<S>& v_dot) {
-      for (int i = 0; i < 3; ++i) begin_stage(i, v_dot, last_[2].lambda);
+      for (int i = 0; i < s; ++i) begin_stage(i, v_dot, last_.back().lambda);
       return solved();
     };
     // after a transient what the last stages foretell may be far off, and in one even what they end with
-    if (!(predict(h) && solved()) && !solved_from(last_[2].v_dot) && !solved_from(Flat<S>::Zero(nv_)))
+    if (!(predict(h) && solved()) && !solved_from(last_.back().v_dot) && !solved_from(Flat<S>::Zero(nv_)))
       throw_not_converged(system, t);
     return error_of(system, h, y);
   }
@@ -165,7 +137,7 @@ class Radau5 {
       place(system, h, y, v);
       meet_internal(system, h, y, v);
       S imbalance(0), violation(0);
-      for (int i = 0; i < 3; ++i) {
+      for (int i = 0; i < s; ++i) {
         Stage& stage = stage_[i];
         system.select(i);
         if (!stage.v_dot.allFinite() || !stage.lambda.allFinite()) return false;
@@ -208,7 +180,7 @@ class Radau5 {
 
   /// At the end of a step, where the stages met their rows within tolerances. Throws if they cannot be.
   void meet_rows(System& system, const S& t, Flat<S>& y) {
-    system.select(2);
+    system.select(s - 1);
     x_.setZero(nv_);
     system.constrain(S(1), y, x_);
     const auto meet = [&](const auto& violation, const auto& move) {
@@ -244,11 +216,12 @@ class Radau5 {
   bool predict(const S& h) {
     if (!last_h_) return false;
     const auto& c = coefficients_.c;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < s; ++i) {
       const S x = 1 + c[i] * h / *last_h_;
-      std::array<S, 3> weight{S(1), S(1), S(1)};
-      for (int j = 0; j < 3; ++j)
-        for (int k = 0; k < 3; ++k)
+      std::array<S, s> weight;
+      weight.fill(S(1));
+      for (int j = 0; j < s; ++j)
+        for (int k = 0; k < s; ++k)
           if (k != j) weight[j] *= (x - c[k]) / (c[j] - c[k]);
       begin_stage(i, mixed(weight, last_, &Known::v_dot), mixed(weight, last_, &Known::lambda));
     }
@@ -258,46 +231,49 @@ class Radau5 {
     stage_[i].v_dot = v_dot;
     stage_[i].lambda = lambda;
     stage_[i].shift.setZero(nv_);
+    stage_[i].normal.setZero(nv_);
     stage_[i].bend.setZero(nv_);
   }
 
   // expressions, of the stages as they are when it is taken
   template <class Of>
-  static auto mix(const std::array<S, 3>& row, const Of& of) {
-    return row[0] * of(0) + row[1] * of(1) + row[2] * of(2);
+  static auto mix(const std::array<S, s>& row, const Of& of) {
+    return [&]<int... j>(std::integer_sequence<int, j...>) { return (... + (row[j] * of(j))); }
+    (std::make_integer_sequence<int, s>{});
   }
   template <class T, class Part>
-  static auto mixed(const std::array<S, 3>& row, const std::array<T, 3>& stages, Flat<S> Part::*of) {
+  static auto mixed(const std::array<S, s>& row, const std::array<T, s>& stages, Flat<S> Part::*of) {
     return mix(row, [&](int j) -> const Flat<S>& { return stages[j].*of; });
   }
+  static auto mixed(const std::array<S, s>& row, const std::array<Flat<S>, s>& stages) {
+    return mix(row, [&](int j) -> const Flat<S>& { return stages[j]; });
+  }
   template <class Part>
-  auto mixed(const std::array<S, 3>& row, Flat<S> Part::*of) const {
+  auto mixed(const std::array<S, s>& row, Flat<S> Part::*of) const {
     return mixed(row, stage_, of);
   }
 
   void place(System& system, const S& h, const Flat<S>& y, const Flat<S>& v) {
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < s; ++i) {
       stage_[i].v = v + h * mixed(coefficients_.a[i], &Stage::v_dot);
-      stage_[i].rate = stage_[i].v + stage_[i].shift + stage_[i].bend;
+      stage_[i].rate = stage_[i].v + stage_[i].shift + stage_[i].normal + stage_[i].bend;
     }
     // theta depends on its own rate where positions are a group
     S before = std::numeric_limits<S>::max();
-    const S enough =
-        std::max(2 * std::numeric_limits<S>::epsilon(), tolerances_ ? S(1e-3 * tolerances_->rtol) : S(0));
     for (int k = 0; k < 50; ++k) {
       S moved(0), size(0);
-      for (int i = 0; i < 3; ++i) {
+      for (int i = 0; i < s; ++i) {
         x_ = h * mixed(coefficients_.a[i], &Stage::rate);
         moved = k == 0 ? before : std::max(moved, S((x_ - stage_[i].theta).norm()));
         size = std::max(size, S(x_.norm()));
         std::swap(stage_[i].theta, x_);
       }
-      if (k > 0 && (moved <= enough * size || !(moved < before))) break;
+      if (k > 0 && (moved <= placed_within() * size || !(moved < before))) break;
       before = moved;
       for (Stage& stage : stage_) {
-        system.displacement_rate(stage.theta, stage.v, stage.rate);
-        stage.bend = stage.rate - stage.v;
-        stage.rate += stage.shift;
+        x_ = stage.v + stage.shift + stage.normal;
+        system.displacement_rate(stage.theta, x_, stage.rate);
+        stage.bend = stage.rate - x_;
       }
     }
     for (Stage& stage : stage_) {
@@ -306,50 +282,72 @@ class Radau5 {
       stage.y.segment(nq_, nv_) = stage.v;
     }
   }
-  /// Rows that a model keeps to itself, through A^-1 as the others.
+  /// Of displacements, beside their own size.
+  S placed_within() const {
+    return std::max(2 * std::numeric_limits<S>::epsilon(), tolerances_ ? S(1e-3 * tolerances_->rtol) : S(0));
+  }
+  /// Rows that a model keeps to itself, through A^-1 as the others; at each stage by what is normal to them,
+  /// as what is along them would be a shift that nobody asks for.
   void meet_internal(System& system, const S& h, const Flat<S>& y, const Flat<S>& v) {
-    bool has_rows = false;
-    for (int i = 0; i < 3; ++i) {
-      moved_[i].setZero(nv_);
-      turned_[i].setZero(nv_);
-      has_rows = system.constrain(S(1), stage_[i].y, moved_[i]);
-      if (has_rows) system.constrain_velocity(S(1), stage_[i].y, turned_[i]);
-    }
-    if (!has_rows) return;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        stage_[i].shift += coefficients_.inverse[i][j] / h * moved_[j];
-        stage_[i].v_dot += coefficients_.inverse[i][j] / h * turned_[j];
+    S before = std::numeric_limits<S>::max();
+    for (int k = 0; k < 20; ++k) {
+      S off(0), size(0);
+      for (int i = 0; i < s; ++i) {
+        Stage& stage = stage_[i];
+        moved_[i].setZero(nv_);
+        turned_[i].setZero(nv_);
+        if (!system.constrain(S(1), stage.y, moved_[i])) return;
+        system.constrain_velocity(S(1), stage.y, turned_[i]);
+        off += moved_[i].norm() + h * turned_[i].norm();
+        size += 1 + h * stage.v.norm();
       }
-    place(system, h, y, v);
+      if (off <= placed_within() * size || !(off < before)) return;
+      before = off;
+      for (int i = 0; i < s; ++i) {
+        Stage& stage = stage_[i];
+        stage.normal = normal_part(
+            system, stage.normal + mixed(coefficients_.inverse[i], moved_) / h - turned_[i], stage.y);
+        stage.v_dot += normal_part(system, mixed(coefficients_.inverse[i], turned_) / h, stage.y);
+      }
+      place(system, h, y, v);
+    }
+  }
+  /// Of a displacement, to the internal rows at y, whose velocities are lost.
+  template <class Displacement>
+  const Flat<S>& normal_part(System& system, const Displacement& displacement, Flat<S>& y) {
+    y.segment(nq_, nv_) = displacement;
+    x_.setZero(nv_);
+    system.constrain_velocity(S(1), y, x_);
+    x_ = -x_;
+    return x_;
   }
 
   const Flat<S>& correct(System& system, const S& h, bool is_factored) {
     if (!is_factored) factor(system, h);
-    change_.setZero(3 * (2 * nv_ + nc_));
-    for (int i = 0; i < 3; ++i) {
+    change_.setZero(s * (2 * nv_ + nc_));
+    for (int i = 0; i < s; ++i) {
       stage_[i].slack.setZero(stiffness_.size());
       stage_[i].rows = stage_[i].phi_dot + mixed(coefficients_.inverse[i], &Stage::phi) / -h;
     }
     no_force_.setZero(nv_);
     solve_each(
         system, [&](int) -> const Flat<S>& { return no_force_; },
-        [&](int i) { change_.segment(3 * (nv_ + nc_) + i * nv_, nv_) = x_; });
+        [&](int i) { change_.segment(s * (nv_ + nc_) + i * nv_, nv_) = x_; });
     solve_together(system, h);
-    const Flat<S>& step = anderson_.step(change_, 3 * nv_);
-    for (int i = 0; i < 3; ++i) {
+    const Flat<S>& step = anderson_.step(change_, s * nv_);
+    for (int i = 0; i < s; ++i) {
       stage_[i].v_dot += step.segment(i * nv_, nv_);
-      stage_[i].lambda += step.segment(3 * nv_ + i * nc_, nc_);
-      stage_[i].shift += step.segment(3 * (nv_ + nc_) + i * nv_, nv_);
+      stage_[i].lambda += step.segment(s * nv_ + i * nc_, nc_);
+      stage_[i].shift += step.segment(s * (nv_ + nc_) + i * nv_, nv_);
     }
     return step;
   }
   /// How far a correction moves the stages, in tolerances.
   S size_of(const Flat<S>& step, const S& h, const Flat<S>& y) {
     const auto of_v_dot = [&](int j) { return step.segment(j * nv_, nv_); },
-               of_shift = [&](int j) { return step.segment(3 * (nv_ + nc_) + j * nv_, nv_); };
+               of_shift = [&](int j) { return step.segment(s * (nv_ + nc_) + j * nv_, nv_); };
     S largest(0);
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < s; ++i) {
       x_ = h * mix(coefficients_.a[i], of_v_dot);
       force_ = h * h * mix(coefficients_.square[i], of_v_dot) + h * mix(coefficients_.a[i], of_shift);
       largest = std::max(largest, in_tolerances(y, force_, x_));
@@ -362,7 +360,7 @@ class Radau5 {
     const S atol(tolerances_->atol), rtol(tolerances_->rtol);
     S sum(0);
     for (int k = 0; k < nv_; ++k) {
-      const S v = of_v[k] / (atol + rtol * std::max(S(abs(y[nq_ + k])), S(abs(stage_[2].v[k])))),
+      const S v = of_v[k] / (atol + rtol * std::max(S(abs(y[nq_ + k])), S(abs(stage_.back().v[k])))),
               q = of_q[k] / (atol + rtol * sizes_[k]);
       sum += v * v + q * q;
     }
@@ -370,7 +368,7 @@ class Radau5 {
   }
   void factor(System& system, const S& h) {
     const S share = h * coefficients_.gamma;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < s; ++i) {
       system.select(i);
       system.factor(share, S(share * share));
     }
@@ -381,7 +379,7 @@ class Radau5 {
   /// Of each stage's own matrix, for its rows and slacks; take(i) finds what solves them in x_ and mu_.
   template <class Left, class Take>
   void solve_each(System& system, const Left& left, const Take& take) {
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < s; ++i) {
       x_.setZero(nv_);
       mu_.setZero(nc_);
       system.select(i);
@@ -393,8 +391,8 @@ class Radau5 {
   /// A mixes from all: slacks make up for the difference, and what they do is known as long as the factors.
   void solve_together(System& system, const S& h) {
     const Eigen::Index springs = stiffness_.size();
-    given_.resize(3 * springs);
-    for (int i = 0; i < 3; ++i) {
+    given_.resize(s * springs);
+    for (int i = 0; i < s; ++i) {
       // what the positions' own change stretches springs by
       given_.segment(i * springs, springs) =
           h * stiffness_.cwiseProduct(mixed(coefficients_.a[i], &Stage::stretch));
@@ -403,7 +401,7 @@ class Radau5 {
     const auto put_into = [this](Flat<S>& change) {
       return [this, &change](int i) {
         change.segment(i * nv_, nv_) = x_;
-        change.segment(3 * nv_ + i * nc_, nc_) = mu_;
+        change.segment(s * nv_ + i * nc_, nc_) = mu_;
       };
     };
     solve_each(
@@ -412,12 +410,12 @@ class Radau5 {
     measure_missed(h, missed_);
     missed_ -= given_;
     const S enough = S(1e-2) * std::max(missed_.cwiseAbs().maxCoeff(), given_.cwiseAbs().maxCoeff());
-    auto change = change_.head(3 * (nv_ + nc_));
+    auto change = change_.head(s * (nv_ + nc_));
     slackenings_.reduce(missed_, change);
     for (Stage& stage : stage_) stage.rows.setZero();
-    direction_.resize(3 * (nv_ + nc_));
+    direction_.resize(s * (nv_ + nc_));
     for (int k = 0; k < most_slackenings && missed_.cwiseAbs().maxCoeff() > enough; ++k) {
-      for (int i = 0; i < 3; ++i)
+      for (int i = 0; i < s; ++i)
         stage_[i].slack = missed_.segment(i * springs, springs).cwiseQuotient(resistance_);
       solve_each(
           system, [&](int) -> const Flat<S>& { return no_force_; }, put_into(direction_));
@@ -429,15 +427,15 @@ class Radau5 {
   /// By how much the matrix resists more than A asks for [N, N m].
   void measure_missed(const S& h, Flat<S>& missed) {
     const Eigen::Index springs = stiffness_.size();
-    missed.resize(3 * springs);
-    for (int i = 0; i < 3; ++i)
+    missed.resize(s * springs);
+    for (int i = 0; i < s; ++i)
       missed.segment(i * springs, springs) =
           resistance_.cwiseProduct(stage_[i].stretch - stage_[i].slack) -
           h * damping_.cwiseProduct(mixed(coefficients_.a[i], &Stage::stretch)) -
           h * h * stiffness_.cwiseProduct(mixed(coefficients_.square[i], &Stage::stretch));
   }
 
-  /// Of order 3, filtered by the matrix of springs: what it would damp is no error.
+  /// Of order s, filtered by the matrix of springs: what it would damp is no error.
   S error_of(System& system, const S& h, const Flat<S>& y) {
     if (!tolerances_) return S(0);
     // where the stages were as predicted, none was asked for
@@ -445,9 +443,9 @@ class Radau5 {
     const Flat<S> v = y.segment(nq_, nv_);
     const auto& e = coefficients_.error;
     const S& gamma = coefficients_.gamma;
-    const Flat<S> off_v = gamma * h * last_[2].v_dot + e[0] * (stage_[0].v - v) + e[1] * (stage_[1].v - v) +
-                          e[2] * (stage_[2].v - v),
-                  off_q = gamma * h * v + mixed(e, &Stage::theta);
+    Flat<S> off_v = gamma * h * last_.back().v_dot;
+    for (int i = 0; i < s; ++i) off_v += e[i] * (stage_[i].v - v);
+    const Flat<S> off_q = gamma * h * v + mixed(e, &Stage::theta);
     system.inertia_force(y, off_v, force_);
     x_.setZero(nv_);
     mu_.setZero(nc_);
@@ -457,19 +455,17 @@ class Radau5 {
 
   void accept(const S& h, Flat<S>& y) {
     const S work = y.size() > nq_ + nv_ ? y[nq_ + nv_] : S(0);
-    y = stage_[2].y;
+    y = stage_.back().y;
     if (y.size() > nq_ + nv_)
-      y[nq_ + nv_] =
-          work + h * (coefficients_.a[2][0] * stage_work_[0] + coefficients_.a[2][1] * stage_work_[1] +
-                      coefficients_.a[2][2] * stage_work_[2]);
+      y[nq_ + nv_] = work + h * mix(coefficients_.a.back(), [&](int j) { return stage_work_[j]; });
     std::copy(stage_.begin(), stage_.end(), last_.begin());
     last_h_ = h;
     ++counters_.steps;
   }
 
-  static constexpr int most_slackenings = 12;
+  static constexpr int most_slackenings = 4 * s;
 
-  const RadauCoefficients<S> coefficients_;
+  const RadauCoefficients<S, s> coefficients_;
   std::optional<Tolerances> tolerances_;
   NewtonOptions newton_;
   double stalled_ = 1e-7;  ///< imbalance that rounding may leave
@@ -477,10 +473,10 @@ class Radau5 {
   StepChoice<S> choice_;
   Anderson<S> anderson_;
   ConjugateResiduals<S> slackenings_;
-  std::array<Stage, 3> stage_;
-  std::array<Known, 3> last_;
-  std::array<Flat<S>, 3> moved_, turned_;
-  std::array<S, 3> stage_work_;
+  std::array<Stage, s> stage_;
+  std::array<Known, s> last_;
+  std::array<Flat<S>, s> moved_, turned_;
+  std::array<S, s> stage_work_;
   std::optional<S> last_h_;
   Flat<S> force_, change_, rows_, x_, mu_, no_force_, stiffness_, damping_, resistance_;
   Flat<S> sizes_;                               ///< of what displacements move
@@ -489,5 +485,10 @@ class Radau5 {
   bool has_begun_ = false, has_matrix_ = false;
   Counters counters_;
 };
+
+template <ConstrainedSystem System>
+using Radau5 = Radau<System, 3>;
+template <ConstrainedSystem System>
+using Radau9 = Radau<System, 5>;
 
 }  // namespace trivium::integrators

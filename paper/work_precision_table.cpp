@@ -100,7 +100,7 @@ std::string work_on_two_bars_figure(Results& results, Numbers&) {
 }
 
 std::string work_on_the_governor_figure(Results& results, Numbers&) {
-  return costs(results["work_precision"], "flyball_governor", {"rkf78", "cvode-bdf", "ida", "radau5"});
+  return costs(results["work_precision"], "flyball_governor", {"rkf78", "cvode-bdf", "radau5", "radau9"});
 }
 
 }  // namespace trivium::paper

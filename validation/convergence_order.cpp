@@ -52,6 +52,7 @@ std::vector<Case> cases() {
                         {"hht", "hht", {.alpha = -0.2}, 2, 2, 200, true},
                         {"hht, alpha = 0", "hht", {.alpha = 0.0}, 2, 0, 50},
                         {"radau5", "radau5", {}, 5, 3, 20},
+                        {"radau9", "radau9", {}, 9, 5, 6},
                         {"rattle", "rattle", {}, 2, 2, 50},
                         {"rattle4", "rattle4", {}, 4, 2, 20}};
   for (int k = 1; k <= 5; ++k)

@@ -29,7 +29,8 @@ double apart(const Motion& a, const Motion& b) {
   return largest;
 }
 
-const std::vector<std::string> general{"generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "radau5"};
+const std::vector<std::string> general{
+    "generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "radau5", "radau9"};
 
 class Implicit : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Motions, Implicit, testing::ValuesIn(formulation_names()),
@@ -57,7 +58,7 @@ TEST_P(Implicit, PositionsStayOnTheirConstraintsAndVelocitiesToTheMethodsError) 
     for (const std::string& method : general) {
       const Motion motion(catalogue_scene(name), stepping(GetParam(), method, 0.5, 0.0025));
       EXPECT_LE(motion.report.phi, 1e-12) << name << " " << method;
-      const bool is_stabilised = method.ends_with("gl2") || method == "radau5";
+      const bool is_stabilised = method.ends_with("gl2") || method.starts_with("radau");
       EXPECT_LE(motion.report.phi_dot, is_stabilised ? 1e-10 : 0.2) << name << " " << method;
     }
 }
@@ -128,14 +129,16 @@ TEST_P(Implicit, ABodyComesToRestOnStiffSpringsAlone) {
       spring.free_length = 0.7;
       scene.effects.emplace_back(spring);
     }
-  for (const char* method : {"generalized-alpha", "hht", "bdf", "radau5"}) {
+  for (const char* method : {"generalized-alpha", "hht", "bdf", "radau5", "radau9"}) {
     const Motion motion(scene, stepping(GetParam(), method, 0.5, 1e-3));
     EXPECT_NEAR(motion.end().state.pose[0].r[2], -9.81 / 2e8, 1e-10) << method;
     EXPECT_LE(motion.end().state.twist[0].omega_bar.norm(), 1e-6) << method;
   }
-  const Motion chosen(scene, tight(GetParam(), "radau5", 0.5, 1e-9));
-  EXPECT_NEAR(chosen.end().state.pose[0].r[2], -9.81 / 2e8, 1e-10);
-  EXPECT_LE(chosen.report.counters.rejected_steps, chosen.report.counters.steps / 4);
+  for (const char* method : {"radau5", "radau9"}) {
+    const Motion chosen(scene, tight(GetParam(), method, 0.5, 1e-9));
+    EXPECT_NEAR(chosen.end().state.pose[0].r[2], -9.81 / 2e8, 1e-10) << method;
+    EXPECT_LE(chosen.report.counters.rejected_steps, chosen.report.counters.steps / 4) << method;
+  }
 }
 
 // an explicit method would need some 10 000 steps of what is here one
@@ -152,32 +155,65 @@ TEST_P(Implicit, BackwardDifferencesBeginInAStiffMotionAsTheyGoOn) {
 
 // bodies without rows of their own, too
 TEST_P(Implicit, RadauKeepsEulerParametersUnit) {
-  const Motion motion(catalogue_scene("dzhanibekov"), tight(GetParam(), "radau5", 5, 1e-2));
-  EXPECT_LE(motion.report.normalisation, 1e-14);
+  for (const char* method : {"radau5", "radau9"}) {
+    const Motion motion(catalogue_scene("dzhanibekov"), tight(GetParam(), method, 5, 1e-2));
+    EXPECT_LE(motion.report.normalisation, 1e-14) << method;
+  }
 }
 
 // the shift is least in M alone where the stages' matrices have one share of dampers
-TEST_P(Implicit, RadauIsOfOrderFiveWhereDampersAre) {
-  static const Motion exact(catalogue_scene("stewart_platform"), tight("r-omega", "rkf78", 0.05, 1e-20),
-                            test::in_quad);
-  const auto errors = [&](int steps) {
-    const Motion motion(catalogue_scene("stewart_platform"),
-                        stepping(GetParam(), "radau5", 0.05, 0.05 / steps), test::in_quad);
-    double v = 0;
-    for (std::size_t b = 0; b < motion.end().state.twist.size(); ++b)
-      v = std::max(v, (motion.end().state.twist[b].r_dot - exact.end().state.twist[b].r_dot).norm());
-    return std::array{apart(motion, exact), v, (motion.end().lambda - exact.end().lambda).norm()};
+TEST_P(Implicit, RadauIsOfItsOrderWhereDampersAre) {
+  const scenes::Scene scene = catalogue_scene("stewart_platform");
+  const auto errors = [&](const Motion& motion, const Motion& exact) {
+    const auto &a = motion.end(), &b = exact.end();
+    const auto apart = [&](const auto& part) {
+      double largest = 0;
+      for (std::size_t body = 0; body < scene.bodies.size(); ++body)
+        largest = std::max(largest, ((part(a.state, body) - part(b.state, body)) +
+                                     (part(*a.state_rest, body) - part(*b.state_rest, body)))
+                                        .norm());
+      return largest;
+    };
+    return std::array{apart([](const auto& state, std::size_t body) { return state.pose[body].r; }),
+                      apart([](const auto& state, std::size_t body) { return state.twist[body].r_dot; }),
+                      (a.lambda - b.lambda + a.lambda_rest - b.lambda_rest).norm()};
   };
-  const auto coarse = errors(10), fine = errors(20);
-  for (int k = 0; k < 3; ++k) EXPECT_NEAR(std::log2(coarse[k] / fine[k]), 5, 0.2) << k;
+  struct Case {
+    const char* method;
+    int order, steps;
+    double end;
+  };
+  for (const Case& c : {Case{"radau5", 5, 10, 0.05}, {"radau9", 9, 5, 0.1}}) {
+    const Motion exact(scene, tight("r-omega", "rkf78", c.end, 1e-19), test::in_quad);
+    const auto after = [&](int steps) {
+      return errors(Motion(scene, stepping(GetParam(), c.method, c.end, c.end / steps), test::in_quad),
+                    exact);
+    };
+    const auto coarse = after(c.steps), fine = after(2 * c.steps);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(std::log2(coarse[k] / fine[k]), c.order, 0.2) << c.method << " " << k;
+  }
 }
 
 TEST_P(Implicit, RadauMeetsRowsAtTheEndsOfStepsToRounding) {
   for (const char* name : {"flyball_governor", "spatial_slider_crank", "bricard"}) {
-    const Motion motion(catalogue_scene(name), tight(GetParam(), "radau5", 0.5, 1e-4));
-    EXPECT_LE(motion.report.phi, 1e-13) << name;
-    EXPECT_LE(motion.report.phi_dot, 1e-12) << name;
+    for (const char* method : {"radau5", "radau9"}) {
+      const Motion motion(catalogue_scene(name), tight(GetParam(), method, 0.5, 1e-4));
+      EXPECT_LE(motion.report.phi, 1e-13) << name << " " << method;
+      EXPECT_LE(motion.report.phi_dot, 1e-12) << name << " " << method;
+    }
   }
+}
+
+// the more, the tighter: five stages a step, but longer steps
+TEST_P(Implicit, ToTightErrorsTheHigherOrderOfRadauAsksForLess) {
+  static const Motion exact(catalogue_scene("flyball_governor"), tight("r-omega", "rkf78", 1, 1e-13));
+  const scenes::Scene scene = catalogue_scene("flyball_governor");
+  const Motion by_five(scene, tight(GetParam(), "radau5", 1, 1e-8)),
+      by_nine(scene, tight(GetParam(), "radau9", 1, 1e-7));
+  EXPECT_LE(apart(by_five, exact), 1e-8);
+  EXPECT_LE(apart(by_nine, exact), apart(by_five, exact));
+  EXPECT_LE(by_nine.report.counters.right_sides, by_five.report.counters.right_sides / 2);
 }
 
 TEST_P(Implicit, BackwardDifferencesOfLibrariesChooseLongStepsInAStiffMotion) {
@@ -218,9 +254,11 @@ TEST_P(Implicit, RedundantMechanismsPassTheirSingularPositions) {
     const Motion motion(catalogue_scene("n_four_bar_2"), stepping(GetParam(), method, 3, 0.0025));
     EXPECT_LE(apart(motion, exact), 5e-3) << method;
   }
-  const Motion by_radau(catalogue_scene("n_four_bar_2"), tight(GetParam(), "radau5", 3, 1e-6));
-  EXPECT_LE(apart(by_radau, exact), 1e-4);
-  EXPECT_LE(by_radau.report.counters.steps, 500);
+  for (const char* method : {"radau5", "radau9"}) {
+    const Motion by_radau(catalogue_scene("n_four_bar_2"), tight(GetParam(), method, 3, 1e-6));
+    EXPECT_LE(apart(by_radau, exact), 1e-4) << method;
+    EXPECT_LE(by_radau.report.counters.steps, 500) << method;
+  }
 }
 
 TEST_P(Implicit, ChangesOfChartAndKinksRestartAMethod) {

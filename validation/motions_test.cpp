@@ -215,7 +215,8 @@ TEST_P(InEveryFormulation, ADriverWhoseSpeedJumpsStrikesWithAnImpulse) {
 
 // the state after it is that of the end
 TEST_P(InEveryFormulation, AJumpAtTheEndOfTheRunIsStillPassed) {
-  for (const char* method : {"dopri5", "cvode-bdf", "ida", "radau5", "hedop5", "generalized-alpha", "bdf"}) {
+  for (const char* method :
+       {"dopri5", "cvode-bdf", "ida", "radau5", "radau9", "hedop5", "generalized-alpha", "bdf"}) {
     SimulationOptions options = tight(GetParam(), method, 0.5, 1e-9);
     if (!integrators::find_method(method)->chooses_steps) options.step = 0.001;
     const Motion motion(catalogue_scene("wellformed/jerked_trolley"), options);
@@ -229,8 +230,8 @@ TEST_P(InEveryFormulation, EveryMethodGoesOverAJumpOfVelocities) {
   const Motion exact(scene, tight("r-omega", "rkf78", 1, 1e-12));
   ASSERT_EQ(exact.report.impulses.size(), 2u);
   for (const char* method : {"dopri5", "bulirsch-stoer", "abm", "cvode-adams", "cvode-bdf", "arkode-erk",
-                             "arkode-dirk", "ida", "radau5", "generalized-alpha", "generalized-alpha-gl2",
-                             "bdf", "hem4", "hedop5", "rattle", "rattle4"}) {
+                             "arkode-dirk", "ida", "radau5", "radau9", "generalized-alpha",
+                             "generalized-alpha-gl2", "bdf", "hem4", "hedop5", "rattle", "rattle4"}) {
     if (std::string(method).starts_with("rattle") && !inertia_is_constant(GetParam())) continue;
     SimulationOptions options = tight(GetParam(), method, 1, 1e-9);
     const bool steps = !integrators::find_method(method)->chooses_steps;

@@ -120,7 +120,7 @@ std::vector<Entry> entries(bool quick) {
   const auto steps = quick ? std::vector<double>{200} : std::vector<double>{200, 800, 3200};
   for (const char* formulation : {"r-omega", "r-p", "r-epsilon"}) {
     for (const char* method : {"dopri5", "rkf78", "bulirsch-stoer", "abm", "cvode-adams", "cvode-bdf",
-                               "arkode-erk", "arkode-dirk", "ida", "radau5", "hedop5"})
+                               "arkode-erk", "arkode-dirk", "ida", "radau5", "radau9", "hedop5"})
       for (const double rtol : tolerances(quick)) all.push_back({"trivium", formulation, method, rtol, {}});
     if (!quick)
       for (const char* method : {"rkf78", "bulirsch-stoer", "abm", "cvode-adams"})

@@ -1,0 +1,111 @@
+#pragma once
+/// The coefficients of Radau IIA: Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.5
+/// and IV.8.
+
+#include <Eigen/LU>
+#include <array>
+#include <boost/multiprecision/float128.hpp>
+#include <limits>
+#include <type_traits>
+
+namespace trivium::integrators {
+
+/// Of s stages, an odd number, of order 2 s - 1.
+template <class S, int s>
+struct RadauCoefficients {
+  static_assert(s % 2 == 1, "an even number of stages has no real eigenvalue");
+
+  std::array<S, s> c;      ///< the last is 1
+  std::array<S, s> error;  ///< h gamma f(y_n) + sum error_i (Y_i - y_n) is the estimated error, of order s
+  std::array<std::array<S, s>, s> a, inverse, square;  ///< A, A^-1, A^2
+  S gamma;                                             ///< A's real eigenvalue
+
+  RadauCoefficients() {
+    const auto nodes = nodes_of_quadrature();
+    const Wide eigenvalue = real_eigenvalue();
+    // A makes c^(k-1) into c^k / k, k = 1 .. s
+    Square powers, integrals;
+    for (int i = 0; i < s; ++i) {
+      Wide power(1);
+      for (int k = 0; k < s; ++k) {
+        powers(i, k) = power;
+        power *= nodes[i];
+        integrals(i, k) = power / (k + 1);
+      }
+    }
+    const Square from_powers = powers.inverse(), A = integrals * from_powers, A_inverse = A.inverse();
+    const Square A_square = A * A;
+    const Eigen::Matrix<Wide, 1, s> e = -eigenvalue * from_powers.row(0) * A_inverse;
+    for (int i = 0; i < s; ++i) {
+      c[i] = static_cast<S>(nodes[i]);
+      error[i] = static_cast<S>(e[i]);
+      for (int j = 0; j < s; ++j) {
+        a[i][j] = static_cast<S>(A(i, j));
+        inverse[i][j] = static_cast<S>(A_inverse(i, j));
+        square[i][j] = static_cast<S>(A_square(i, j));
+      }
+    }
+    gamma = static_cast<S>(eigenvalue);
+  }
+
+ private:
+  using Quad =
+      boost::multiprecision::number<boost::multiprecision::float128_backend, boost::multiprecision::et_off>;
+  /// Doubles are what is left of quads: inverses of powers of c lose some digits.
+  using Wide = std::conditional_t<std::is_same_v<S, double>, Quad, S>;
+  using Square = Eigen::Matrix<Wide, s, s>;
+
+  struct Value {
+    Wide f, slope;
+  };
+  /// Where f ends, by Newton's method from a side that it comes from monotonically, until rounding turns it.
+  template <class F>
+  static Wide root(Wide x, const F& f) {
+    for (Wide before = std::numeric_limits<Wide>::max();;) {
+      const Value at = f(x);
+      const Wide step = at.f / at.slope;
+      using std::abs;
+      if (!(abs(step) < before)) return x;
+      before = abs(step);
+      x -= step;
+    }
+  }
+  /// The roots of P_s - P_(s-1), Legendre's polynomials on [0, 1], from the left; each without those before.
+  static std::array<Wide, s> nodes_of_quadrature() {
+    std::array<Wide, s> nodes;
+    nodes.back() = 1;
+    for (int found = 0; found < s - 1; ++found)
+      nodes[found] = root(Wide(0), [&](const Wide& x) {
+        const Wide z = 2 * x - 1;
+        Value before{Wide(1), Wide(0)}, now{z, Wide(2)};
+        for (int k = 1; k < s; ++k) {
+          const Value next{((2 * k + 1) * z * now.f - k * before.f) / (k + 1),
+                           ((2 * k + 1) * (2 * now.f + z * now.slope) - k * before.slope) / (k + 1)};
+          before = now;
+          now = next;
+        }
+        Value left{now.f - before.f, now.slope - before.slope};
+        for (int k = 0; k < found; ++k) left.slope -= left.f / (x - nodes[k]);
+        left.slope -= left.f / (x - 1);
+        return left;
+      });
+    return nodes;
+  }
+  /// The inverse of the real root of the stability function's denominator, Pade's of exp (IV.3): the root
+  /// farthest to the right, so that Newton's method comes to it from there.
+  static Wide real_eigenvalue() {
+    return 1 / root(Wide(10 * s), [](const Wide& z) {
+             Wide term(1);
+             Value q{Wide(1), Wide(0)};
+             for (int j = 1; j <= s; ++j) {
+               const Wide factor = Wide(s - j + 1) / (j * (2 * s - j));
+               q.slope = q.slope - j * factor * term;
+               term *= -factor * z;
+               q.f += term;
+             }
+             return q;
+           });
+  }
+};
+
+}  // namespace trivium::integrators
