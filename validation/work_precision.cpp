@@ -202,6 +202,13 @@ struct Curve {
   }
 };
 
+/// gnuplot's numbers.
+struct LineStyle {
+  int points, dashes;
+};
+constexpr std::array<LineStyle, 3> lines_of_ours{{{7, 1}, {9, 4}, {13, 3}}},
+    lines_of_peers{{{4, 2}, {8, 5}, {6, 2}}};
+
 /// Seconds over errors, a line a method: ours in r-omega and Simbody's. Runs that failed are crosses at the
 /// bottom, at the tolerance or, of given steps, at the right; the legend counts them.
 void plot(const Contest& contest, const std::filesystem::path& folder) {
@@ -214,9 +221,13 @@ void plot(const Contest& contest, const std::filesystem::path& folder) {
   std::string data, crosses;
   std::vector<std::string> lines;
   int rows_of_crosses = 0;
+  std::size_t peers = 0;
   for (std::size_t n = 0; n < curves.size(); ++n) {
     const Curve& curve = curves[n];
-    const std::size_t color = n % 8 + 1;
+    // eight colors; when they are used up, other lines and points
+    const std::size_t among_its_kind = curve.is_peer ? peers++ : n - peers;
+    const std::size_t color = among_its_kind % 8 + 1;
+    const LineStyle style = (curve.is_peer ? lines_of_peers : lines_of_ours)[among_its_kind / 8 % 3];
     if (!curve.points.empty()) data += fmt::format("$m{} << EOD\n{}EOD\n", n, curve.points);
     // that none hides another's
     if (!curve.failed_at.empty()) ++rows_of_crosses;
@@ -228,14 +239,7 @@ void plot(const Contest& contest, const std::filesystem::path& folder) {
                                     : fmt::format("{} ({} failed)", curve.name, curve.failed_at.size());
     lines.push_back(fmt::format("{} with yerrorlines lw 1.5 pt {} ps 0.5 lc {} dt {} title {}",
                                 curve.points.empty() ? "keyentry" : fmt::format("$m{} using 1:2:3:4", n),
-                                curve.is_peer ? 4
-                                : n >= 8      ? 9
-                                              : 7,
-                                color,
-                                curve.is_peer ? 2
-                                : n >= 8      ? 4
-                                              : 1,
-                                gnuplot_quoted(counted)));
+                                style.points, color, style.dashes, gnuplot_quoted(counted)));
   }
   for (const auto& [terminal, suffix] :
        {std::pair("svg size 900,650 noenhanced font 'sans,11' background '#ffffff'", ".svg"),
@@ -292,7 +296,9 @@ int main(int argc, char** argv) {
   Program program("What does accuracy cost in time? SCENE may also be two_bars, a double pendulum in space.",
                   "work_precision", "two_bars, IFToMM A01 to A05 and the Stewart platform");
   precision::Options options;
-  program.options().add_flag("--quick", options.quick, "Two tolerances and one step for every method");
+  program.options().add_flag(
+      "--quick", options.quick,
+      "Two tolerances and one step for every method; Simbody's of order 1 and 2 are left out");
   program.options()
       .add_option("--repetitions", options.repetitions, "Of every run that is timed")
       ->check(CLI::Range(1, 1000))
