@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -98,9 +100,11 @@ class Watcher : public SimulationObserver {
   std::optional<MotionPlot> plot_;
 };
 
-/// More than a thousandth of what moves.
+/// More than a thousandth of what moves, and than rounding of the energies.
 bool balance_is_large(const SimulationReport& report) {
-  return !(report.balance <= 1e-3 * report.largest_kinetic + 1e-12);
+  const double energies =
+      std::max({std::abs(report.energy_start), std::abs(report.energy_end), std::abs(report.work)});
+  return !(report.balance <= 1e-3 * report.largest_kinetic + 1e-12 * energies);
 }
 
 std::vector<std::string> warnings_of(const SimulationReport& report) {

@@ -116,11 +116,15 @@ void check(const MethodInfo& method, Steps steps, const MethodParameters& given)
                     method.name));
   if (steps == Steps::chosen && !method.chooses_steps)
     throw UsageError(fmt::format("{} takes steps of a given length; give it a step", method.name));
-  const auto only = [&](bool is_given, const char* what, std::initializer_list<std::string_view> of) {
-    const auto is = [&](std::string_view name) { return method.name.starts_with(name); };
-    if (is_given && std::none_of(of.begin(), of.end(), is))
-      throw UsageError(fmt::format("{} is a parameter of {}, and {} has none such", what, fmt::join(of, ", "),
-                                   method.name));
+  const auto only = [&](bool is_given, const char* what, std::initializer_list<std::string_view> families) {
+    if (!is_given) return;
+    std::vector<std::string_view> names;
+    for (const MethodInfo& one : methods())
+      for (const std::string_view family : families)
+        if (one.name.starts_with(family)) names.push_back(one.name);
+    if (std::find(names.begin(), names.end(), method.name) == names.end())
+      throw UsageError(fmt::format("{} is a parameter of {}, and {} has none such", what,
+                                   fmt::join(names, ", "), method.name));
   };
   only(given.order.has_value(), "an order", {"bdf", "arkode-erk", "arkode-dirk"});
   only(given.rho.has_value(), "rho", {"generalized-alpha"});

@@ -10,11 +10,11 @@
 ///
 ///   Phi(Q_i, t_i) = 0,   M s_i + Phi_q^T mu_i = 0
 ///
-/// Newton's method has a real matrix for each stage, made where that stage is, as stiff springs turn within a
-/// step. Rows are met through A^-1. Springs resist in it by the share h gamma of A's real eigenvalue; what
-/// they do from stage to stage through A is solved for in their own few numbers, without evaluating anything.
-/// To tolerances, it ends where the changes still to come are small by those that came. Order s in its own
-/// lambda.
+/// with the last at the place that Newton's matrix is of. That is real for each stage, made where that stage
+/// is, as stiff springs turn within a step. Rows are met through A^-1. Springs resist in it by the share h
+/// gamma of A's real eigenvalue; what they do from stage to stage through A is solved for in their own few
+/// numbers, without evaluating anything. To tolerances, it ends where the changes still to come are small by
+/// those that came. Order s in its own lambda.
 
 #include <algorithm>
 #include <array>
@@ -93,7 +93,8 @@ class Radau {
     Flat<S> v, theta, rate, y;   ///< where they lead
     Flat<S> bend;                ///< by how much theta's rate is not v + shift + normal
     Flat<S> left, phi, phi_dot;  ///< what is left to solve
-    Flat<S> rows;                ///< asked of the matrix
+    Flat<S> made_at;             ///< the state that the matrix is of
+    Flat<S> rows;                ///< asked of it
     Flat<S> slack, stretch;      ///< of springs, with the last change
   };
 
@@ -129,10 +130,14 @@ class Radau {
   bool solve_stages(System& system, const S& t, const S& h, const Flat<S>& y) {
     const Flat<S> v = y.segment(nq_, nv_);
     anderson_.clear();
-    S before = std::numeric_limits<S>::max(), moved_before = before;
+    S before = std::numeric_limits<S>::max(), moved_before = before, moved_earlier = before;
     const S enough = std::max(S(newton_.tolerance), rounding<S>()),
             stalled = std::max(S(stalled_), S(1000 * rounding<S>()));
-    bool is_factored = false;
+    // the matrix is made for the first iteration and, from where changes do not halve, for every one
+    bool is_fresh = false, at_each = newton_.is_full;
+    const auto refresh = [&] {
+      if (!std::exchange(at_each, true)) anderson_.clear();
+    };
     for (int k = 0, rises = 0; k < 40 && rises < 5; ++k) {
       place(system, h, y, v);
       meet_internal(system, h, y, v);
@@ -156,23 +161,29 @@ class Radau {
       if (imbalance <= enough && violation <= rounding<S>()) return true;
       const bool falls = now <= before / 2;
       if (!falls) {
-        if (imbalance <= stalled && violation <= 1000 * rounding<S>()) return true;
+        // forces of bodies far lighter than others are none beside theirs, but changes tell of them too
+        const bool is_still = !tolerances_ || moved_before <= S(1);
+        if (is_fresh && is_still && imbalance <= stalled && violation <= 1000 * rounding<S>()) return true;
         ++rises;
-        is_factored = false;
+        refresh();
       }
       before = now;
-      if (!is_factored) anderson_.clear();
-      const Flat<S>& step = correct(system, h, is_factored && !newton_.is_full);
-      is_factored = true;
+      is_fresh = k == 0 || at_each;
+      const Flat<S>& step = correct(system, h, is_fresh);
       ++counters_.iterations;
       if (!tolerances_) continue;
       const S moved = size_of(step, h, y);
-      // what is left to come, where changes go on to fall as they did
-      if (k > 0 && moved <= S(1) && moved * moved <= most_to_come_ * (moved_before - moved)) {
+      // how changes fell, of the last one and of the last two: one alone may be small by chance
+      using std::sqrt;
+      const S share =
+          k == 0 ? S(1) : std::max(S(moved / moved_before), k == 1 ? S(0) : S(sqrt(moved / moved_earlier)));
+      if (k > 0 && (moved == S(0) || (moved <= S(1) && moved * share <= most_to_come_ * (1 - share)))) {
         place(system, h, y, v);
         meet_internal(system, h, y, v);
         return true;
       }
+      if (moved > moved_before / 2) refresh();
+      moved_earlier = moved_before;
       moved_before = moved;
     }
     return false;
@@ -282,7 +293,7 @@ class Radau {
       stage.y.segment(nq_, nv_) = stage.v;
     }
   }
-  /// Of displacements, beside their own size.
+  /// Of displacements, beside their own size: many short steps then miss no more than a few long ones.
   S placed_within() const {
     return std::max(2 * std::numeric_limits<S>::epsilon(), tolerances_ ? S(1e-3 * tolerances_->rtol) : S(0));
   }
@@ -291,7 +302,7 @@ class Radau {
   void meet_internal(System& system, const S& h, const Flat<S>& y, const Flat<S>& v) {
     S before = std::numeric_limits<S>::max();
     for (int k = 0; k < 20; ++k) {
-      S off(0), size(0);
+      S off(0), way(0);
       for (int i = 0; i < s; ++i) {
         Stage& stage = stage_[i];
         moved_[i].setZero(nv_);
@@ -299,9 +310,9 @@ class Radau {
         if (!system.constrain(S(1), stage.y, moved_[i])) return;
         system.constrain_velocity(S(1), stage.y, turned_[i]);
         off += moved_[i].norm() + h * turned_[i].norm();
-        size += 1 + h * stage.v.norm();
+        way += h * stage.v.norm();
       }
-      if (off <= placed_within() * size || !(off < before)) return;
+      if (off <= placed_within() * way + 2 * s * std::numeric_limits<S>::epsilon() || !(off < before)) return;
       before = off;
       for (int i = 0; i < s; ++i) {
         Stage& stage = stage_[i];
@@ -322,8 +333,8 @@ class Radau {
     return x_;
   }
 
-  const Flat<S>& correct(System& system, const S& h, bool is_factored) {
-    if (!is_factored) factor(system, h);
+  const Flat<S>& correct(System& system, const S& h, bool makes_matrix) {
+    if (makes_matrix) factor(system, h);
     change_.setZero(s * (2 * nv_ + nc_));
     for (int i = 0; i < s; ++i) {
       stage_[i].slack.setZero(stiffness_.size());
@@ -331,7 +342,13 @@ class Radau {
     }
     no_force_.setZero(nv_);
     solve_each(
-        system, [&](int) -> const Flat<S>& { return no_force_; },
+        system,
+        [&](int i) -> const Flat<S>& {
+          // what of the shift is along the rows goes
+          system.inertia_force(stage_[i].made_at, stage_[i].shift, force_);
+          force_ = -force_;
+          return force_;
+        },
         [&](int i) { change_.segment(s * (nv_ + nc_) + i * nv_, nv_) = x_; });
     solve_together(system, h);
     const Flat<S>& step = anderson_.step(change_, s * nv_);
@@ -371,6 +388,7 @@ class Radau {
     for (int i = 0; i < s; ++i) {
       system.select(i);
       system.factor(share, S(share * share));
+      stage_[i].made_at = stage_[i].y;
     }
     slackenings_.clear();
     resistance_ = share * damping_ + share * share * stiffness_;
@@ -469,7 +487,7 @@ class Radau {
   std::optional<Tolerances> tolerances_;
   NewtonOptions newton_;
   double stalled_ = 1e-7;  ///< imbalance that rounding may leave
-  S most_to_come_{0};      ///< of Newton's changes, in tolerances: together those of all steps stay below one
+  S most_to_come_{0};      ///< of Newton's changes, in tolerances; less where there are more steps
   StepChoice<S> choice_;
   Anderson<S> anderson_;
   ConjugateResiduals<S> slackenings_;

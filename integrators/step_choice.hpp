@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 
 #include "integrators/system.hpp"
 
@@ -100,7 +101,10 @@ void require_finite(const Flat<S>& y, const S& t) {
 
 template <FirstOrderSystem System>
 [[noreturn]] void give_up(System& system, const typename System::Scalar& t,
-                          const Flat<typename System::Scalar>& y, const std::string& why) {
+                          const Flat<typename System::Scalar>& y, std::string why) {
+  // there are none
+  constexpr std::string_view advice = "; take smaller steps";
+  if (why.ends_with(advice)) why.resize(why.size() - advice.size());
   const std::string suspect = system.suspect(t, y);
   throw IntegrationError(
       fmt::format("at t = {}: the steps have shrunk to nothing{}{}", static_cast<double>(t),

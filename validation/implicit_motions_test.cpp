@@ -284,6 +284,25 @@ TEST_P(Implicit, FullNewtonFindsTheSameMotion) {
   }
 }
 
+// stages that are reached by another way are no others, also where the method's error is not small
+TEST_P(Implicit, FullNewtonFindsTheSameMotionOfRadauAtLongSteps) {
+  SimulationOptions options = stepping(GetParam(), "radau9", 1, 0.025);
+  const Motion modified(catalogue_scene("spatial_four_bar"), options);
+  options.parameters.full_newton = true;
+  EXPECT_LE(apart(Motion(catalogue_scene("spatial_four_bar"), options), modified), 1e-6);
+}
+
+// what iterations leave of a step is less in a shorter one, so that outputs may cut steps
+TEST_P(Implicit, OutputsThatCutStepsDoNotAddUpToErrorsOfRadau) {
+  static const Motion exact(catalogue_scene("stewart_platform"), tight("r-omega", "rkf78", 1, 1e-12));
+  for (const char* method : {"radau5", "radau9"}) {
+    SimulationOptions options = tight(GetParam(), method, 1, 1e-5);
+    const double few = apart(Motion(catalogue_scene("stewart_platform"), options), exact);
+    options.output_step = 1e-3;
+    EXPECT_LE(apart(Motion(catalogue_scene("stewart_platform"), options), exact), few / 10) << method;
+  }
+}
+
 // two methods for the work too, of dampers and drivers
 TEST_P(Implicit, WorkAccountsForTheEnergy) {
   for (const char* name : {"driven_crank", "open_arm_7"})
