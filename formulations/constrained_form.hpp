@@ -243,6 +243,13 @@ class ConstrainedForm : public FirstOrderForm<F> {
     left.setZero(velocity_size());
     for (int b = 0; b < nb(); ++b) of(left, b).template head<6>() = right_side_.body[b].six();
   }
+  /// The same of a generalised force, where the matrix is.
+  void take_force(const Flat& force, Flat& left) const {
+    left.setZero(velocity_size());
+    for (int b = 0; b < nb(); ++b)
+      of(left, b).template head<6>() << r_of(force, b),
+          F::reduced(selected_->factored().body()[b], q_of(force, b));
+  }
   /// M x + Phi_q^T mu = left, Phi_q x = rows: added to x and mu.
   void solve(const Flat& left, const Flat& rows, Flat& x, Flat& mu) {
     give(left, rows);

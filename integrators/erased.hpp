@@ -63,6 +63,7 @@ class AnySystem {
   virtual void solve(const Flat<S>& left, const Flat<S>& rows, Flat<S>& x, Flat<S>& mu) = 0;
   virtual void solve(const Flat<S>& left, const Flat<S>& rows, const Flat<S>& slack, Flat<S>& x, Flat<S>& mu,
                      Flat<S>& stretch) = 0;
+  virtual void take_force(const Flat<S>& force, Flat<S>& left) = 0;
   virtual void solve_force(const Flat<S>& force, Flat<S>& x, Flat<S>& mu) = 0;
   virtual void take_internal_rows(const Flat<S>& v_dot, Flat<S>& left) const = 0;
   virtual void solve_internal_rows(const Flat<S>& y, const Flat<S>& left, Flat<S>& x) = 0;
@@ -182,6 +183,9 @@ class Erased final : public AnySystem<typename System::Scalar> {
   void solve(const Flat<S>& left, const Flat<S>& rows, const Flat<S>& slack, Flat<S>& x, Flat<S>& mu,
              Flat<S>& stretch) override {
     constrained([&](auto& system) { system.solve(left, rows, slack, x, mu, stretch); });
+  }
+  void take_force(const Flat<S>& force, Flat<S>& left) override {
+    constrained([&](auto& system) { system.take_force(force, left); });
   }
   void solve_force(const Flat<S>& force, Flat<S>& x, Flat<S>& mu) override {
     constrained([&](auto& system) { system.solve_force(force, x, mu); });

@@ -346,8 +346,8 @@ class Radau {
         [&](int i) -> const Flat<S>& {
           // what of the shift is along the rows goes
           system.inertia_force(stage_[i].made_at, stage_[i].shift, force_);
-          force_ = -force_;
-          return force_;
+          system.take_force(-force_, along_);
+          return along_;
         },
         [&](int i) { change_.segment(s * (nv_ + nc_) + i * nv_, nv_) = x_; });
     solve_together(system, h);
@@ -496,7 +496,7 @@ class Radau {
   std::array<Flat<S>, s> moved_, turned_;
   std::array<S, s> stage_work_;
   std::optional<S> last_h_;
-  Flat<S> force_, change_, rows_, x_, mu_, no_force_, stiffness_, damping_, resistance_;
+  Flat<S> force_, along_, change_, rows_, x_, mu_, no_force_, stiffness_, damping_, resistance_;
   Flat<S> sizes_;                               ///< of what displacements move
   Flat<S> given_, missed_, direction_, image_;  ///< of springs, stage by stage
   int nq_ = 0, nv_ = 0, nc_ = 0;

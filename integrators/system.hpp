@@ -63,12 +63,12 @@ concept FirstOrderSystem = requires(System& system, const typename System::Scala
 /// force and the rows ask for.
 ///
 /// Methods of several stages `select` one of several evaluations and matrices that are kept side by side;
-/// they take what was evaluated at each (`take_rows`, `take_imbalance`) and `solve` for a mixture: M x +
-/// Phi_q^T mu = left, Phi_q x = rows, where springs resist what x stretches them by beyond a slack;
-/// `solve_force` for a force of v's kind. Libraries that have no `constrain` meet the second derivatives of
-/// internal rows: `take_internal_rows` puts what v' leaves of them beside an imbalance, `solve_internal_rows`
-/// adds to x what removes it. `has_springs` says whether the matrix depends on the shares, `spring_constants`
-/// by what stiffness and damping.
+/// they take what was evaluated at each (`take_rows`, `take_imbalance`; `take_force` makes the same of a
+/// force of v's kind) and `solve` for a mixture: M x + Phi_q^T mu = left, Phi_q x = rows, where springs
+/// resist what x stretches them by beyond a slack; `solve_force` for a force of v's kind. Libraries that have
+/// no `constrain` meet the second derivatives of internal rows: `take_internal_rows` puts what v' leaves of
+/// them beside an imbalance, `solve_internal_rows` adds to x what removes it. `has_springs` says whether the
+/// matrix depends on the shares, `spring_constants` by what stiffness and damping.
 template <class System>
 concept ConstrainedSystem = FirstOrderSystem<System> &&
     requires(System& system, const typename System::Scalar& t, const Flat<typename System::Scalar>& y,
@@ -100,6 +100,7 @@ concept ConstrainedSystem = FirstOrderSystem<System> &&
   system.impulse(v, changed, lambda);
   system.take_rows(changed);
   system.take_imbalance(changed);
+  system.take_force(v, changed);
   system.solve(v, v, changed, lambda);
   system.solve(v, v, v, changed, lambda, changed);
   system.solve_force(v, changed, lambda);
