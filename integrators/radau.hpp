@@ -10,11 +10,11 @@
 ///
 ///   Phi(Q_i, t_i) = 0,   M s_i + Phi_q^T mu_i = 0
 ///
-/// with the last at the place that Newton's matrix is of. That is real for each stage, made where that stage
-/// is, as stiff springs turn within a step. Rows are met through A^-1. Springs resist in it by the share h
-/// gamma of A's real eigenvalue; what they do from stage to stage through A is solved for in their own few
-/// numbers, without evaluating anything. To tolerances, it ends where the changes still to come are small by
-/// those that came. Order s in its own lambda.
+/// with M and Phi_q of the last from Newton's matrix, what springs resist included. That is real for each
+/// stage, made where that stage is, as stiff springs turn within a step. Rows are met through A^-1. Springs
+/// resist in it by the share h gamma of A's real eigenvalue; what they do from stage to stage through A is
+/// solved for in their own few numbers, without evaluating anything. To tolerances, it ends where the changes
+/// still to come are small by those that came. Order s in its own lambda.
 
 #include <algorithm>
 #include <array>
@@ -96,6 +96,7 @@ class Radau {
     Flat<S> made_at;             ///< the state that the matrix is of
     Flat<S> rows;                ///< asked of it
     Flat<S> slack, stretch;      ///< of springs, with the last change
+    Flat<S> stretched;           ///< by the shift
   };
 
   void begin(System& system, const S& t, const Flat<S>& y, const S& stop) {
@@ -242,6 +243,7 @@ class Radau {
     stage_[i].v_dot = v_dot;
     stage_[i].lambda = lambda;
     stage_[i].shift.setZero(nv_);
+    stage_[i].stretched.setZero(stiffness_.size());
     stage_[i].normal.setZero(nv_);
     stage_[i].bend.setZero(nv_);
   }
@@ -335,27 +337,33 @@ class Radau {
 
   const Flat<S>& correct(System& system, const S& h, bool makes_matrix) {
     if (makes_matrix) factor(system, h);
-    change_.setZero(s * (2 * nv_ + nc_));
+    const Eigen::Index springs = stiffness_.size(), behind = s * (2 * nv_ + nc_);
+    change_.setZero(behind + s * springs);
     for (int i = 0; i < s; ++i) {
-      stage_[i].slack.setZero(stiffness_.size());
+      stage_[i].slack = -stage_[i].stretched;
       stage_[i].rows = stage_[i].phi_dot + mixed(coefficients_.inverse[i], &Stage::phi) / -h;
     }
     no_force_.setZero(nv_);
     solve_each(
         system,
         [&](int i) -> const Flat<S>& {
-          // what of the shift is along the rows goes
+          // what of the shift is along the rows goes, springs too being in the way
           system.inertia_force(stage_[i].made_at, stage_[i].shift, force_);
           system.take_force(-force_, along_);
           return along_;
         },
-        [&](int i) { change_.segment(s * (nv_ + nc_) + i * nv_, nv_) = x_; });
+        [&](int i) {
+          change_.segment(s * (nv_ + nc_) + i * nv_, nv_) = x_;
+          change_.segment(behind + i * springs, springs) = stage_[i].stretch;
+          stage_[i].slack.setZero();
+        });
     solve_together(system, h);
     const Flat<S>& step = anderson_.step(change_, s * nv_);
     for (int i = 0; i < s; ++i) {
       stage_[i].v_dot += step.segment(i * nv_, nv_);
       stage_[i].lambda += step.segment(s * nv_ + i * nc_, nc_);
       stage_[i].shift += step.segment(s * (nv_ + nc_) + i * nv_, nv_);
+      stage_[i].stretched += step.segment(behind + i * springs, springs);
     }
     return step;
   }
