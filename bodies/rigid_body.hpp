@@ -2,10 +2,9 @@
 /// A rigid body and how it moves. The body frame sits at the centre of mass.
 
 #include <cmath>
-#include <vector>
 
-#include "bodies/scalar.hpp"
-#include "bodies/so3.hpp"
+#include "bodies/numbers/scalar.hpp"
+#include "bodies/rotations/so3.hpp"
 
 namespace trivium {
 
@@ -28,14 +27,6 @@ template <class Scalar>
 struct Twist {
   Vector3<Scalar> r_dot = Vector3<Scalar>::Zero();
   Vector3<Scalar> omega_bar = Vector3<Scalar>::Zero();
-};
-
-/// Pose and velocity of all bodies at time t: the state that every formulation starts from.
-template <class Scalar>
-struct MechanismState {
-  Scalar t{0};
-  std::vector<Pose<Scalar>> pose;
-  std::vector<Twist<Scalar>> twist;
 };
 
 /// What an effect may see of a body: position and velocity in any formulation's own numbers.

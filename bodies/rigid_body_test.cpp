@@ -1,7 +1,7 @@
 #include "bodies/rigid_body.hpp"
 
 #include "bodies/inertia.hpp"
-#include "bodies/testing.hpp"
+#include "bodies/testing/properties.hpp"
 
 namespace trivium {
 namespace {

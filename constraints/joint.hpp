@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "constraints/basic.hpp"
+#include "constraints/basic_constraint.hpp"
 
 namespace trivium {
 

@@ -3,7 +3,7 @@
 #include <Eigen/QR>
 #include <map>
 
-#include "constraints/plain_body.hpp"
+#include "constraints/testing/plain_body.hpp"
 
 namespace trivium {
 namespace {

@@ -1,6 +1,6 @@
-#include "effects/effects.hpp"
+#include "effects/effect_list.hpp"
 
-#include "bodies/testing.hpp"
+#include "bodies/testing/properties.hpp"
 
 namespace trivium {
 namespace {
@@ -268,8 +268,8 @@ TEST(Effects, AreConservativeWhereTheyGiveBackWhatTheyStore) {
 }
 
 TEST(Effects, TakeFromStoredEnergyAllButTheWorkOfDampersAndActuators) {
-  EXPECT_DOUBLE_EQ(about_z(10, 4, 0.2, 7.0).unstored_power(OnAnAxis(0.5, 3).view()), -(4 * 3 + 7) * 3);
-  EXPECT_DOUBLE_EQ(about_z(10, 0, 0.2, {}).unstored_power(OnAnAxis(0.5, 3).view()), 0);
+  EXPECT_DOUBLE_EQ(about_z(10, 4, 0.2, 7.0).nonconservative_power(OnAnAxis(0.5, 3).view()), -(4 * 3 + 7) * 3);
+  EXPECT_DOUBLE_EQ(about_z(10, 0, 0.2, {}).nonconservative_power(OnAnAxis(0.5, 3).view()), 0);
   EXPECT_DOUBLE_EQ(about_z(10, 0, 0.2, {}).longest_step(OnAnAxis(0.5, 3).view()), 1.0 / 3);
   EXPECT_GT(about_z(10, 0, 0.2, {}).longest_step(OnAnAxis(0.5, 0).view()), 1e300);
 }

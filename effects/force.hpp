@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "constraints/time_function.hpp"
+#include "bodies/numbers/time_function.hpp"
 #include "effects/effect.hpp"
 
 namespace trivium {
@@ -41,7 +41,7 @@ struct Force {
     if (!is_conservative()) return Scalar(0);
     return -global_force(view).dot(view.motion[body].point(s_bar));
   }
-  Scalar unstored_power(const EffectView<Scalar>& view) const {
+  Scalar nonconservative_power(const EffectView<Scalar>& view) const {
     return is_conservative() ? Scalar(0) : power(view);
   }
   void append_kinks(std::vector<double>& times) const { trivium::append_kinks(components, times); }

@@ -18,7 +18,7 @@ struct Gravity {
       sum += view.bodies[b].mass * g.dot(view.motion[b].r_dot);
     return sum;
   }
-  Scalar unstored_power(const EffectView<Scalar>&) const { return Scalar(0); }
+  Scalar nonconservative_power(const EffectView<Scalar>&) const { return Scalar(0); }
   bool is_conservative() const { return true; }
   /// -m g . r, zero at the global origin.
   Scalar potential_energy(const EffectView<Scalar>& view) const {

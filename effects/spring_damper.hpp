@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "bodies/error.hpp"
-#include "bodies/lanes.hpp"
-#include "constraints/time_function.hpp"
+#include "base/error.hpp"
+#include "bodies/numbers/lanewise.hpp"
+#include "bodies/numbers/time_function.hpp"
 #include "effects/effect.hpp"
 
 namespace trivium {
@@ -32,7 +32,7 @@ struct SpringDamper {
     return -tension(line, view.t) * line.length_rate;
   }
   /// That of the damper and the actuator.
-  Scalar unstored_power(const EffectView<Scalar>& view) const {
+  Scalar nonconservative_power(const EffectView<Scalar>& view) const {
     const Line line = measure(view);
     return -(damping * line.length_rate + actuator(view.t).f) * line.length_rate;
   }

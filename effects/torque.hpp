@@ -18,7 +18,7 @@ struct Torque {
     return body_torque(view).dot(view.motion[body].omega_bar);
   }
   Scalar potential_energy(const EffectView<Scalar>&) const { return Scalar(0); }
-  Scalar unstored_power(const EffectView<Scalar>& view) const { return power(view); }
+  Scalar nonconservative_power(const EffectView<Scalar>& view) const { return power(view); }
   void append_kinks(std::vector<double>& times) const { trivium::append_kinks(components, times); }
   /// A torque of constant components has no potential either.
   bool is_conservative() const { return false; }

@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "bodies/lanes.hpp"
-#include "constraints/time_function.hpp"
+#include "bodies/numbers/lanewise.hpp"
+#include "bodies/numbers/time_function.hpp"
 #include "effects/effect.hpp"
 
 namespace trivium {
@@ -33,7 +33,7 @@ struct TorsionalSpringDamper {
   }
 
   /// That of the damper and the actuator.
-  Scalar unstored_power(const EffectView<Scalar>& view) const {
+  Scalar nonconservative_power(const EffectView<Scalar>& view) const {
     const Scalar rate = angle_rate(view);
     return -(damping * rate + actuator(view.t).f) * rate;
   }

@@ -1,6 +1,6 @@
 /// gamma as the books print it, and the identities that tie one formulation's rows to another's.
 
-#include "formulations/moving_body.hpp"
+#include "formulations/testing/moving_body.hpp"
 
 namespace trivium {
 namespace {

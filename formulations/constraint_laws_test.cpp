@@ -1,7 +1,7 @@
 /// Phi_q, nu, gamma and row_acceleration of every basic constraint, in every formulation's coordinates, along
 /// any path.
 
-#include "formulations/moving_body.hpp"
+#include "formulations/testing/moving_body.hpp"
 
 namespace trivium {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "formulations/formulation.hpp"
-#include "scenes/mechanism.hpp"
+#include "mechanism/mechanism.hpp"
 
 namespace trivium {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "bodies/error.hpp"
-#include "bodies/lanes.hpp"
+#include "base/error.hpp"
+#include "bodies/numbers/lanewise.hpp"
 #include "formulations/formulation.hpp"
 
 namespace trivium {

@@ -1,6 +1,6 @@
 #include "formulations/euler_chart.hpp"
 
-#include "bodies/testing.hpp"
+#include "bodies/testing/properties.hpp"
 #include "formulations/equations_of_motion.hpp"
 #include "formulations/r_epsilon_omega_first.hpp"
 #include "formulations/r_p.hpp"

@@ -1,6 +1,6 @@
 /// The laws of the Formulation concept, the same for all: accelerations and forces.
 
-#include "formulations/test_samples.hpp"
+#include "formulations/testing/body_samples.hpp"
 
 namespace trivium {
 namespace {

@@ -17,7 +17,7 @@
 #include <string_view>
 
 #include "constraints/feature.hpp"
-#include "formulations/turning.hpp"
+#include "formulations/contract/angular_motion.hpp"
 
 namespace trivium {
 
@@ -43,8 +43,8 @@ concept Formulation = BodyKinematics<typename F::Kinematics> &&
              const Vector4<typename F::Scalar>& p, const Vector3<typename F::Scalar>& v,
              const Matrix3<typename F::Scalar>& J_bar, const typename F::Coordinates& q,
              const typename F::Kinematics& body, const typename F::Reduced& reduced,
-             const Vector<typename F::Scalar, F::rotational_unknowns>& x, const typename F::Flat& flat,
-             typename F::Flat& moved, typename F::Unknown& moved_x) {
+             const Vector<typename F::Scalar, F::rotational_unknowns>& x, const typename F::Orientation& flat,
+             typename F::Orientation& moved, typename F::Unknown& moved_x) {
   // constants
   { F::name } -> std::convertible_to<std::string_view>;
   { F::rotational_unknowns } -> std::convertible_to<int>;
@@ -68,7 +68,7 @@ concept Formulation = BodyKinematics<typename F::Kinematics> &&
   // internal row eliminated in closed form: three rotational unknowns x, q'' = from_reduced(x), and with them
   //   reduced_mass_block x + Phi_x^T lambda = reduced_force(n_bar)
   requires BodyKinematics<typename F::Reduced>;
-  { F::turning(reduced) } -> std::same_as<Turning<typename F::Scalar>>;
+  { F::turning(reduced) } -> std::same_as<AngularMotion<typename F::Scalar>>;
   requires F::Reduced::rotational_unknowns == 3;
   { F::reduced_mass_is_constant } -> std::convertible_to<bool>;
   { F::reduced_mass_block(body, J_bar) } -> std::convertible_to<Matrix3<typename F::Scalar>>;
@@ -81,25 +81,25 @@ concept Formulation = BodyKinematics<typename F::Kinematics> &&
   { F::to_angular_acceleration(body, x) } -> std::convertible_to<Vector3<typename F::Scalar>>;
   {F::from_angular_acceleration(body, v)};
   // retraction: q moved by an increment of the rotational unknown's kind, rates kept
-  { F::retract(chart, q, x) } -> std::same_as<typename F::Coordinates>;
+  { F::retract_coordinates(chart, q, x) } -> std::same_as<typename F::Coordinates>;
   // flat form, as libraries for ordinary differential equations carry it: the orientation, and a velocity of
   // which the unknown is the derivative; with the orientation's rate, its retraction, and what meets the
   // internal row and its derivative
-  { F::flat_size } -> std::convertible_to<int>;
-  { F::flat_orientation(chart, p) } -> std::convertible_to<typename F::Flat>;
-  { F::flat_velocity(chart, q) } -> std::convertible_to<typename F::Unknown>;
-  { F::from_flat(chart, flat, x) } -> std::same_as<typename F::Coordinates>;
-  { F::flat_rate(chart, flat, x) } -> std::convertible_to<typename F::Flat>;
-  { F::moved_flat(chart, flat, x) } -> std::convertible_to<typename F::Flat>;
-  F::meet_internal(moved, moved_x);
+  { F::orientation_size } -> std::convertible_to<int>;
+  { F::orientation_of(chart, p) } -> std::convertible_to<typename F::Orientation>;
+  { F::velocity_of(chart, q) } -> std::convertible_to<typename F::Unknown>;
+  { F::from_orientation(chart, flat, x) } -> std::same_as<typename F::Coordinates>;
+  { F::orientation_rate(chart, flat, x) } -> std::convertible_to<typename F::Orientation>;
+  { F::retract(chart, flat, x) } -> std::convertible_to<typename F::Orientation>;
+  F::normalise(moved, moved_x);
   // steps of implicit methods, in the same numbers: where a displacement leads, off the internal row too, and
   // from where to where it is; how it grows where the body moves with a velocity; the way back onto the
   // internal row and its derivative (by a share of what is added to the unknown); whether M depends on q
-  { F::displaced(chart, flat, x) } -> std::convertible_to<typename F::Flat>;
+  { F::step(chart, flat, x) } -> std::convertible_to<typename F::Orientation>;
   { F::displacement(chart, flat, flat) } -> std::convertible_to<typename F::Unknown>;
   { F::displacement_rate(x, x) } -> std::convertible_to<typename F::Unknown>;
-  F::constrain(moved, s, moved_x);
-  F::constrain_velocity(flat, x, s, moved_x);
+  F::normalise_step(moved, s, moved_x);
+  F::normalise_step_velocity(flat, x, s, moved_x);
   { F::inertia_is_constant } -> std::convertible_to<bool>;
   // a generalised force without what it does to the internal row, and that as a moment in the body frame
   { F::reduced(reduced, x) } -> std::convertible_to<Vector3<typename F::Scalar>>;

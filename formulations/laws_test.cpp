@@ -1,6 +1,6 @@
 /// The laws of the Formulation concept, the same for all: places and velocities.
 
-#include "formulations/test_samples.hpp"
+#include "formulations/testing/body_samples.hpp"
 
 namespace trivium {
 namespace {
@@ -34,7 +34,7 @@ TYPED_TEST(FormulationLaws, BodyVectorJacobianIsTheDerivativeAlongTheRetraction)
         const typename F::Unknown step = F::lift(s.body) * Vector3<S>::Unit(k);
         const auto moved = [&](const S& by) {
           return Matrix3<S>(
-              F::kinematics(s.chart, none, none, F::retract(s.chart, s.q, (by * step).eval())).A);
+              F::kinematics(s.chart, none, none, F::retract_coordinates(s.chart, s.q, (by * step).eval())).A);
         };
         const Matrix3<S> A_k = (moved(h) - moved(-h)) / (2 * h);
         EXPECT_LE(distance(A_k * s.a_bar, s.body.jacobian(s.body.vector(s.a_bar)) * step), 1e-19);
@@ -43,7 +43,7 @@ TYPED_TEST(FormulationLaws, BodyVectorJacobianIsTheDerivativeAlongTheRetraction)
     });
   else  // the retraction of no increment is where it started
     for_all_samples<F>([](const auto& s) {
-      const auto q = F::retract(s.chart, s.q, F::Unknown::Zero());
+      const auto q = F::retract_coordinates(s.chart, s.q, F::Unknown::Zero());
       const Vector4<S> p = F::to_euler_parameters(s.chart, q);
       EXPECT_LE(std::min(distance(p, s.p), distance(p, -s.p)), roundings<S>(40));
     });
@@ -78,10 +78,9 @@ TYPED_TEST(FormulationLaws, DisplacementLeadsFromOnePlaceToTheOther) {
   using S = typename F::Scalar;
   Random random(53);
   for_all_samples<F>([&](const auto& s) {
-    const typename F::Flat from = F::flat_orientation(s.chart, s.p);
+    const typename F::Orientation from = F::orientation_of(s.chart, s.p);
     const typename F::Unknown by = S(0.3) * random.vector<S, F::rotational_unknowns>();
-    EXPECT_LE(distance(F::displacement(s.chart, from, F::displaced(s.chart, from, by)), by),
-              roundings<S>(2000));
+    EXPECT_LE(distance(F::displacement(s.chart, from, F::step(s.chart, from, by)), by), roundings<S>(2000));
     EXPECT_LE(distance(F::displacement(s.chart, from, from), F::Unknown::Zero()), roundings<S>(2000));
   });
 }
@@ -93,13 +92,13 @@ TYPED_TEST(FormulationLaws, DisplacementGrowsAsTheBodyMoves) {
   if constexpr (std::same_as<S, Quad>) {
     Random random(54);
     for_all_samples<F>([&](const auto& s) {
-      const typename F::Flat from = F::flat_orientation(s.chart, s.p);
+      const typename F::Orientation from = F::orientation_of(s.chart, s.p);
       const typename F::Unknown by = S(0.2) * random.vector<S, F::rotational_unknowns>();
-      typename F::Flat at = F::displaced(s.chart, from, by);
-      const typename F::Unknown v = F::flat_velocity(s.chart, s.q);
+      typename F::Orientation at = F::step(s.chart, from, by);
+      const typename F::Unknown v = F::velocity_of(s.chart, s.q);
       const S h(1e-11);
       const auto after = [&](const S& t) {
-        return F::displacement(s.chart, from, F::displaced(s.chart, at, (t * v).eval()));
+        return F::displacement(s.chart, from, F::step(s.chart, at, (t * v).eval()));
       };
       EXPECT_LE(distance((after(h) - after(-h)) / (2 * h), F::displacement_rate(by, v)), 1e-18);
     });
@@ -111,15 +110,15 @@ TYPED_TEST(FormulationLaws, ConstrainMeetsTheInternalRowByItsShare) {
   using S = typename F::Scalar;
   Random random(55);
   for_all_samples<F>([&](const auto& s) {
-    const typename F::Flat from = F::flat_orientation(s.chart, s.p);
+    const typename F::Orientation from = F::orientation_of(s.chart, s.p);
     const S share(0.01);
     typename F::Unknown x = random.vector<S, F::rotational_unknowns>(), before = x;
-    typename F::Flat at = F::displaced(s.chart, from, (share * x).eval());
-    const typename F::Flat off = at;
-    F::constrain(at, share, x);
-    EXPECT_LE(distance(F::displaced(s.chart, off, (share * (x - before)).eval()), at), roundings<S>(100));
+    typename F::Orientation at = F::step(s.chart, from, (share * x).eval());
+    const typename F::Orientation off = at;
+    F::normalise_step(at, share, x);
+    EXPECT_LE(distance(F::step(s.chart, off, (share * (x - before)).eval()), at), roundings<S>(100));
     typename F::Unknown v = random.vector<S, F::rotational_unknowns>(), change = F::Unknown::Zero();
-    F::constrain_velocity(at, v, share, change);
+    F::normalise_step_velocity(at, v, share, change);
     v += share * change;
     if constexpr (F::internal_constraints > 0) {
       EXPECT_LE(std::abs(static_cast<double>(S(at.norm() - 1))), roundings<S>(10));

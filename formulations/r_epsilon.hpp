@@ -17,8 +17,8 @@ struct REpsilon {
   static constexpr std::string_view name = "r-epsilon";
   static constexpr int rotational_unknowns = 3;
   static constexpr int internal_constraints = 0;
-  static constexpr int flat_size = 3;
-  using Flat = Vector3<S>;
+  static constexpr int orientation_size = 3;
+  using Orientation = Vector3<S>;
   static constexpr BlockNames block_names{"epsilon''", "J^epsilon", "Phi_epsilon", "tau", "", ""};
 
   using Chart = EulerChart<S>;
@@ -79,7 +79,7 @@ struct REpsilon {
   // internal row eliminated: there is none
   using Reduced = Kinematics;
   static constexpr bool reduced_mass_is_constant = false;
-  static Turning<S> turning(const Reduced& k) { return {k.A, k.g, k.omega, k.g_dot_rates}; }
+  static AngularMotion<S> turning(const Reduced& k) { return {k.A, k.g, k.omega, k.g_dot_rates}; }
   static Matrix3<S> reduced_mass_block(const Kinematics& k, const Matrix3<S>& J_bar) {
     return mass_block(k, J_bar);
   }
@@ -99,30 +99,36 @@ struct REpsilon {
   }
 
   // retraction: angles add
-  static Coordinates retract(const Chart&, const Coordinates& q, const Unknown& increment) {
+  static Coordinates retract_coordinates(const Chart&, const Coordinates& q, const Unknown& increment) {
     return {q.epsilon + increment, q.epsilon_dot};
   }
 
   // flat form: epsilon and epsilon'
-  static Flat flat_orientation(const Chart& chart, const Vector4<S>& p) {
+  static Orientation orientation_of(const Chart& chart, const Vector4<S>& p) {
     return euler_angles<S>(chart.sequence, rotation_matrix(p) * chart.C.transpose());
   }
-  static Unknown flat_velocity(const Chart&, const Coordinates& q) { return q.epsilon_dot; }
-  static Coordinates from_flat(const Chart&, const Flat& epsilon, const Unknown& epsilon_dot) {
+  static Unknown velocity_of(const Chart&, const Coordinates& q) { return q.epsilon_dot; }
+  static Coordinates from_orientation(const Chart&, const Orientation& epsilon, const Unknown& epsilon_dot) {
     return {epsilon, epsilon_dot};
   }
-  static Flat flat_rate(const Chart&, const Flat&, const Unknown& epsilon_dot) { return epsilon_dot; }
-  static Flat moved_flat(const Chart&, const Flat& epsilon, const Unknown& increment) {
+  static Orientation orientation_rate(const Chart&, const Orientation&, const Unknown& epsilon_dot) {
+    return epsilon_dot;
+  }
+  static Orientation retract(const Chart&, const Orientation& epsilon, const Unknown& increment) {
     return epsilon + increment;
   }
-  static void meet_internal(Flat&, Unknown&) {}
+  static void normalise(Orientation&, Unknown&) {}
 
   // steps of implicit methods: angles and rates are plain numbers
-  static Flat displaced(const Chart&, const Flat& epsilon, const Unknown& change) { return epsilon + change; }
-  static Unknown displacement(const Chart&, const Flat& from, const Flat& to) { return to - from; }
+  static Orientation step(const Chart&, const Orientation& epsilon, const Unknown& change) {
+    return epsilon + change;
+  }
+  static Unknown displacement(const Chart&, const Orientation& from, const Orientation& to) {
+    return to - from;
+  }
   static Unknown displacement_rate(const Unknown&, const Unknown& epsilon_dot) { return epsilon_dot; }
-  static void constrain(Flat&, const S&, Unknown&) {}
-  static void constrain_velocity(const Flat&, const Unknown&, const S&, Unknown&) {}
+  static void normalise_step(Orientation&, const S&, Unknown&) {}
+  static void normalise_step_velocity(const Orientation&, const Unknown&, const S&, Unknown&) {}
   static constexpr bool inertia_is_constant = false;
   static Vector3<S> reduced(const Reduced&, const Unknown& force) { return force; }
   static Vector3<S> moment(const Reduced& k, const Vector3<S>& force) {

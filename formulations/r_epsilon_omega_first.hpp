@@ -19,8 +19,8 @@ struct REpsilonOmegaFirst {
   static constexpr std::string_view name = "r-epsilon-omega-first";
   static constexpr int rotational_unknowns = 3;
   static constexpr int internal_constraints = 0;
-  static constexpr int flat_size = 3;
-  using Flat = Vector3<S>;
+  static constexpr int orientation_size = 3;
+  using Orientation = Vector3<S>;
   static constexpr BlockNames block_names = Rates::block_names;
 
   using Chart = typename Angles::Chart;
@@ -60,7 +60,7 @@ struct REpsilonOmegaFirst {
   // internal row eliminated: there is none
   using Reduced = Kinematics;
   static constexpr bool reduced_mass_is_constant = true;
-  static Turning<S> turning(const Reduced& k) { return Rates::turning(k); }
+  static AngularMotion<S> turning(const Reduced& k) { return Rates::turning(k); }
   static Matrix3<S> reduced_mass_block(const Kinematics&, const Matrix3<S>& J_bar) { return J_bar; }
   static Vector3<S> reduced_force(const Kinematics& k, const Matrix3<S>& J_bar, const Vector3<S>& n_bar) {
     return Rates::reduced_force(k, J_bar, n_bar);
@@ -78,43 +78,45 @@ struct REpsilonOmegaFirst {
   }
 
   // retraction: angles add, by epsilon increments that turn the body by phi
-  static Coordinates retract(const Chart& chart, const Coordinates& q, const Unknown& phi) {
-    return Angles::retract(chart, q, flat_rate(chart, q.epsilon, phi));
+  static Coordinates retract_coordinates(const Chart& chart, const Coordinates& q, const Unknown& phi) {
+    return Angles::retract_coordinates(chart, q, orientation_rate(chart, q.epsilon, phi));
   }
 
   // flat form: epsilon and omega_bar, epsilon' = D^-1 omega_bar
-  static Flat flat_orientation(const Chart& chart, const Vector4<S>& p) {
-    return Angles::flat_orientation(chart, p);
+  static Orientation orientation_of(const Chart& chart, const Vector4<S>& p) {
+    return Angles::orientation_of(chart, p);
   }
-  static Unknown flat_velocity(const Chart& chart, const Coordinates& q) {
+  static Unknown velocity_of(const Chart& chart, const Coordinates& q) {
     return angles_at(chart, q).D * q.epsilon_dot;
   }
-  static Coordinates from_flat(const Chart& chart, const Flat& epsilon, const Unknown& omega_bar) {
-    return {epsilon, flat_rate(chart, epsilon, omega_bar)};
+  static Coordinates from_orientation(const Chart& chart, const Orientation& epsilon,
+                                      const Unknown& omega_bar) {
+    return {epsilon, orientation_rate(chart, epsilon, omega_bar)};
   }
-  static Flat flat_rate(const Chart& chart, const Flat& epsilon, const Unknown& omega_bar) {
-    return angles_at(chart, {epsilon, Flat::Zero()}).D.inverse() * omega_bar;
+  static Orientation orientation_rate(const Chart& chart, const Orientation& epsilon,
+                                      const Unknown& omega_bar) {
+    return angles_at(chart, {epsilon, Orientation::Zero()}).D.inverse() * omega_bar;
   }
-  static Flat moved_flat(const Chart& chart, const Flat& epsilon, const Unknown& phi) {
-    return epsilon + flat_rate(chart, epsilon, phi);
+  static Orientation retract(const Chart& chart, const Orientation& epsilon, const Unknown& phi) {
+    return epsilon + orientation_rate(chart, epsilon, phi);
   }
-  static void meet_internal(Flat&, Unknown&) {}
+  static void normalise(Orientation&, Unknown&) {}
 
   // steps of implicit methods: on SO(3), where velocities are
-  static Flat displaced(const Chart& chart, const Flat& epsilon, const Unknown& phi) {
+  static Orientation step(const Chart& chart, const Orientation& epsilon, const Unknown& phi) {
     return euler_angles<S>(
         chart.sequence,
         rotation_at(chart, epsilon) * rotation_matrix(exponential_parameters(phi)) * chart.C.transpose());
   }
-  static Unknown displacement(const Chart& chart, const Flat& from, const Flat& to) {
+  static Unknown displacement(const Chart& chart, const Orientation& from, const Orientation& to) {
     return rotation_vector(
         euler_parameters<S>(rotation_at(chart, from).transpose() * rotation_at(chart, to)));
   }
   static Unknown displacement_rate(const Unknown& phi, const Unknown& omega_bar) {
     return rotation_vector_rate(phi, omega_bar);
   }
-  static void constrain(Flat&, const S&, Unknown&) {}
-  static void constrain_velocity(const Flat&, const Unknown&, const S&, Unknown&) {}
+  static void normalise_step(Orientation&, const S&, Unknown&) {}
+  static void normalise_step_velocity(const Orientation&, const Unknown&, const S&, Unknown&) {}
   static constexpr bool inertia_is_constant = true;
   static Vector3<S> reduced(const Reduced&, const Unknown& force) { return force; }
   static Vector3<S> moment(const Reduced&, const Vector3<S>& n_bar) { return n_bar; }
@@ -134,7 +136,7 @@ struct REpsilonOmegaFirst {
   }
 
  private:
-  static Matrix3<S> rotation_at(const Chart& chart, const Flat& epsilon) {
+  static Matrix3<S> rotation_at(const Chart& chart, const Orientation& epsilon) {
     return euler_rotation(chart.sequence, epsilon) * chart.C;
   }
   static typename Angles::Kinematics angles_at(const Chart& chart, const Coordinates& q) {

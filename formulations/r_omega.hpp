@@ -15,8 +15,8 @@ struct ROmega {
   static constexpr std::string_view name = "r-omega";
   static constexpr int rotational_unknowns = 3;
   static constexpr int internal_constraints = 0;
-  static constexpr int flat_size = 4;
-  using Flat = Vector4<S>;
+  static constexpr int orientation_size = 4;
+  using Orientation = Vector4<S>;
   static constexpr BlockNames block_names{
       "omega_bar'", "J_bar", "Phi_pi_bar", "n_bar - omega~ J_bar omega_bar", "", ""};
 
@@ -68,7 +68,7 @@ struct ROmega {
   // internal row eliminated: there is none
   using Reduced = Kinematics;
   static constexpr bool reduced_mass_is_constant = true;
-  static Turning<S> turning(const Reduced& k) { return {k.A, k.A, k.omega, Vector3<S>::Zero()}; }
+  static AngularMotion<S> turning(const Reduced& k) { return {k.A, k.A, k.omega, Vector3<S>::Zero()}; }
   static Matrix3<S> reduced_mass_block(const Kinematics&, const Matrix3<S>& J_bar) { return J_bar; }
   static Vector3<S> reduced_force(const Kinematics& k, const Matrix3<S>& J_bar, const Vector3<S>& n_bar) {
     return applied_force(k, n_bar) + velocity_force(k, J_bar);
@@ -86,37 +86,37 @@ struct ROmega {
   }
 
   // retraction: A exp(tilde(phi))
-  static Coordinates retract(const Chart&, const Coordinates& q, const Unknown& phi) {
+  static Coordinates retract_coordinates(const Chart&, const Coordinates& q, const Unknown& phi) {
     return {q.A * rotation_matrix(exponential_parameters(phi)), q.omega_bar};
   }
 
   // flat form: p and omega_bar, p' = 1/2 G^T omega_bar; p counts by its direction alone
-  static Flat flat_orientation(const Chart&, const Vector4<S>& p) { return p; }
-  static Unknown flat_velocity(const Chart&, const Coordinates& q) { return q.omega_bar; }
-  static Coordinates from_flat(const Chart&, const Flat& p, const Unknown& omega_bar) {
+  static Orientation orientation_of(const Chart&, const Vector4<S>& p) { return p; }
+  static Unknown velocity_of(const Chart&, const Coordinates& q) { return q.omega_bar; }
+  static Coordinates from_orientation(const Chart&, const Orientation& p, const Unknown& omega_bar) {
     return {rotation_matrix<S>(p / p.norm()), omega_bar};
   }
-  static Flat flat_rate(const Chart&, const Flat& p, const Unknown& omega_bar) {
+  static Orientation orientation_rate(const Chart&, const Orientation& p, const Unknown& omega_bar) {
     return G_matrix(p).transpose() * omega_bar / 2;
   }
-  static Flat moved_flat(const Chart&, const Flat& p, const Unknown& phi) {
-    const Flat moved = multiply_parameters<S>(p, exponential_parameters(phi));
+  static Orientation retract(const Chart&, const Orientation& p, const Unknown& phi) {
+    const Orientation moved = multiply_parameters<S>(p, exponential_parameters(phi));
     return moved / moved.norm();
   }
-  static void meet_internal(Flat& p, Unknown&) { p /= p.norm(); }
+  static void normalise(Orientation& p, Unknown&) { p /= p.norm(); }
 
   // steps of implicit methods: on SO(3), A exp(tilde(phi))
-  static Flat displaced(const Chart& chart, const Flat& p, const Unknown& phi) {
-    return moved_flat(chart, p, phi);
+  static Orientation step(const Chart& chart, const Orientation& p, const Unknown& phi) {
+    return retract(chart, p, phi);
   }
-  static Unknown displacement(const Chart&, const Flat& from, const Flat& to) {
+  static Unknown displacement(const Chart&, const Orientation& from, const Orientation& to) {
     return rotation_vector(multiply_parameters<S>(conjugate_parameters(from), to));
   }
   static Unknown displacement_rate(const Unknown& phi, const Unknown& omega_bar) {
     return rotation_vector_rate(phi, omega_bar);
   }
-  static void constrain(Flat&, const S&, Unknown&) {}
-  static void constrain_velocity(const Flat&, const Unknown&, const S&, Unknown&) {}
+  static void normalise_step(Orientation&, const S&, Unknown&) {}
+  static void normalise_step_velocity(const Orientation&, const Unknown&, const S&, Unknown&) {}
   static constexpr bool inertia_is_constant = true;
   static Vector3<S> reduced(const Reduced&, const Unknown& force) { return force; }
   static Vector3<S> moment(const Reduced&, const Vector3<S>& n_bar) { return n_bar; }

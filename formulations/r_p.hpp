@@ -20,8 +20,8 @@ struct RP {
   static constexpr std::string_view name = "r-p";
   static constexpr int rotational_unknowns = 4;
   static constexpr int internal_constraints = 1;
-  static constexpr int flat_size = 4;
-  using Flat = Vector4<S>;
+  static constexpr int orientation_size = 4;
+  using Orientation = Vector4<S>;
   static constexpr BlockNames block_names{"p''", "J^p", "Phi_p", "tau_hat", "P", "lambda^p"};
 
   using Chart = NoChart;
@@ -103,7 +103,9 @@ struct RP {
     }
   };
   static constexpr bool reduced_mass_is_constant = true;
-  static Turning<S> turning(const Reduced& k) { return {k.A, k.A, k.A * k.omega_bar, Vector3<S>::Zero()}; }
+  static AngularMotion<S> turning(const Reduced& k) {
+    return {k.A, k.A, k.A * k.omega_bar, Vector3<S>::Zero()};
+  }
   static Matrix3<S> reduced_mass_block(const Kinematics&, const Matrix3<S>& J_bar) { return J_bar; }
   /// 1/2 G tau_hat = n_bar - tilde(omega_bar) Jbar omega_bar.
   static Vector3<S> reduced_force(const Kinematics& k, const Matrix3<S>& J_bar, const Vector3<S>& n_bar) {
@@ -124,35 +126,42 @@ struct RP {
   }
 
   // retraction: back to the unit sphere
-  static Coordinates retract(const Chart&, const Coordinates& q, const Unknown& increment) {
+  static Coordinates retract_coordinates(const Chart&, const Coordinates& q, const Unknown& increment) {
     const Vector4<S> p = q.p + increment;
     return {p / p.norm(), q.p_dot};
   }
 
   // flat form: p and p'
-  static Flat flat_orientation(const Chart&, const Vector4<S>& p) { return p; }
-  static Unknown flat_velocity(const Chart&, const Coordinates& q) { return q.p_dot; }
-  static Coordinates from_flat(const Chart&, const Flat& p, const Unknown& p_dot) { return {p, p_dot}; }
-  static Flat flat_rate(const Chart&, const Flat&, const Unknown& p_dot) { return p_dot; }
-  static Flat moved_flat(const Chart&, const Flat& p, const Unknown& increment) {
-    const Flat moved = p + increment;
+  static Orientation orientation_of(const Chart&, const Vector4<S>& p) { return p; }
+  static Unknown velocity_of(const Chart&, const Coordinates& q) { return q.p_dot; }
+  static Coordinates from_orientation(const Chart&, const Orientation& p, const Unknown& p_dot) {
+    return {p, p_dot};
+  }
+  static Orientation orientation_rate(const Chart&, const Orientation&, const Unknown& p_dot) {
+    return p_dot;
+  }
+  static Orientation retract(const Chart&, const Orientation& p, const Unknown& increment) {
+    const Orientation moved = p + increment;
     return moved / moved.norm();
   }
-  static void meet_internal(Flat& p, Unknown& p_dot) {
+  static void normalise(Orientation& p, Unknown& p_dot) {
     p /= p.norm();
     p_dot -= p.dot(p_dot) * p;
   }
 
   // steps of implicit methods: p and p' are plain numbers, kept on the unit sphere by their row
-  static Flat displaced(const Chart&, const Flat& p, const Unknown& change) { return p + change; }
-  static Unknown displacement(const Chart&, const Flat& from, const Flat& to) { return to - from; }
+  static Orientation step(const Chart&, const Orientation& p, const Unknown& change) { return p + change; }
+  static Unknown displacement(const Chart&, const Orientation& from, const Orientation& to) {
+    return to - from;
+  }
   static Unknown displacement_rate(const Unknown&, const Unknown& p_dot) { return p_dot; }
-  static void constrain(Flat& p, const S& share, Unknown& p_ddot) {
+  static void normalise_step(Orientation& p, const S& share, Unknown& p_ddot) {
     const S size = p.norm();
     p /= size;
     p_ddot += (1 - size) / share * p;
   }
-  static void constrain_velocity(const Flat& p, const Unknown& p_dot, const S& share, Unknown& p_ddot) {
+  static void normalise_step_velocity(const Orientation& p, const Unknown& p_dot, const S& share,
+                                      Unknown& p_ddot) {
     p_ddot -= p.dot(p_dot) / (share * p.squaredNorm()) * p;
   }
   static constexpr bool inertia_is_constant = false;

@@ -2,9 +2,9 @@
 
 #include "formulations/r_p.hpp"
 
-#include "bodies/testing.hpp"
-#include "formulations/solved_scene.hpp"
-#include "formulations/test_mechanisms.hpp"
+#include "bodies/testing/properties.hpp"
+#include "formulations/testing/printed_solution.hpp"
+#include "formulations/testing/random_mechanism.hpp"
 
 namespace trivium {
 namespace {

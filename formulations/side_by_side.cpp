@@ -1,6 +1,6 @@
 #include "formulations/side_by_side.hpp"
 
-#include "formulations/cause_by_magnitude.hpp"
+#include "formulations/analysis/magnitude_bounds.hpp"
 #include "formulations/r_epsilon_omega_first.hpp"
 #include "formulations/r_p.hpp"
 
@@ -28,9 +28,8 @@ Sparsity sparsity_of(const Mechanism<double>& mechanism, const MechanismState<do
 
 }  // namespace
 
-std::vector<Sparsity> augmented_sparsity(const scenes::Scene& scene, double t) {
-  const auto mechanism = make_mechanism<double>(scene);
-  const auto state = make_state<double>(scene, t);
+std::vector<Sparsity> augmented_sparsity(const Model<double>& model) {
+  const auto& [mechanism, state] = model;
   return {sparsity_of<ROmega<double>>(mechanism, state), sparsity_of<RP<double>>(mechanism, state),
           sparsity_of<REpsilon<double>>(mechanism, state)};
 }
@@ -53,24 +52,23 @@ std::string contradiction(const Mechanism<double>& mechanism, const RowAnalysis&
 
 }  // namespace
 
-RowAnalysis analyse_rows(const scenes::Scene& scene, double t) {
-  const auto mechanism = make_mechanism<double>(scene);
+RowAnalysis analyse_rows(const Model<double>& model) {
+  const auto& [mechanism, state] = model;
   const int unknowns = 6 * mechanism.nb() + mechanism.nc();
   if (unknowns > most_dense_unknowns)
     throw ModelError(
         fmt::format("{}: {} bodies and {} rows make a dense augmented matrix of {} unknowns, beyond the {} "
                     "that the printed form is "
                     "solved for; take fewer bodies",
-                    scene.name, mechanism.nb(), mechanism.nc(), unknowns, most_dense_unknowns));
+                    mechanism.name, mechanism.nb(), mechanism.nc(), unknowns, most_dense_unknowns));
   try {
-    const auto state = make_state<double>(scene, t);
     TangentSystem system = tangent_system(mechanism, state);
-    set_magnitudes(mechanism, state, system);
+    add_magnitude_bounds(mechanism, state, system);
     RowAnalysis rows = analyse_rows(system);
     if (!rows.contradictory.empty()) throw ModelError(contradiction(mechanism, rows));
     return rows;
   } catch (const ModelError& error) {
-    throw ModelError(fmt::format("{} at t = {}: {}", scene.name, t, error.what()));
+    throw ModelError(fmt::format("{} at t = {}: {}", mechanism.name, state.t, error.what()));
   }
 }
 

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "formulations/augmented_solver.hpp"
-#include "formulations/reaction.hpp"
+#include "formulations/joint_reaction.hpp"
+#include "formulations/printed/augmented_solver.hpp"
+#include "mechanism/model.hpp"
 
 namespace trivium {
 
@@ -16,7 +17,6 @@ std::vector<std::string> formulation_names();
 struct SolveOptions {
   std::vector<std::string> formulations = formulation_names();
   ChartOptions charts;
-  bool estimate_errors = true;
 };
 
 /// One formulation's answer, or the error that kept it from answering.
@@ -72,17 +72,25 @@ struct SideBySide {
   }
 };
 
-/// Solves the scene's state, taken as the state at time t. A formulation that cannot is an entry with an
+/// Solves a model as printed, in every formulation asked for. A formulation that cannot is an entry with an
 /// error; what no formulation can do (singular mass without constraint, an effect that is not defined here)
-/// throws a ModelError.
+/// throws a ModelError. Errors are estimated where the same model in more digits judges them.
 template <class Scalar>
-SideBySide<Scalar> solve_side_by_side(const scenes::Scene& scene, double t, const SolveOptions& options = {});
+SideBySide<Scalar> side_by_side(const Model<Scalar>& model, const RowAnalysis& rows,
+                                const SolveOptions& options = {},
+                                const Model<NextPrecisionT<Scalar>>* judge = nullptr);
 
-extern template SideBySide<float> solve_side_by_side(const scenes::Scene&, double, const SolveOptions&);
-extern template SideBySide<double> solve_side_by_side(const scenes::Scene&, double, const SolveOptions&);
-extern template SideBySide<long double> solve_side_by_side(const scenes::Scene&, double, const SolveOptions&);
-extern template SideBySide<Quad> solve_side_by_side(const scenes::Scene&, double, const SolveOptions&);
-extern template SideBySide<Real50> solve_side_by_side(const scenes::Scene&, double, const SolveOptions&);
+extern template SideBySide<float> side_by_side(const Model<float>&, const RowAnalysis&, const SolveOptions&,
+                                               const Model<NextPrecisionT<float>>*);
+extern template SideBySide<double> side_by_side(const Model<double>&, const RowAnalysis&, const SolveOptions&,
+                                                const Model<NextPrecisionT<double>>*);
+extern template SideBySide<long double> side_by_side(const Model<long double>&, const RowAnalysis&,
+                                                     const SolveOptions&,
+                                                     const Model<NextPrecisionT<long double>>*);
+extern template SideBySide<Quad> side_by_side(const Model<Quad>&, const RowAnalysis&, const SolveOptions&,
+                                              const Model<NextPrecisionT<Quad>>*);
+extern template SideBySide<Real50> side_by_side(const Model<Real50>&, const RowAnalysis&, const SolveOptions&,
+                                                const Model<NextPrecisionT<Real50>>*);
 
 /// How full a formulation's printed augmented matrix is, all rows of Phi in it.
 struct Sparsity {
@@ -94,14 +102,14 @@ struct Sparsity {
                            (static_cast<double>(size) * static_cast<double>(size));
   }
 };
-/// Entries that are not zero at the scene's state, in every formulation; nothing dense is built.
-std::vector<Sparsity> augmented_sparsity(const scenes::Scene& scene, double t);
+/// Entries that are not zero, in every formulation; nothing dense is built.
+std::vector<Sparsity> augmented_sparsity(const Model<double>& model);
 
 /// The printed form is dense: beyond this many unknowns (6 nb + nc) it takes minutes and gigabytes, and is
 /// refused.
 inline constexpr int most_dense_unknowns = 6000;
 
-/// The row analysis of the scene's state, in double; throws a ModelError that names scene and time.
-RowAnalysis analyse_rows(const scenes::Scene& scene, double t);
+/// The row analysis of a model, in double; throws a ModelError that names mechanism and time.
+RowAnalysis analyse_rows(const Model<double>& model);
 
 }  // namespace trivium

@@ -1,5 +1,5 @@
 #pragma once
-/// The one definition behind the solve_side_by_side instantiations, one translation unit a Scalar.
+/// The one definition behind the side_by_side instantiations, one translation unit a Scalar.
 
 #include "formulations/r_epsilon_omega_first.hpp"
 #include "formulations/r_p.hpp"
@@ -7,52 +7,44 @@
 
 namespace trivium::detail {
 
-template <class Scalar>
-struct SceneIn {
-  SceneIn(const scenes::Scene& scene, double t)
-      : mechanism(make_mechanism<Scalar>(scene)), state(make_state<Scalar>(scene, Scalar(t))) {}
-  Mechanism<Scalar> mechanism;
-  MechanismState<Scalar> state;
-};
-
 /// Everything of one formulation but what can fail; throws a ModelError if the formulation cannot answer.
 template <Formulation F, Formulation Higher>
-FormulationResult<typename F::Scalar> solve_one(const SceneIn<typename F::Scalar>& scene,
-                                                const SceneIn<typename Higher::Scalar>* higher,
+FormulationResult<typename F::Scalar> solve_one(const Model<typename F::Scalar>& model,
+                                                const Model<typename Higher::Scalar>* judge,
                                                 const RowAnalysis& rows, const ChartOptions& charts) {
   using S = typename F::Scalar;
   FormulationResult<S> result;
-  const AugmentedSolver<F> solver(scene.mechanism, scene.state, rows, charts);
+  const AugmentedSolver<F> solver(model.mechanism, model.state, rows, charts);
   const VectorX<S> x = solver.solve_reduced();
   if (!x.allFinite())
     throw ModelError(
         "the augmented matrix is numerically singular at this state; a higher --scalar may resolve it");
   const VectorX<S> full = solver.to_minimum_norm(solver.expand(x));
-  result.solution = solver.physical(full);
+  result.solution = solver.accelerations_of(full);
   result.lambda_internal = solver.split(full).lambda_internal;
   // of the solution itself: sharing lambda out among redundant rows puts rounding where there was nothing
   result.residual = solver.residual(solver.expand(x));
-  for (const Joint<S>& joint : scene.mechanism.joints)
+  for (const Joint<S>& joint : model.mechanism.joints)
     result.reactions.push_back(joint_reaction<F>(solver.equations(), joint, result.solution.lambda, End::j)
                                    .about(joint_point<F>(solver.equations(), joint)));
   for (const BodyState<F>& body : solver.states())
     if (const std::string chart(body.chart.name()); !chart.empty()) result.charts.push_back(chart);
-  if (higher) {
-    const AugmentedEquations<Higher> judge(higher->mechanism, higher->state, rows, charts);
-    result.estimate = estimate_error<F, Higher>(solver, x, judge);
+  if (judge) {
+    const AugmentedEquations<Higher> higher(judge->mechanism, judge->state, rows, charts);
+    result.estimate = estimate_error<F, Higher>(solver, x, higher);
   }
   return result;
 }
 
 template <template <class> class F, class Scalar, class Higher>
-void solve_if_wanted(const SolveOptions& options, const SceneIn<Scalar>& scene, const SceneIn<Higher>* higher,
+void solve_if_wanted(const SolveOptions& options, const Model<Scalar>& model, const Model<Higher>* judge,
                      SideBySide<Scalar>& out) {
   const std::string name(F<Scalar>::name);
   if (std::find(options.formulations.begin(), options.formulations.end(), name) == options.formulations.end())
     return;
   FormulationResult<Scalar> result;
   try {
-    result = solve_one<F<Scalar>, F<Higher>>(scene, higher, out.rows, options.charts);
+    result = solve_one<F<Scalar>, F<Higher>>(model, judge, out.rows, options.charts);
   } catch (const ModelError& error) {
     result.error = error.what();
   }
@@ -65,18 +57,13 @@ void solve_if_wanted(const SolveOptions& options, const SceneIn<Scalar>& scene, 
 namespace trivium {
 
 template <class Scalar>
-SideBySide<Scalar> solve_side_by_side(const scenes::Scene& scene, double t, const SolveOptions& options) {
-  using Higher = NextPrecisionT<Scalar>;
-  const detail::SceneIn<Scalar> low(scene, t);
-  std::optional<detail::SceneIn<Higher>> higher;
-  if (options.estimate_errors) higher.emplace(scene, t);
-  const detail::SceneIn<Higher>* judge = higher ? &*higher : nullptr;
-  SideBySide<Scalar> out;
-  out.rows = analyse_rows(scene, t);
-  detail::solve_if_wanted<ROmega>(options, low, judge, out);
-  detail::solve_if_wanted<RP>(options, low, judge, out);
-  detail::solve_if_wanted<REpsilon>(options, low, judge, out);
-  detail::solve_if_wanted<REpsilonOmegaFirst>(options, low, judge, out);
+SideBySide<Scalar> side_by_side(const Model<Scalar>& model, const RowAnalysis& rows,
+                                const SolveOptions& options, const Model<NextPrecisionT<Scalar>>* judge) {
+  SideBySide<Scalar> out{rows, {}};
+  detail::solve_if_wanted<ROmega>(options, model, judge, out);
+  detail::solve_if_wanted<RP>(options, model, judge, out);
+  detail::solve_if_wanted<REpsilon>(options, model, judge, out);
+  detail::solve_if_wanted<REpsilonOmegaFirst>(options, model, judge, out);
   return out;
 }
 

@@ -6,11 +6,11 @@
 #include <array>
 #include <type_traits>
 
-#include "integrators/bdf.hpp"
-#include "integrators/half_explicit.hpp"
+#include "integrators/explicit/half_explicit.hpp"
+#include "integrators/implicit/bdf.hpp"
+#include "integrators/implicit/radau.hpp"
 #include "integrators/methods.hpp"
-#include "integrators/radau.hpp"
-#include "integrators/test_systems.hpp"
+#include "integrators/testing/toy_systems.hpp"
 
 namespace trivium::integrators {
 namespace {
@@ -145,10 +145,10 @@ TEST(HalfExplicit, HoldsDormandAndPrincesFormulaAndARowBeyondIt) {
 TEST(ImplicitMethods, RefuseASystemWithoutItsConstraints) {
   const auto expect_refusal = [](const char* name, Steps steps) {
     test::OnACircle system;
-    Erased<test::OnACircle> erased(system);
+    SystemAdapter<test::OnACircle> erased(system);
     const auto method = make_method<double>(name, steps, {});
     double t = 0;
-    Flat<double> y = system.start();
+    StateVector<double> y = system.start();
     EXPECT_THROW(method->step(erased, t, y, 0.1), UsageError) << name;
   };
   for (const char* name : {"generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "rattle", "radau5",

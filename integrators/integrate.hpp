@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "integrators/projection.hpp"
-#include "integrators/step_choice.hpp"
+#include "integrators/step_size_control.hpp"
 #include "integrators/time_grid.hpp"
 
 namespace trivium::integrators {
@@ -22,7 +22,7 @@ namespace trivium::integrators {
 /// up.
 template <class M, class System>
 concept Method = requires(M& method, const M& constant, System& system, typename System::Scalar& t,
-                          Flat<typename System::Scalar>& y, const typename System::Scalar& stop) {
+                          StateVector<typename System::Scalar>& y, const typename System::Scalar& stop) {
   method.step(system, t, y, stop);
   method.restart();
   { method.shorten() } -> std::same_as<bool>;
@@ -31,12 +31,13 @@ concept Method = requires(M& method, const M& constant, System& system, typename
   { constant.counters() } -> std::convertible_to<Counters>;
 };
 
-/// A step, at most to `stop`, and its projection if it `projects`. Where that fails or strays, or the model
-/// turned out to move too fast for it, a shorter one is taken, if the method can.
+/// A step, at most to `stop`, and its projection if it `projects`. Where that fails or
+/// projection_is_too_large, or the model turned out to move too fast for it, a shorter one is taken, if the
+/// method can.
 template <FirstOrderSystem System, Method<System> M>
-void checked_step(System& system, M& method, typename System::Scalar& t, Flat<typename System::Scalar>& y,
-                  const typename System::Scalar& stop, bool projects, Projection<System>& project,
-                  ProjectionReport<typename System::Scalar>& report) {
+void checked_step(System& system, M& method, typename System::Scalar& t,
+                  StateVector<typename System::Scalar>& y, const typename System::Scalar& stop, bool projects,
+                  Projection<System>& project, ProjectionReport<typename System::Scalar>& report) {
   const auto before_t = t;
   const auto before = y;
   const auto longest = system.longest_step(t, y);
@@ -51,8 +52,8 @@ void checked_step(System& system, M& method, typename System::Scalar& t, Flat<ty
       std::string why = error.what();
       if (!trouble.empty()) why += "; longer ones had failed so: " + trouble;
       // what fails in a step of given length may be the model's coordinates
-      const std::string suspect = system.suspect(before_t, before);
-      if (!suspect.empty() && why.find(suspect) == std::string::npos) why += "; " + suspect;
+      const std::string diagnose = system.diagnose(before_t, before);
+      if (!diagnose.empty() && why.find(diagnose) == std::string::npos) why += "; " + diagnose;
       throw IntegrationError(why);
     }
     const auto stepped = y;
@@ -66,7 +67,7 @@ void checked_step(System& system, M& method, typename System::Scalar& t, Flat<ty
                         static_cast<double>(t)));
       if (!projects) return;
       project(system, t, y, report);
-      if (!system.strays(before, stepped, y)) return;
+      if (!system.projection_is_too_large(before, stepped, y)) return;
       throw IntegrationError(fmt::format(
           "row \"{}\" at t = {}: its projection moved the bodies by more than a tenth of the step; take "
           "smaller steps, or leave their length to tolerances",
@@ -92,12 +93,12 @@ bool integrate(System& system, M& method, const TimeGrid& grid, bool projects,
                const AtOutput& at_output) {
   using S = typename System::Scalar;
   S t(grid.start());
-  Flat<S> y = system.start();
+  StateVector<S> y = system.start();
   Projection<System> project;
   if (projects) {
     ProjectionReport<S> of_the_start;  // which need not hold to the last digit of this arithmetic
     project(system, t, y, of_the_start);
-    system.settle(t, y);
+    system.accept_state(t, y);
   }
   at_output(t, y);
   TimeGrid::Walk<S> walk(grid);
@@ -117,12 +118,12 @@ bool integrate(System& system, M& method, const TimeGrid& grid, bool projects,
     while (t < target) {
       checked_step(system, method, t, y, target, projects, project, report);
       for (; !passed.empty() && passed.front() < t; passed.pop_front()) {
-        Flat<S> between;
+        StateVector<S> between;
         method.interpolate(passed.front(), between);
         if (projects) project(system, passed.front(), between, report);
         at_output(passed.front(), between);
       }
-      if (system.settle(t, y)) method.restart();
+      if (system.accept_state(t, y)) method.restart();
       const bool goes_on = at_step(t, y) == Continue::yes,
                  is_output = !passed.empty() && !(t < passed.front());
       if (is_output) passed.pop_front();
@@ -131,7 +132,7 @@ bool integrate(System& system, M& method, const TimeGrid& grid, bool projects,
     }
     if (stop->is_event) {
       const S before = std::exchange(t, stop->t);
-      if (system.cross(before, t, y)) system.settle(t, y);
+      if (system.pass_discontinuity(before, t, y)) system.accept_state(t, y);
       method.restart();
     }
     if (stop->is_output) at_output(t, y);

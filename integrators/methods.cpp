@@ -5,14 +5,14 @@
 #include <initializer_list>
 #include <limits>
 
-#include "integrators/bdf.hpp"
-#include "integrators/generalized_alpha.hpp"
-#include "integrators/half_explicit.hpp"
-#include "integrators/hht.hpp"
-#include "integrators/odeint.hpp"
-#include "integrators/radau.hpp"
-#include "integrators/rattle.hpp"
-#include "integrators/sundials.hpp"
+#include "integrators/explicit/half_explicit.hpp"
+#include "integrators/explicit/odeint.hpp"
+#include "integrators/implicit/bdf.hpp"
+#include "integrators/implicit/generalized_alpha.hpp"
+#include "integrators/implicit/hht.hpp"
+#include "integrators/implicit/radau.hpp"
+#include "integrators/sundials/methods.hpp"
+#include "integrators/symplectic/rattle.hpp"
 
 namespace trivium::integrators {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "integrators/erased.hpp"
+#include "integrators/contract/any_system.hpp"
 
 namespace trivium::integrators {
 

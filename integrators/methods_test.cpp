@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "integrators/test_systems.hpp"
+#include "integrators/testing/toy_systems.hpp"
 
 namespace trivium::integrators {
 namespace {
@@ -14,7 +14,7 @@ using test::OnACircle;
 
 struct Walked {
   std::vector<double> t;
-  std::vector<Flat<double>> y;
+  std::vector<StateVector<double>> y;
   Counters counters;
   ProjectionReport<double> projection;
 };
@@ -22,13 +22,13 @@ struct Walked {
 template <class System>
 Walked run(System& system, const std::string& name, Steps steps, const TimeGrid& grid,
            Tolerances tolerances = {}, bool projects = true) {
-  Erased<System> erased(system);
+  SystemAdapter<System> erased(system);
   const auto method = make_method<double>(name, steps, tolerances);
   Walked out;
   integrate<AnySystem<double>, AnyMethod<double>>(
       erased, *method, grid, projects, out.projection,
-      [](double, const Flat<double>&) { return Continue::yes; },
-      [&](double t, const Flat<double>& y) {
+      [](double, const StateVector<double>&) { return Continue::yes; },
+      [&](double t, const StateVector<double>& y) {
         out.t.push_back(t);
         out.y.push_back(y);
       });
@@ -40,14 +40,14 @@ Walked run(System& system, const std::string& name, Steps steps, const TimeGrid&
 Free oscillator() {
   Free system;
   system.y0 = Eigen::Vector2d(1, 0);
-  system.f = [](double t, const Flat<double>& y) {
-    return Flat<double>(Eigen::Vector2d(y[1], -y[0] + std::exp(-t) * y[0] * y[1]));
+  system.f = [](double t, const StateVector<double>& y) {
+    return StateVector<double>(Eigen::Vector2d(y[1], -y[0] + std::exp(-t) * y[0] * y[1]));
   };
   return system;
 }
 
 double error_at_end(const std::string& name, double h) {
-  static const Flat<double> exact = [] {
+  static const StateVector<double> exact = [] {
     Free system = oscillator();
     return run(system, "rkf78", Steps::given, TimeGrid(0, 2, {}, 2.0 / 1024)).y.back();
   }();
@@ -82,7 +82,7 @@ TEST_P(ChosenStepsOf, FollowTheTolerance) {
     ASSERT_EQ(r.t.size(), 5u);
     for (std::size_t k = 0; k < r.t.size(); ++k) {
       EXPECT_EQ(r.t[k], 1.5 * static_cast<double>(k));
-      const Flat<double> exact =
+      const StateVector<double> exact =
           Eigen::Vector4d(std::cos(r.t[k]), std::sin(r.t[k]), -std::sin(r.t[k]), std::cos(r.t[k]));
       // Adams' errors add up over many short steps
       EXPECT_LE((r.y[k] - exact).norm(), (GetParam() == "cvode-adams" ? 1000 : 200) * rtol) << r.t[k];
@@ -93,8 +93,8 @@ TEST_P(ChosenStepsOf, FollowTheTolerance) {
 
 TEST_P(ChosenStepsOf, GiveUpWhereTheMotionEndsAndSayWhen) {
   Free system;  // y = 1 / (1 - t)
-  system.y0 = Flat<double>::Ones(1);
-  system.f = [](double, const Flat<double>& y) { return Flat<double>(y.cwiseAbs2()); };
+  system.y0 = StateVector<double>::Ones(1);
+  system.f = [](double, const StateVector<double>& y) { return StateVector<double>(y.cwiseAbs2()); };
   try {
     run(system, GetParam(), Steps::chosen, TimeGrid(0, 2));
     FAIL();
@@ -106,10 +106,10 @@ TEST_P(ChosenStepsOf, GiveUpWhereTheMotionEndsAndSayWhen) {
 
 TEST_P(ChosenStepsOf, TakeASmallerStepWhereARightSideCannotBeEvaluated) {
   Free system;  // y = 1 - t^2 / 4, not defined below 0: where y = 0 the motion stays
-  system.y0 = Flat<double>::Ones(1);
-  system.f = [](double, const Flat<double>& y) {
+  system.y0 = StateVector<double>::Ones(1);
+  system.f = [](double, const StateVector<double>& y) {
     if (y[0] < 0.2) throw std::runtime_error("the root of a negative number");
-    return Flat<double>(-(y.array() - 0.2).sqrt().matrix());
+    return StateVector<double>(-(y.array() - 0.2).sqrt().matrix());
   };
   const Walked r = run(system, GetParam(), Steps::chosen, TimeGrid(0, 1.5), {1e-3, 1e-3});
   EXPECT_NEAR(r.y.back()[0], 0.2 + std::pow(std::sqrt(0.8) - 0.75, 2), 0.02);
@@ -132,9 +132,11 @@ TEST_P(ChosenStepsOf, AreNoLongerThanTheModelSays) {
 TEST_P(ChosenStepsOf, KeepTheirOrderAcrossAKink) {
   const auto error = [&](std::vector<double> events) {
     Free system;  // y' = |t - 1 / pi|, in the error's own size
-    system.y0 = Flat<double>::Zero(1);
+    system.y0 = StateVector<double>::Zero(1);
     const double kink = 1 / std::acos(-1.0);
-    system.f = [=](double t, const Flat<double>&) { return Flat<double>::Constant(1, std::abs(t - kink)); };
+    system.f = [=](double t, const StateVector<double>&) {
+      return StateVector<double>::Constant(1, std::abs(t - kink));
+    };
     const double exact = (kink * kink + (1 - kink) * (1 - kink)) / 2;
     const Walked r =
         run(system, GetParam(), Steps::chosen, TimeGrid(0, 1, {}, {}, std::move(events)), {1e-9, 1e-9});
@@ -167,7 +169,7 @@ TEST(Methods, AreFoundByTheirNames) {
 
 TEST(Projection, MeetsPositionsAndVelocitiesByOneFactorisation) {
   OnACircle system;
-  Flat<double> y = Eigen::Vector4d(0.6 + 1e-4, 0.8, -0.8, 0.6 + 1e-3);
+  StateVector<double> y = Eigen::Vector4d(0.6 + 1e-4, 0.8, -0.8, 0.6 + 1e-3);
   ProjectionReport<double> report;
   Projection<OnACircle>()(system, 0.0, y, report);
   EXPECT_LE(system.position_violation(0, y), 4e-16);
@@ -180,7 +182,7 @@ TEST(Projection, MeetsPositionsAndVelocitiesByOneFactorisation) {
 TEST(Projection, NamesTheRowThatItCannotMeet) {
   OnACircle system;
   system.stuck = true;
-  Flat<double> y = Eigen::Vector4d(1.1, 0, 0, 1);
+  StateVector<double> y = Eigen::Vector4d(1.1, 0, 0, 1);
   ProjectionReport<double> report;
   try {
     Projection<OnACircle>()(system, 0.25, y, report);

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "integrators/system.hpp"
+#include "integrators/contract/system.hpp"
 
 namespace trivium::integrators {
 
@@ -25,14 +25,14 @@ class Projection {
  public:
   using S = typename System::Scalar;
 
-  void operator()(System& system, const S& t, Flat<S>& y, ProjectionReport<S>& report) {
+  void operator()(System& system, const S& t, StateVector<S>& y, ProjectionReport<S>& report) {
     is_factored_ = false;
-    system.meet_internal(y);
+    system.normalise(y);
     approach(
         system, t, "position", report.position, report.position_left, report.changes,
         [&] { return S(system.position_violation(t, y)); },
         [&](bool factor) { system.correct_positions(y, factor); });
-    system.meet_internal(y);
+    system.normalise(y);
     approach(
         system, t, "velocity", report.velocity, report.velocity_left, report.changes,
         [&] { return S(system.velocity_violation(t, y)); },

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "integrators/system.hpp"
+#include "integrators/contract/system.hpp"
 
 namespace trivium::integrators {
 

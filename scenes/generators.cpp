@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "bodies/so3.hpp"
+#include "bodies/rotations/so3.hpp"
 
 namespace trivium::scenes {
 

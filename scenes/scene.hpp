@@ -9,8 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "bodies/euler_sequence.hpp"
-#include "constraints/time_function.hpp"
+#include "bodies/numbers/time_function.hpp"
+#include "bodies/rotations/euler_sequence.hpp"
+#include "constraints/constraint_type.hpp"
 
 namespace trivium::scenes {
 
@@ -57,24 +58,6 @@ struct Side {
   int body = ground;
   std::optional<Vector3> point, vector, axis, x;  ///< body frame
   bool operator==(const Side&) const = default;
-};
-
-enum class ConstraintType {
-  dp1,
-  dp2,
-  d,
-  cd,
-  spherical,
-  universal,
-  revolute,
-  cylindrical,
-  translational,
-  fixed,
-  planar,
-  in_line,
-  in_plane,
-  distance,
-  rotation_driver
 };
 
 struct Constraint {

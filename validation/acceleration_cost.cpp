@@ -8,14 +8,16 @@
 #include <cstdio>
 #include <functional>
 
-#include "bodies/error.hpp"
+#include "base/error.hpp"
+#include "base/json_writer.hpp"
+#include "base/number_text.hpp"
+#include "base/progress.hpp"
+#include "base/table.hpp"
 #include "validation/cost/ensemble.hpp"
 #include "validation/cost/measurement.hpp"
 #include "validation/cost/peers.hpp"
 #include "validation/cost/plots.hpp"
-#include "validation/program.hpp"
-#include "validation/progress.hpp"
-#include "validation/text_output.hpp"
+#include "validation/harness/program.hpp"
 
 namespace trivium::cost {
 

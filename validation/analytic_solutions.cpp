@@ -9,14 +9,16 @@
 #include <cmath>
 #include <tuple>
 
-#include "formulations/acceleration_solver.hpp"
+#include "base/json_writer.hpp"
+#include "base/progress.hpp"
+#include "base/table.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/side_by_side.hpp"
-#include "validation/program.hpp"
-#include "validation/progress.hpp"
-#include "validation/reference.hpp"
-#include "validation/simulation.hpp"
-#include "validation/text_output.hpp"
+#include "formulations/structured/acceleration_solver.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "simulation/simulate.hpp"
+#include "validation/harness/program.hpp"
+#include "validation/harness/trusted_numbers.hpp"
 
 namespace trivium {
 
@@ -54,7 +56,7 @@ std::vector<MotionSample> motion(const scenes::Scene& scene, const std::string& 
   options.end = end;
   options.output_step = output_step;
   options.tolerances = {1e-12, 1e-14};
-  simulate<double>(scene, options, samples);
+  simulate(make_model<double>(scene), options, samples);
   return samples.all;
 }
 

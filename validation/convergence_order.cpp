@@ -12,12 +12,14 @@
 #include <map>
 #include <string_view>
 
+#include "base/gnuplot.hpp"
+#include "base/json_writer.hpp"
+#include "base/progress.hpp"
+#include "base/table.hpp"
 #include "formulations/side_by_side.hpp"
-#include "validation/gnuplot.hpp"
-#include "validation/program.hpp"
-#include "validation/progress.hpp"
-#include "validation/simulation.hpp"
-#include "validation/text_output.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "simulation/simulate.hpp"
+#include "validation/harness/program.hpp"
 
 namespace trivium {
 
@@ -130,7 +132,8 @@ std::vector<MotionSample> outputs_of(const scenes::Scene& scene, SimulationOptio
                                      bool is_double = false) {
   options.output_step = options.end / 2;
   Samples samples;
-  is_double ? simulate<double>(scene, options, samples) : simulate<Quad>(scene, options, samples);
+  is_double ? simulate(make_model<double>(scene), options, samples)
+            : simulate(make_model<Quad>(scene), options, samples);
   samples.all.erase(samples.all.begin());
   return samples.all;
 }

@@ -8,11 +8,13 @@
 
 #include <algorithm>
 
-#include "validation/interleaved.hpp"
-#include "validation/program.hpp"
-#include "validation/progress.hpp"
-#include "validation/simulation.hpp"
-#include "validation/text_output.hpp"
+#include "base/json_writer.hpp"
+#include "base/progress.hpp"
+#include "base/table.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "simulation/simulate.hpp"
+#include "validation/harness/interleaved_timing.hpp"
+#include "validation/harness/program.hpp"
 
 namespace trivium {
 
@@ -64,7 +66,7 @@ SimulationReport simulate_once(const scenes::Scene& scene, const Run& run, const
   o.end = options.t_end;
   o.watches = false;
   SimulationObserver nobody;
-  return simulate<double>(scene, o, nobody);
+  return simulate(make_model<double>(scene), o, nobody);
 }
 
 std::vector<Run> measure(const NamedScene& named, const Options& options, Progress& progress) {

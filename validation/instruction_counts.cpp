@@ -8,15 +8,17 @@
 #include <memory>
 #include <optional>
 
-#include "bodies/error.hpp"
-#include "formulations/acceleration_solver.hpp"
+#include "base/error.hpp"
+#include "base/json_writer.hpp"
+#include "base/progress.hpp"
+#include "base/table.hpp"
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/r_p.hpp"
+#include "formulations/structured/acceleration_solver.hpp"
 #include "scenes/generators.hpp"
-#include "validation/program.hpp"
-#include "validation/progress.hpp"
-#include "validation/text_output.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "validation/harness/program.hpp"
 
 namespace trivium {
 

@@ -7,13 +7,16 @@
 #include <limits>
 #include <optional>
 
-#include "bodies/error.hpp"
+#include "base/error.hpp"
+#include "base/json_writer.hpp"
+#include "base/number_text.hpp"
+#include "base/option_checks.hpp"
+#include "base/progress.hpp"
+#include "base/table.hpp"
 #include "formulations/side_by_side.hpp"
-#include "validation/option_checks.hpp"
-#include "validation/program.hpp"
-#include "validation/progress.hpp"
-#include "validation/random_mechanism.hpp"
-#include "validation/text_output.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "validation/harness/program.hpp"
+#include "validation/harness/random_mechanism.hpp"
 
 namespace trivium {
 
@@ -75,10 +78,8 @@ struct Answer {
   }
 };
 
-void compare(const scenes::Scene& scene, double t, Answer& answer) {
-  SolveOptions options;
-  options.estimate_errors = false;
-  const SideBySide<double> result = solve_side_by_side<double>(scene, t, options);
+void compare(const Model<double>& model, Answer& answer) {
+  const SideBySide<double> result = side_by_side(model, analyse_rows(model));
   answer.analysed = true;
   answer.nc = static_cast<int>(result.rows.unique.size());
   answer.rank = result.rows.rank;
@@ -103,7 +104,7 @@ Answer ask(const std::string& source, const scenes::Scene& scene, double t) {
   answer.scene = scene.name;
   answer.nb = static_cast<int>(scene.bodies.size());
   try {
-    compare(scene, t, answer);
+    compare(make_model(scene, t), answer);
   } catch (const ModelError& error) {
     answer.error = name_source(source, error.what());
   }

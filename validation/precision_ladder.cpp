@@ -6,11 +6,13 @@
 
 #include <utility>
 
-#include "bodies/error.hpp"
+#include "base/error.hpp"
+#include "base/json_writer.hpp"
+#include "base/progress.hpp"
+#include "base/table.hpp"
 #include "formulations/side_by_side.hpp"
-#include "validation/program.hpp"
-#include "validation/progress.hpp"
-#include "validation/text_output.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "validation/harness/program.hpp"
 
 namespace trivium {
 
@@ -19,7 +21,7 @@ namespace {
 /// Scenes beyond this many bodies are left to the long run: 50 digits on a dense matrix take minutes there.
 constexpr std::size_t quick_bodies = 30;
 
-struct Rung {
+struct PrecisionResult {
   std::string scene, scalar, error;
   int nb = 0, nc = 0, rank = 0;
   double u = 0, kappa = 0, cancellation = 1, difference = 0;
@@ -44,10 +46,9 @@ struct Rung {
 };
 
 template <class Scalar>
-void compare(const scenes::Scene& scene, Rung& rung) {
-  SolveOptions options;
-  options.estimate_errors = false;
-  const SideBySide<Scalar> result = solve_side_by_side<Scalar>(scene, 0, options);
+void compare(const scenes::Scene& scene, PrecisionResult& rung) {
+  const RowAnalysis rows = analyse_rows(make_model<double>(scene));
+  const SideBySide<Scalar> result = side_by_side(make_model<Scalar>(scene), rows);
   rung.analysed = true;
   rung.nc = static_cast<int>(result.rows.unique.size());
   rung.rank = result.rows.rank;
@@ -60,8 +61,8 @@ void compare(const scenes::Scene& scene, Rung& rung) {
 }
 
 template <class Scalar>
-Rung climb(const NamedScene& named, const char* scalar) {
-  Rung rung{named.scene.name, scalar, ""};
+PrecisionResult solve_in(const NamedScene& named, const char* scalar) {
+  PrecisionResult rung{named.scene.name, scalar, ""};
   rung.nb = static_cast<int>(named.scene.bodies.size());
   rung.u = static_cast<double>(unit_roundoff<Scalar>());
   try {
@@ -72,17 +73,17 @@ Rung climb(const NamedScene& named, const char* scalar) {
   return rung;
 }
 
-std::vector<Rung> climb_all(const NamedScene& scene) {
-  return {climb<float>(scene, "float"), climb<double>(scene, "double"),
-          climb<long double>(scene, "long double"), climb<Quad>(scene, "quad"),
-          climb<Real50>(scene, "50 digits")};
+std::vector<PrecisionResult> climb_all(const NamedScene& scene) {
+  return {solve_in<float>(scene, "float"), solve_in<double>(scene, "double"),
+          solve_in<long double>(scene, "long double"), solve_in<Quad>(scene, "quad"),
+          solve_in<Real50>(scene, "50 digits")};
 }
 
 std::vector<std::string> columns() {
   return {"scene", "nb", "nc", "rank", "kappa", "scalar", "u", "difference", "bound", "verdict"};
 }
 
-std::vector<std::string> fields(const Rung& r) {
+std::vector<std::string> fields(const PrecisionResult& r) {
   const auto known = [&](const std::string& text) { return r.analysed ? text : std::string("none"); };
   return {r.scene,
           std::to_string(r.nb),
@@ -97,7 +98,7 @@ std::vector<std::string> fields(const Rung& r) {
 }
 
 /// One line a scene: the difference in each precision, and in brackets its ratio to u kappa.
-std::string text(const std::vector<Rung>& rungs, std::size_t rungs_per_scene) {
+std::string text(const std::vector<PrecisionResult>& rungs, std::size_t rungs_per_scene) {
   std::vector<std::string> header{"scene", "nb", "kappa"};
   for (std::size_t k = 0; k < rungs_per_scene && k < rungs.size(); ++k)
     header.push_back(rungs[k].scalar + " (/u kappa)");
@@ -110,7 +111,7 @@ std::string text(const std::vector<Rung>& rungs, std::size_t rungs_per_scene) {
     // the worst rung's: a solver that failed counts more than a difference that is too large
     std::string verdict = rungs[first].any_unique ? "ok" : "none";
     for (std::size_t k = first; k < first + rungs_per_scene; ++k) {
-      const Rung& r = rungs[k];
+      const PrecisionResult& r = rungs[k];
       row.push_back(r.comparable() ? fmt::format("{:.0e} ({:.1g})", r.difference, r.ratio()) : "none");
       if (!r.solved()) errors.add(r.error, r.scalar);
       if (!r.passed() && verdict != "ERROR") verdict = r.verdict();
@@ -121,10 +122,10 @@ std::string text(const std::vector<Rung>& rungs, std::size_t rungs_per_scene) {
   return table.text() + errors.text();
 }
 
-std::string json(const std::vector<Rung>& rungs, bool passed) {
+std::string json(const std::vector<PrecisionResult>& rungs, bool passed) {
   JsonWriter out;
   out.begin_object().flag("passed", passed).begin_array("rungs");
-  for (const Rung& r : rungs) {
+  for (const PrecisionResult& r : rungs) {
     out.begin_object().text("scene", r.scene).number("nb", r.nb);
     if (r.analysed) out.number("kappa", r.kappa);
     out.text("scalar", r.scalar).number("u", r.u);
@@ -141,20 +142,20 @@ int run(const Program& program, bool large) {
   std::vector<NamedScene> scenes = program.scenes(0);
   if (!program.names_scenes() && !large)
     std::erase_if(scenes, [](const NamedScene& s) { return s.scene.bodies.size() > quick_bodies; });
-  std::vector<Rung> rungs;
+  std::vector<PrecisionResult> rungs;
   std::size_t per_scene = 1;
   Progress progress("precision_ladder", scenes.size());
   for (const NamedScene& scene : scenes) {
-    const std::vector<Rung> ladder = climb_all(scene);
+    const std::vector<PrecisionResult> ladder = climb_all(scene);
     per_scene = ladder.size();
     rungs.insert(rungs.end(), ladder.begin(), ladder.end());
     progress.step();
   }
   const auto all = [&](auto is) { return std::all_of(rungs.begin(), rungs.end(), is); };
-  const bool solved = all([](const Rung& r) { return r.solved(); });
-  const bool passed = all([](const Rung& r) { return r.passed(); });
+  const bool solved = all([](const PrecisionResult& r) { return r.solved(); });
+  const bool passed = all([](const PrecisionResult& r) { return r.passed(); });
   ResultsFile file("precision_ladder", columns());
-  for (const Rung& rung : rungs) file.add(fields(rung));
+  for (const PrecisionResult& rung : rungs) file.add(fields(rung));
   program.write(file);
   fmt::print("{}", program.json() ? json(rungs, passed) : text(rungs, per_scene));
   return batch_exit(solved, passed);

@@ -7,11 +7,12 @@
 
 #include <algorithm>
 
-#include "validation/option_checks.hpp"
-#include "validation/program.hpp"
-#include "validation/progress.hpp"
-#include "validation/simbody_comparison.hpp"
-#include "validation/text_output.hpp"
+#include "base/json_writer.hpp"
+#include "base/option_checks.hpp"
+#include "base/progress.hpp"
+#include "base/table.hpp"
+#include "validation/harness/program.hpp"
+#include "validation/simbody/comparison.hpp"
 
 namespace trivium {
 

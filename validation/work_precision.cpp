@@ -7,12 +7,13 @@
 #include <filesystem>
 #include <map>
 
+#include "base/gnuplot.hpp"
+#include "base/json_writer.hpp"
+#include "base/progress.hpp"
+#include "base/table.hpp"
 #include "scenes/generators.hpp"
-#include "validation/gnuplot.hpp"
-#include "validation/precision/contest.hpp"
-#include "validation/program.hpp"
-#include "validation/progress.hpp"
-#include "validation/text_output.hpp"
+#include "validation/harness/program.hpp"
+#include "validation/precision/runs.hpp"
 
 namespace trivium::precision {
 

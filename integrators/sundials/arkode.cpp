@@ -1,6 +1,6 @@
 #include <arkode/arkode_arkstep.h>
 
-#include "integrators/sundials.hpp"
+#include "integrators/sundials/methods.hpp"
 #include "integrators/sundials/ode_stepper.hpp"
 
 namespace trivium::integrators {
@@ -34,7 +34,7 @@ class Arkode final : public OdeStepper {
   bool shorten() override { return chooses_steps_ && Stepper::shorten(); }
 
  private:
-  void begin(double t, const FlatD& y, double first_step) override {
+  void begin(double t, const StateVectorD& y, double first_step) override {
     const ARKRhsFn explicit_part = is_implicit() ? nullptr : right_side,
                    implicit_part = is_implicit() ? right_side : nullptr;
     if (memory() == nullptr) {

@@ -2,7 +2,7 @@
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include "integrators/projection.hpp"
-#include "integrators/sundials.hpp"
+#include "integrators/sundials/methods.hpp"
 #include "integrators/sundials/ode_stepper.hpp"
 
 namespace trivium::integrators {
@@ -36,7 +36,7 @@ class Cvode final : public OdeStepper {
   bool interpolates() const override { return true; }
 
  private:
-  void begin(double t, const FlatD& y, double first_step) override {
+  void begin(double t, const StateVectorD& y, double first_step) override {
     if (memory() == nullptr) {
       make(t, y);
     } else {
@@ -45,7 +45,7 @@ class Cvode final : public OdeStepper {
     }
     begin_with(first_step);
   }
-  void make(double t, const FlatD& y) {
+  void make(double t, const StateVectorD& y) {
     make_numbers(y.size());
     flat(numbers()) = y;
     open(CVodeCreate(is_implicit() ? CV_BDF : CV_ADAMS, context()));
@@ -71,8 +71,8 @@ class Cvode final : public OdeStepper {
   static int project(double t, N_Vector numbers, N_Vector change, double, N_Vector /*error*/, void* stepper) {
     Cvode& self = static_cast<Cvode&>(*static_cast<Stepper*>(stepper));
     return self.guarded([&] {
-      FlatD projected = self.state(numbers);
-      const FlatD before = projected;
+      StateVectorD projected = self.state(numbers);
+      const StateVectorD before = projected;
       ProjectionReport<double> report;
       self.projection_(self.system(), t, projected, report);
       flat(change) = projected - before;

@@ -1,8 +1,8 @@
 #include <ida/ida.h>
 
 #include "integrators/projection.hpp"
-#include "integrators/step_choice.hpp"
-#include "integrators/sundials.hpp"
+#include "integrators/step_size_control.hpp"
+#include "integrators/sundials/methods.hpp"
 #include "integrators/sundials/stepper.hpp"
 
 namespace trivium::integrators {
@@ -38,10 +38,10 @@ class Ida final : public Stepper {
   explicit Ida(const Tolerances& tolerances) : Stepper(ida), tolerances_(tolerances) {}
 
   bool interpolates() const override { return true; }
-  const FlatD* lambda() const override { return has_begun() ? &lambda_ : nullptr; }
+  const StateVectorD* lambda() const override { return has_begun() ? &lambda_ : nullptr; }
 
  private:
-  void begin(double t, const FlatD& y, double first_step) override {
+  void begin(double t, const StateVectorD& y, double first_step) override {
     nq_ = system().position_size();
     nv_ = system().velocity_size();
     nc_ = system().multipliers();
@@ -56,19 +56,19 @@ class Ida final : public Stepper {
     }
     system().derivative(t, y, y_dot_);
     system().accelerations(t, y, v_dot_, lambda_);
-    system().balance(t, y, FlatD::Zero(nv_), lambda_);
+    system().residual(t, y, StateVectorD::Zero(nv_), lambda_);
     system().factor(0, 0);
     system().applied_force(t, y, force_at_);
     counters_.right_sides += 2;
-    flat(numbers()) << y, lambda_, FlatD::Zero(nc_);
-    flat(rates_.get()) << y_dot_, FlatD::Zero(2 * nc_);
+    flat(numbers()) << y, lambda_, StateVectorD::Zero(nc_);
+    flat(rates_.get()) << y_dot_, StateVectorD::Zero(2 * nc_);
     if (is_new)
       make(t);
     else
       accept(IDAReInit(memory(), t, numbers(), rates_.get()), "to begin again");
     begin_with(first_step > 0 ? first_step : first_step_of(t, y));
   }
-  double first_step_of(double t, const FlatD& y) {
+  double first_step_of(double t, const StateVectorD& y) {
     return integrators::first_step(system(), t, y, 1, tolerances_, counters_.right_sides);
   }
   void make(double t) {
@@ -90,7 +90,7 @@ class Ida final : public Stepper {
     Stepper::interpolate_numbers(t, at);
     lambda_ = flat(at).segment(ny_, nc_);
   }
-  void finish(double t, FlatD& y) override {
+  void finish(double t, StateVectorD& y) override {
     ProjectionReport<double> report;
     projection_(system(), t, y, report);
   }
@@ -108,27 +108,27 @@ class Ida final : public Stepper {
   void evaluate(double t, N_Vector numbers, N_Vector rates) {
     ++counters_.right_sides;
     AnySystem<double>& system = this->system();
-    const FlatD& y = state(numbers);
+    const StateVectorD& y = state(numbers);
     lambda_ = flat(numbers).segment(ny_, nc_);
     move(y, y.segment(nq_, nv_), flat(numbers).tail(nc_));
     off_q_ = flat(rates).head(nq_) - rate_;
     v_dot_ = flat(rates).segment(nq_, nv_);
     system.inertia_force(y, v_dot_, force_);
-    system.balance(t, y, force_, lambda_);
-    system.take_imbalance(off_v_);
+    system.residual(t, y, force_, lambda_);
+    system.force_residual(off_v_);
     system.take_internal_rows(v_dot_, off_v_);
-    system.take_rows(phi_);
+    system.row_residual(phi_);
     off_work_.resize(ny_ - nq_ - nv_);
     if (off_work_.size() > 0) off_work_[0] = flat(rates)[nq_ + nv_] - system.work_rate(lambda_);
     system.velocity_rows();
-    system.take_rows(phi_dot_);
+    system.row_residual(phi_dot_);
   }
   /// q' where bodies move with v and the rows by sigma.
-  void move(const FlatD& y, const FlatD& v, const FlatD& sigma) {
+  void move(const StateVectorD& y, const StateVectorD& v, const StateVectorD& sigma) {
     moved_ = v;
     if (!sigma.isZero(0)) {
       mu_.setZero(nc_);
-      system().solve(FlatD::Zero(nv_), sigma, moved_, mu_);
+      system().solve(StateVectorD::Zero(nv_), sigma, moved_, mu_);
     }
     system().position_rate(y, moved_, rate_);
   }
@@ -154,41 +154,41 @@ class Ida final : public Stepper {
   ///   Phi_q u = c b_phi',   with b_phi' less what d changes of Phi_q v
   ///
   ///   c x_q = b_q + x_v + s(x_sigma),   Phi_q x_q = b_phi
-  void solve(const Eigen::Map<FlatD>& b, Eigen::Map<FlatD> x) override {
+  void solve(const Eigen::Map<StateVectorD>& b, Eigen::Map<StateVectorD> x) override {
     AnySystem<double>& system = this->system();
-    const FlatD b_v = b.segment(nq_, nv_), b_phi = b.tail(nc_);
-    FlatD moved = at_;
+    const StateVectorD b_v = b.segment(nq_, nv_), b_phi = b.tail(nc_);
+    StateVectorD moved = at_;
     moved.head(nq_) += b.head(nq_);
     system.displacement(at_, moved, displacement_);
-    const FlatD v = at_.segment(nq_, nv_), along = rows_of(at_, v + displacement_) - phi_dot_at_;
-    move(at_, FlatD::Zero(nv_), c_ * b_phi - along);
+    const StateVectorD v = at_.segment(nq_, nv_), along = rows_of(at_, v + displacement_) - phi_dot_at_;
+    move(at_, StateVectorD::Zero(nv_), c_ * b_phi - along);
     moved = at_;
     moved.head(nq_) += (b.head(nq_) + rate_) / c_;
-    const FlatD b_phi_dot = b.segment(ny_, nc_) - (rows_of(moved, v) - phi_dot_at_);
-    FlatD u = FlatD::Zero(nv_), x_lambda = FlatD::Zero(nc_);
+    const StateVectorD b_phi_dot = b.segment(ny_, nc_) - (rows_of(moved, v) - phi_dot_at_);
+    StateVectorD u = StateVectorD::Zero(nv_), x_lambda = StateVectorD::Zero(nc_);
     system.solve(b_v, c_ * b_phi_dot, u, x_lambda);
     system.solve_internal_rows(at_, b_v, u);
     if (system.has_springs()) {
       system.applied_force(at_t_, moved, moved_force_);
       system.solve_force(moved_force_ - force_at_, u, x_lambda);
     }
-    const FlatD x_v = u / c_, x_sigma = c_ * b_phi - b_phi_dot - along;
+    const StateVectorD x_v = u / c_, x_sigma = c_ * b_phi - b_phi_dot - along;
     move(at_, x_v, x_sigma);
     x << (b.head(nq_) + rate_) / c_, x_v, b.segment(nq_ + nv_, ny_ - nq_ - nv_) / c_, x_lambda, x_sigma;
   }
   /// Phi_q v - nu where y is.
-  FlatD rows_of(const FlatD& y, const FlatD& v) {
-    FlatD at = y, rows;
+  StateVectorD rows_of(const StateVectorD& y, const StateVectorD& v) {
+    StateVectorD at = y, rows;
     at.segment(nq_, nv_) = v;
     system().position_rows(at_t_, at);
     system().velocity_rows();
-    system().take_rows(rows);
+    system().row_residual(rows);
     return rows;
   }
 
   static int error_weights(N_Vector numbers, N_Vector weights, void* stepper) {
     Ida& self = of(stepper);
-    Eigen::Map<FlatD> w = flat(weights);
+    Eigen::Map<StateVectorD> w = flat(weights);
     self.weigh(self.state(numbers), self.tolerances_, w);
     // the work follows q and v, sigma is 0: they have no say in how well these are met
     w.tail(w.size() - self.nq_ - self.nv_).setConstant(no_weight);
@@ -199,7 +199,8 @@ class Ida final : public Stepper {
   }
 
   /// A share of each, or of the largest force: enough to be shown, and no burden.
-  void weigh_multipliers(const Eigen::Ref<const FlatD>& lambda, Eigen::Ref<FlatD> weights) const {
+  void weigh_multipliers(const Eigen::Ref<const StateVectorD>& lambda,
+                         Eigen::Ref<StateVectorD> weights) const {
     if (lambda.size() == 0) return;
     constexpr double share = 1e-4;
     const double largest = lambda.cwiseAbs().maxCoeff() + force_at_.cwiseAbs().maxCoeff();
@@ -210,10 +211,10 @@ class Ida final : public Stepper {
   int nq_ = 0, nv_ = 0, nc_ = 0, ny_ = 0;
   Owned<N_Vector> rates_, is_differential_;
   Projection<AnySystem<double>> projection_;
-  FlatD lambda_, y_dot_, v_dot_, force_, mu_, moved_, rate_, displacement_;
-  FlatD off_q_, off_v_, off_work_, phi_, phi_dot_;  ///< what the equations miss
-  FlatD at_, phi_dot_at_, force_at_;                ///< where the matrix was made
-  FlatD moved_force_;
+  StateVectorD lambda_, y_dot_, v_dot_, force_, mu_, moved_, rate_, displacement_;
+  StateVectorD off_q_, off_v_, off_work_, phi_, phi_dot_;  ///< what the equations miss
+  StateVectorD at_, phi_dot_at_, force_at_;                ///< where the matrix was made
+  StateVectorD moved_force_;
   double at_t_ = 0, c_ = 1;
 };
 

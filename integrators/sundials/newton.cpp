@@ -1,6 +1,6 @@
 #include "integrators/sundials/newton.hpp"
 
-#include "integrators/anderson.hpp"
+#include "integrators/implicit/anderson.hpp"
 
 namespace trivium::integrators::sundials_library {
 
@@ -67,7 +67,7 @@ class AcceleratedNewton {
   }
 
   Owned<N_Vector> left_;
-  FlatD start_, change_;
+  StateVectorD start_, change_;
   Anderson<double> anderson_;
 };
 

@@ -14,7 +14,7 @@ int OdeStepper::right_side(double t, N_Vector numbers, N_Vector y_dot, void* ste
 
 int OdeStepper::error_weights(N_Vector numbers, N_Vector weights, void* stepper) {
   OdeStepper& self = of(stepper);
-  const FlatD& y = self.state(numbers);
+  const StateVectorD& y = self.state(numbers);
   self.weigh(y, self.tolerances_, flat(weights));
   // Newton's matrix says nothing of the work, which follows q and v: it has no say in how well they are met
   if (self.is_implicit_) {
@@ -34,9 +34,9 @@ int OdeStepper::linear_system(double t, N_Vector numbers, N_Vector, SUNMatrix, i
     self.gamma_ = gamma;
     self.at_ = self.state(numbers);
     if (system.has_springs()) {
-      const FlatD no_force = FlatD::Zero(system.velocity_size()),
-                  no_lambda = FlatD::Zero(system.multipliers());
-      system.balance(t, self.at_, no_force, no_lambda);
+      const StateVectorD no_force = StateVectorD::Zero(system.velocity_size()),
+                         no_lambda = StateVectorD::Zero(system.multipliers());
+      system.residual(t, self.at_, no_force, no_lambda);
       system.factor(gamma, gamma * gamma);
       system.applied_force(t, self.at_, self.force_);
     }
@@ -44,7 +44,7 @@ int OdeStepper::linear_system(double t, N_Vector numbers, N_Vector, SUNMatrix, i
   });
 }
 
-void OdeStepper::solve(const Eigen::Map<FlatD>& b, Eigen::Map<FlatD> x) {
+void OdeStepper::solve(const Eigen::Map<StateVectorD>& b, Eigen::Map<StateVectorD> x) {
   AnySystem<double>& system = this->system();
   const int nq = system.position_size(), nv = system.velocity_size();
   b_v_ = b.segment(nq, nv);

@@ -24,7 +24,7 @@ class OdeStepper : public Stepper {
   OdeStepper(const Functions& functions, const Tolerances& tolerances, bool is_implicit)
       : Stepper(functions), tolerances_(tolerances), is_implicit_(is_implicit) {}
   bool is_implicit() const { return is_implicit_; }
-  void solve(const Eigen::Map<FlatD>& b, Eigen::Map<FlatD> x) override;
+  void solve(const Eigen::Map<StateVectorD>& b, Eigen::Map<StateVectorD> x) override;
 
  private:
   static OdeStepper& of(void* stepper) { return static_cast<OdeStepper&>(*static_cast<Stepper*>(stepper)); }
@@ -32,8 +32,8 @@ class OdeStepper : public Stepper {
   Tolerances tolerances_;
   const bool is_implicit_;
   double t_ = 0, gamma_ = 0;
-  FlatD at_, force_;  ///< what was linearised about, and Q there
-  FlatD y_dot_, b_v_, rate_, moved_, moved_force_, w_, mu_;
+  StateVectorD at_, force_;  ///< what was linearised about, and Q there
+  StateVectorD y_dot_, b_v_, rate_, moved_, moved_force_, w_, mu_;
 };
 
 }  // namespace trivium::integrators::sundials_library

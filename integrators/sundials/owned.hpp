@@ -9,11 +9,11 @@
 #include <memory>
 #include <type_traits>
 
-#include "integrators/system.hpp"
+#include "integrators/contract/system.hpp"
 
 namespace trivium::integrators::sundials_library {
 
-using FlatD = Flat<double>;
+using StateVectorD = StateVector<double>;
 
 struct Destroy {
   void operator()(N_Vector v) const { N_VDestroy(v); }
@@ -25,6 +25,6 @@ struct Destroy {
 template <class Pointer>
 using Owned = std::unique_ptr<std::remove_pointer_t<Pointer>, Destroy>;
 
-inline Eigen::Map<FlatD> flat(N_Vector v) { return {N_VGetArrayPointer(v), N_VGetLength_Serial(v)}; }
+inline Eigen::Map<StateVectorD> flat(N_Vector v) { return {N_VGetArrayPointer(v), N_VGetLength_Serial(v)}; }
 
 }  // namespace trivium::integrators::sundials_library

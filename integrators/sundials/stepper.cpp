@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "integrators/step_choice.hpp"
+#include "integrators/step_size_control.hpp"
 #include "integrators/sundials/newton.hpp"
 
 namespace trivium::integrators::sundials_library {
@@ -26,7 +26,7 @@ void accept(int flag, const char* what) {
   if (flag < 0) throw IntegrationError(fmt::format("SUNDIALS refuses {} (code {})", what, flag));
 }
 
-void Stepper::step(AnySystem<double>& system, double& t, FlatD& y, const double& stop) {
+void Stepper::step(AnySystem<double>& system, double& t, StateVectorD& y, const double& stop) {
   system_ = &system;
   trouble_.clear();
   message_.clear();
@@ -70,7 +70,7 @@ bool Stepper::shorten() {
   return true;
 }
 
-void Stepper::interpolate(const double& t, FlatD& y) {
+void Stepper::interpolate(const double& t, StateVectorD& y) {
   if (!between_) between_.reset(N_VClone(numbers()));
   interpolate_numbers(t, between_.get());
   y = state(between_.get());
@@ -96,7 +96,7 @@ void Stepper::take_counters() {
   counters_.iterations = before_.iterations + iterations;
 }
 
-void Stepper::fail(double t, const FlatD& y) {
+void Stepper::fail(double t, const StateVectorD& y) {
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
   give_up(*system_, t, y, trouble_.empty() ? message_ : trouble_);
 }

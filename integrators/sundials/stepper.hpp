@@ -6,7 +6,7 @@
 #include <exception>
 #include <string>
 
-#include "integrators/erased.hpp"
+#include "integrators/contract/any_system.hpp"
 #include "integrators/sundials/owned.hpp"
 
 namespace trivium::integrators::sundials_library {
@@ -38,27 +38,27 @@ class Stepper : public AnyMethod<double> {
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
 
-  void step(AnySystem<double>& system, double& t, FlatD& y, const double& stop) final;
+  void step(AnySystem<double>& system, double& t, StateVectorD& y, const double& stop) final;
   void restart() final;
   bool shorten() override;
-  void interpolate(const double& t, FlatD& y) final;
+  void interpolate(const double& t, StateVectorD& y) final;
   const Counters& counters() const final { return counters_; }
-  const FlatD* lambda() const override { return nullptr; }
+  const StateVectorD* lambda() const override { return nullptr; }
 
  protected:
   // what the integrators differ in
   /// Begins at (t, y) with a first step, or one of its own choice where that is 0.
-  virtual void begin(double t, const FlatD& y, double first_step) = 0;
+  virtual void begin(double t, const StateVectorD& y, double first_step) = 0;
   /// One step from t, at most to `stop`; leaves the library's state in numbers(). Returns the library's flag.
   virtual int advance(double stop, double& t) = 0;
   /// The length it would take next; 0 where steps are given.
   virtual double planned() const;
   /// A x = b with what was factored last.
-  virtual void solve(const Eigen::Map<FlatD>& b, Eigen::Map<FlatD> x) = 0;
+  virtual void solve(const Eigen::Map<StateVectorD>& b, Eigen::Map<StateVectorD> x) = 0;
   /// The library's numbers at a time of its last step.
   virtual void interpolate_numbers(double t, N_Vector numbers);
   /// What is left to do to a state of a step or of between.
-  virtual void finish(double /*t*/, FlatD& /*y*/) {}
+  virtual void finish(double /*t*/, StateVectorD& /*y*/) {}
 
   /// Runs what the library calls back. Returns its code: 0, 1 where a shorter step may do, -1 where not.
   template <class Work>
@@ -79,13 +79,13 @@ class Stepper : public AnyMethod<double> {
 
   bool has_begun() const { return has_begun_; }
   /// y from the library's numbers.
-  const FlatD& state(N_Vector numbers) {
+  const StateVectorD& state(N_Vector numbers) {
     y_ = flat(numbers).head(offset_.size()) + offset_;
     return y_;
   }
   /// Of what is measured neither by the estimated error nor by Newton's method.
   static constexpr double no_weight = 1e-100;
-  void weigh(const FlatD& y, const Tolerances& tolerances, Eigen::Map<FlatD> weights) const {
+  void weigh(const StateVectorD& y, const Tolerances& tolerances, Eigen::Map<StateVectorD> weights) const {
     weights.head(y.size()) = (tolerances.rtol * y.array().abs() + tolerances.atol).inverse();
   }
 
@@ -105,7 +105,7 @@ class Stepper : public AnyMethod<double> {
   Counters counters_;
 
  private:
-  void fail(double t, const FlatD& y);
+  void fail(double t, const StateVectorD& y);
   void take_counters();
   /// A linear solver that calls solve(), and a matrix in name, which the library asks for.
   Owned<SUNLinearSolver> make_linear_solver();
@@ -119,7 +119,7 @@ class Stepper : public AnyMethod<double> {
   Owned<SUNMatrix> matrix_;
   Owned<SUNNonlinearSolver> nonlinear_solver_;
   AnySystem<double>* system_ = nullptr;
-  FlatD offset_, returned_, y_;
+  StateVectorD offset_, returned_, y_;
   double first_step_ = 0, last_step_ = 0;
   bool has_begun_ = false;
   Counters before_;  ///< when it began last

@@ -9,7 +9,8 @@
 #include <numeric>
 #include <random>
 
-#include "validation/catalogue.hpp"
+#include "scenes/catalogue.hpp"
+#include "scenes/make_mechanism.hpp"
 #include "validation/cost/peer_translation.hpp"
 #include "validation/cost/state_sweep.hpp"
 #ifdef TRIVIUM_COST_MUJOCO

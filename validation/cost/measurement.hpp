@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "validation/cost/ours.hpp"
-#include "validation/cost/scenes.hpp"
+#include "validation/cost/timed_scenes.hpp"
 #include "validation/cost/timing.hpp"
+#include "validation/cost/trivium_engines.hpp"
 
 namespace trivium::cost {
 

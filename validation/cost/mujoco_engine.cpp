@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "scenes/make_mechanism.hpp"
 #include "validation/cost/mujoco_text.hpp"
 
 namespace trivium::cost {

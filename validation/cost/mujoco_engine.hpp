@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "scenes/make_mechanism.hpp"
 #include "validation/cost/peers.hpp"
 
 namespace trivium::cost {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "validation/cost/engine.hpp"
-#include "validation/simbody_model.hpp"
+#include "validation/simbody/model.hpp"
 
 namespace trivium::cost {
 

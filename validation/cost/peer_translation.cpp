@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/mechanism.hpp"
-#include "validation/simbody_translation.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "validation/simbody/translation.hpp"
 
 namespace trivium::cost {
 

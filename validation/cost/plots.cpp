@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "validation/gnuplot.hpp"
+#include "base/gnuplot.hpp"
 
 namespace trivium::cost {
 

@@ -1,5 +1,5 @@
 #include "validation/cost/peers.hpp"
-#include "validation/simbody_effects.hpp"
+#include "validation/simbody/forces.hpp"
 
 namespace trivium::cost {
 

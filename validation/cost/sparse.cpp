@@ -9,6 +9,7 @@
 
 #include "formulations/equations_of_motion.hpp"
 #include "formulations/r_omega.hpp"
+#include "scenes/make_mechanism.hpp"
 
 namespace trivium::cost {
 

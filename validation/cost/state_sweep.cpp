@@ -3,13 +3,13 @@
 #include <memory>
 #include <span>
 
-#include "bodies/batch_states.hpp"
-#include "formulations/graph_solver_impl.hpp"
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/r_p.hpp"
-#include "scenes/mechanism_cast.hpp"
-#include "validation/cost/our_engine.hpp"
+#include "formulations/structured/graph_solver_impl.hpp"
+#include "mechanism/mechanism_cast.hpp"
+#include "mechanism/state_batch.hpp"
+#include "validation/cost/trivium_engine.hpp"
 
 namespace trivium::cost {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "bodies/batch.hpp"
+#include "bodies/numbers/batch.hpp"
 #include "bodies/rigid_body.hpp"
-#include "scenes/mechanism.hpp"
-#include "validation/cost/ours.hpp"
+#include "mechanism/mechanism.hpp"
+#include "validation/cost/trivium_engines.hpp"
 
 namespace trivium::cost {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "validation/cpu_time.hpp"
+#include "simulation/cpu_time.hpp"
 
 namespace trivium::cost {
 

@@ -1,0 +1,58 @@
+#include "base/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "base/standard_output.hpp"
+
+namespace trivium {
+
+int run_guarded(const std::function<int()>& program) {
+  return run_and_flush([&]() -> int {
+    try {
+      return program();
+    } catch (const Error& error) {
+      complain(error.what());
+      return error.kind() == ErrorKind::input ? exit_input_error : exit_solver_failed;
+    } catch (const std::filesystem::filesystem_error& error) {
+      complain(error.what());
+      return exit_input_error;
+    }
+  });
+}
+
+int parse_and_run(CLI::App& app, int argc, char** argv, const std::function<int()>& program) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return run_and_flush([&]() -> int { return app.exit(error) == 0 ? exit_done : exit_input_error; });
+  }
+  return run_guarded(program);
+}
+
+ExitCode batch_exit(bool all_solved, bool all_passed) {
+  return !all_solved ? exit_solver_failed : all_passed ? exit_done : exit_criterion_failed;
+}
+
+std::string name_source(const std::string& source, std::string_view message) {
+  const bool named = message.starts_with(source + " ") || message.starts_with(source + ":");
+  return named ? std::string(message) : fmt::format("{}: {}", source, message);
+}
+
+void ErrorLines::add(const std::string& message, std::string_view about) {
+  if (lines_.empty() || lines_.back().message != message)
+    lines_.push_back({message, std::string(about)});
+  else if (!about.empty())
+    lines_.back().about += fmt::format(", {}", about);
+}
+
+std::string ErrorLines::text() const {
+  std::string out;
+  for (const auto& [message, about] : lines_)
+    out += fmt::format("error: {}{}\n", message, about.empty() ? "" : fmt::format(" ({})", about));
+  return out;
+}
+
+}  // namespace trivium

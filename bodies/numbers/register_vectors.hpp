@@ -1,0 +1,200 @@
+#pragma once
+/// Vectors of three that fill a vector register: in double and float each gets a fourth place, always 0, so
+/// that a column is added or scaled by one instruction. For innermost loops.
+
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+#include "bodies/rotations/so3.hpp"
+
+/// Calls of such small functions would pass their blocks through memory.
+#define TRIVIUM_INLINE [[gnu::always_inline]] inline
+
+namespace trivium {
+
+template <class S>
+inline constexpr int padded_size = std::is_floating_point_v<S> ? 4 : 3;
+template <class S>
+using Padded = Vector<S, padded_size<S>>;
+/// n vectors of three.
+template <class S, int n>
+using PaddedColumns = Matrix<S, padded_size<S>, n>;
+
+#ifdef __AVX__
+inline constexpr std::size_t register_bytes = 32;
+#else
+inline constexpr std::size_t register_bytes = 16;
+#endif
+
+/// The four places as one register, for doubles and floats that fit into it. Numbers stored one by one cannot
+/// be loaded as one register before all stores are through, a dozen cycles each time; so vectors are put
+/// together here.
+template <class S>
+struct Register {
+  static constexpr bool exists =
+      (std::is_same_v<S, double> || std::is_same_v<S, float>)&&4 * sizeof(S) <= register_bytes;
+  using Number = std::conditional_t<exists, S, double>;
+  using Places [[gnu::vector_size(4 * sizeof(Number))]] =
+      std::conditional_t<sizeof(Number) == 8, long long, int>;
+
+  Number places [[gnu::vector_size(4 * sizeof(Number))]];
+
+  TRIVIUM_INLINE static Register of(const Padded<S>& v) {
+    Register loaded;
+    std::memcpy(&loaded.places, v.data(), sizeof loaded.places);
+    return loaded;
+  }
+  TRIVIUM_INLINE Padded<S> padded() const {
+    Padded<S> stored;
+    std::memcpy(stored.data(), &places, sizeof places);
+    return stored;
+  }
+
+  // every other place, and the halves, of two registers
+  TRIVIUM_INLINE static Register even(const Register& a, const Register& b) {
+    return {__builtin_shuffle(a.places, b.places, Places{0, 4, 2, 6})};
+  }
+  TRIVIUM_INLINE static Register odd(const Register& a, const Register& b) {
+    return {__builtin_shuffle(a.places, b.places, Places{1, 5, 3, 7})};
+  }
+  TRIVIUM_INLINE static Register front(const Register& a, const Register& b) {
+    return {__builtin_shuffle(a.places, b.places, Places{0, 1, 4, 5})};
+  }
+  TRIVIUM_INLINE static Register back(const Register& a, const Register& b) {
+    return {__builtin_shuffle(a.places, b.places, Places{2, 3, 6, 7})};
+  }
+  /// (y, z, x)
+  TRIVIUM_INLINE Register turned() const { return {__builtin_shuffle(places, Places{1, 2, 0, 3})}; }
+
+  TRIVIUM_INLINE friend Register operator+(const Register& a, const Register& b) {
+    return {a.places + b.places};
+  }
+  TRIVIUM_INLINE friend Register operator-(const Register& a, const Register& b) {
+    return {a.places - b.places};
+  }
+  TRIVIUM_INLINE friend Register operator*(const Register& a, const Register& b) {
+    return {a.places * b.places};
+  }
+};
+
+template <class S>
+TRIVIUM_INLINE Padded<S> padded(const Vector3<S>& v) {
+  if constexpr (Register<S>::exists)
+    return Register<S>{{v.x(), v.y(), v.z(), S(0)}}.padded();
+  else if constexpr (padded_size<S> == 4)
+    return {v.x(), v.y(), v.z(), S(0)};
+  else
+    return v;
+}
+template <class S>
+TRIVIUM_INLINE Vector3<S> unpadded(const Padded<S>& v) {
+  return v.template head<3>();
+}
+
+template <class S>
+TRIVIUM_INLINE PaddedColumns<S, 3> padded_columns(const Matrix3<S>& M) {
+  PaddedColumns<S, 3> columns;
+  for (int k = 0; k < 3; ++k) columns.col(k) = padded<S>(M.col(k));
+  return columns;
+}
+
+/// M N, of N the first n rows.
+template <class S, int n, class Derived>
+TRIVIUM_INLINE PaddedColumns<S, Derived::ColsAtCompileTime> times(const PaddedColumns<S, n>& M,
+                                                                  const Eigen::MatrixBase<Derived>& N) {
+  static_assert(Derived::RowsAtCompileTime >= n);
+  PaddedColumns<S, Derived::ColsAtCompileTime> product;
+  if constexpr (n == 0) {
+    product.setZero();
+  } else if constexpr (Derived::ColsAtCompileTime > 0) {
+    for (int c = 0; c < product.cols(); ++c) {
+      Padded<S> sum = M.col(0) * N(0, c);
+      for (int k = 1; k < n; ++k) sum += M.col(k) * N(k, c);
+      product.col(c) = sum;
+    }
+  }
+  return product;
+}
+
+/// M N^T.
+template <class S, int n>
+TRIVIUM_INLINE PaddedColumns<S, 3> times_transpose(const PaddedColumns<S, n>& M,
+                                                   const PaddedColumns<S, n>& N) {
+  return times<S, n>(M, N.transpose().template leftCols<3>());
+}
+
+/// M^T v.
+template <class S, int n>
+TRIVIUM_INLINE Vector<S, n> transpose_times(const PaddedColumns<S, n>& M, const Padded<S>& v) {
+  using R = Register<S>;
+  Vector<S, n> product;
+  if constexpr (n == 2 && R::exists) {
+    const R w = R::of(v), a = R::of(M.col(0)) * w, b = R::of(M.col(1)) * w;
+    const Padded<S> ab = (R::even(a, b) + R::odd(a, b)).padded();
+    product = ab.template head<2>() + ab.template tail<2>();
+  } else if constexpr (n > 0) {
+    for (int k = 0; k < n; ++k) product[k] = M.col(k).dot(v);
+  }
+  return product;
+}
+/// The same in a register.
+template <class S>
+TRIVIUM_INLINE Padded<S> padded_transpose_times(const PaddedColumns<S, 3>& M, const Padded<S>& v) {
+  using R = Register<S>;
+  if constexpr (R::exists) {
+    const R w = R::of(v), a = R::of(M.col(0)) * w, b = R::of(M.col(1)) * w, c = R::of(M.col(2)) * w, none{};
+    const R ab = R::even(a, b) + R::odd(a, b), c0 = R::even(c, none) + R::odd(c, none);
+    return (R::front(ab, c0) + R::back(ab, c0)).padded();
+  } else {
+    return padded<S>(transpose_times<S, 3>(M, v));
+  }
+}
+
+template <class S>
+TRIVIUM_INLINE Padded<S> cross_product(const Padded<S>& a, const Padded<S>& b) {
+  using R = Register<S>;
+  if constexpr (R::exists) {
+    const R x = R::of(a), y = R::of(b);
+    return (x * y.turned() - x.turned() * y).turned().padded();
+  } else {
+    return padded<S>(unpadded<S>(a).cross(unpadded<S>(b)));
+  }
+}
+
+/// M times the rotation by `angle` about coordinate axis k: two columns mix.
+template <class S>
+TRIVIUM_INLINE void turn(PaddedColumns<S, 3>& M, int k, const S& angle) {
+  using std::cos, std::sin;
+  const S c = cos(angle), s = sin(angle);
+  const int m = (k + 1) % 3, n = (k + 2) % 3;
+  const Padded<S> x = M.col(m), y = M.col(n);
+  M.col(m) = c * x + s * y;
+  M.col(n) = c * y - s * x;
+}
+
+template <class S>
+TRIVIUM_INLINE PaddedColumns<S, 3> transposed(const PaddedColumns<S, 3>& M) {
+  using R = Register<S>;
+  PaddedColumns<S, 3> T;
+  if constexpr (R::exists) {
+    const R a = R::of(M.col(0)), b = R::of(M.col(1)), c = R::of(M.col(2)), none{};
+    const R ab = R::even(a, b), c0 = R::even(c, none);
+    T.col(0) = R::front(ab, c0).padded();
+    T.col(1) = R::front(R::odd(a, b), R::odd(c, none)).padded();
+    T.col(2) = R::back(ab, c0).padded();
+  } else {
+    for (int k = 0; k < 3; ++k) T.col(k) = padded<S>(M.template topRows<3>().row(k).transpose());
+  }
+  return T;
+}
+
+/// Adds M + M^T to a symmetric block.
+template <class S>
+TRIVIUM_INLINE void add_with_transpose(const PaddedColumns<S, 3>& M, PaddedColumns<S, 3>& sum) {
+  sum += M + transposed<S>(M);
+}
+
+}  // namespace trivium
+
+#undef TRIVIUM_INLINE

@@ -1,0 +1,218 @@
+#pragma once
+/// Rotations. Vectors of three, the tilde operator, Euler parameters p = (e0, e), the exponential.
+/// A bar means body components; A maps body to global. Haug, Computer Aided Kinematics and Dynamics (1989),
+/// chapter 9.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+#include "bodies/rotations/euler_sequence.hpp"
+
+namespace trivium {
+
+template <class Scalar, int N>
+using Vector = Eigen::Matrix<Scalar, N, 1>;
+template <class Scalar, int R, int C>
+using Matrix = Eigen::Matrix<Scalar, R, C>;
+template <class Scalar>
+using Vector3 = Vector<Scalar, 3>;
+template <class Scalar>
+using Vector4 = Vector<Scalar, 4>;
+template <class Scalar>
+using Matrix3 = Matrix<Scalar, 3, 3>;
+template <class Scalar>
+using VectorX = Vector<Scalar, Eigen::Dynamic>;
+template <class Scalar>
+using MatrixX = Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// tilde(a) b = a x b.
+template <class Scalar>
+Matrix3<Scalar> tilde(const Vector3<Scalar>& a) {
+  Matrix3<Scalar> m;
+  m << Scalar(0), -a.z(), a.y(), a.z(), Scalar(0), -a.x(), -a.y(), a.x(), Scalar(0);
+  return m;
+}
+
+/// e0 I + tilde(e), the 3x3 part that E and B(p, abar) share.
+template <class Scalar>
+Matrix3<Scalar> euler_parameter_block(const Vector4<Scalar>& p) {
+  Matrix3<Scalar> block;
+  block.col(0) = Vector3<Scalar>(p[0], p[3], -p[2]);
+  block.col(1) = Vector3<Scalar>(-p[3], p[0], p[1]);
+  block.col(2) = Vector3<Scalar>(p[2], -p[1], p[0]);
+  return block;
+}
+
+/// E = [-e, e0 I + tilde(e)], 3x4.
+template <class Scalar>
+Matrix<Scalar, 3, 4> E_matrix(const Vector4<Scalar>& p) {
+  Matrix<Scalar, 3, 4> E;
+  E.col(0) = -p.template tail<3>();
+  E.template rightCols<3>() = euler_parameter_block(p);
+  return E;
+}
+
+/// G = [-e, e0 I - tilde(e)], 3x4: omega_bar = 2 G p'.
+template <class Scalar>
+Matrix<Scalar, 3, 4> G_matrix(const Vector4<Scalar>& p) {
+  Matrix<Scalar, 3, 4> G;
+  G.col(0) = -p.template tail<3>();
+  G.template rightCols<3>() = euler_parameter_block(p).transpose();
+  return G;
+}
+
+/// A = E G^T for unit p.
+template <class Scalar>
+Matrix3<Scalar> rotation_matrix(const Vector4<Scalar>& p) {
+  return E_matrix(p) * G_matrix(p).transpose();
+}
+
+/// p of a rotation matrix, unit, its largest component positive; well conditioned for every A.
+template <class Scalar>
+Vector4<Scalar> euler_parameters(const Matrix3<Scalar>& A) {
+  using std::sqrt;
+  const Scalar trace = A.trace();
+  Vector4<Scalar> squares(1 + trace, 1 + 2 * A(0, 0) - trace, 1 + 2 * A(1, 1) - trace,
+                          1 + 2 * A(2, 2) - trace);
+  Eigen::Index k;
+  squares.maxCoeff(&k);
+  Vector4<Scalar> p;  // row k of the symmetric matrix 4 p p^T, read off A
+  const Vector3<Scalar> skew(A(2, 1) - A(1, 2), A(0, 2) - A(2, 0), A(1, 0) - A(0, 1));
+  if (k == 0) {
+    p << squares[0], skew;
+  } else {
+    p[0] = skew[k - 1];
+    for (int m = 0; m < 3; ++m) p[m + 1] = m == k - 1 ? squares[k] : A(m, k - 1) + A(k - 1, m);
+  }
+  return p / p.norm();
+}
+
+/// The unit vector of coordinate axis k.
+template <class Scalar>
+Vector3<Scalar> unit_axis(int k) {
+  return Vector3<Scalar>::Unit(k);
+}
+
+/// R_k(angle): rotation about coordinate axis k.
+template <class Scalar>
+Matrix3<Scalar> axis_rotation(int k, const Scalar& angle) {
+  using std::cos, std::sin;
+  const Scalar c = cos(angle), s = sin(angle);
+  const int m = (k + 1) % 3, n = (k + 2) % 3;
+  Matrix3<Scalar> R = Matrix3<Scalar>::Identity();
+  R(m, m) = c;
+  R(n, n) = c;
+  R(m, n) = -s;
+  R(n, m) = s;
+  return R;
+}
+
+/// M tilde(a), a column at a time; of a its first three places.
+template <class Scalar, int rows, int size>
+Matrix<Scalar, rows, 3> times_tilde(const Matrix<Scalar, rows, 3>& M, const Vector<Scalar, size>& a) {
+  Matrix<Scalar, rows, 3> product;
+  product.col(0) = M.col(1) * a[2] - M.col(2) * a[1];
+  product.col(1) = M.col(2) * a[0] - M.col(0) * a[2];
+  product.col(2) = M.col(0) * a[1] - M.col(1) * a[0];
+  return product;
+}
+
+/// exp(tilde(phi)) as Euler parameters; exact at phi = 0.
+template <class Scalar>
+Vector4<Scalar> exponential_parameters(const Vector3<Scalar>& phi) {
+  using std::cos, std::sin;
+  const Scalar half = phi.norm() / 2;
+  Vector4<Scalar> p;
+  // sin(x)/x needs no series: sin(x) is good to rounding however small x is, in every Scalar
+  const Scalar sinc = half == Scalar(0) ? Scalar(1) : Scalar(sin(half) / half);
+  p << Scalar(cos(half)), (sinc / 2) * phi;
+  return p / p.norm();
+}
+
+/// Product of rotations in Euler parameters: A(result) = A(p) A(q).
+template <class Scalar>
+Vector4<Scalar> multiply_parameters(const Vector4<Scalar>& p, const Vector4<Scalar>& q) {
+  Vector4<Scalar> out;
+  const Vector3<Scalar> e = p.template tail<3>(), d = q.template tail<3>();
+  out << p[0] * q[0] - e.dot(d), p[0] * d + q[0] * e + e.cross(d);
+  return out;
+}
+
+/// The inverse rotation.
+template <class Scalar>
+Vector4<Scalar> conjugate_parameters(const Vector4<Scalar>& p) {
+  return {p[0], -p[1], -p[2], -p[3]};
+}
+
+/// phi of at most half a turn with A(p) = exp(tilde(phi)): the inverse of exponential_parameters.
+template <class Scalar>
+Vector3<Scalar> rotation_vector(const Vector4<Scalar>& p) {
+  using std::atan2;
+  const Vector3<Scalar> e = p[0] < Scalar(0) ? Vector3<Scalar>(-p.template tail<3>()) : p.template tail<3>();
+  const Scalar sine = e.norm(), cosine = p[0] < Scalar(0) ? Scalar(-p[0]) : p[0];
+  return sine > Scalar(0) ? Vector3<Scalar>(2 * atan2(sine, cosine) / sine * e) : Vector3<Scalar>(2 * e);
+}
+
+/// T(phi)^-1 omega_bar = phi', where A = A_0 exp(tilde(phi)) turns with omega_bar; phi short of a full turn.
+///
+///   T^-1 = I + 1/2 tilde(phi) + (1 - x cot x) / phi^2 tilde(phi)^2,   x = |phi| / 2
+template <class Scalar>
+Vector3<Scalar> rotation_vector_rate(const Vector3<Scalar>& phi, const Vector3<Scalar>& omega_bar) {
+  using std::abs, std::cos, std::sin;
+  const Scalar squared = phi.squaredNorm() / 4;
+  Scalar share;
+  if (squared < Scalar(0.25)) {
+    // sin x - x cos x by its series, as its terms of first order cancel
+    Scalar sum = Scalar(1) / 3, power = Scalar(1) / 6, sine = 1 - squared / 6, term = -squared / 6;
+    for (int k = 2; abs(power) > sum * std::numeric_limits<Scalar>::epsilon(); ++k) {
+      power *= -squared / Scalar((2 * k) * (2 * k + 1));
+      term *= -squared / Scalar((2 * k) * (2 * k + 1));
+      sum += Scalar(2 * k) * power;
+      sine += term;
+    }
+    share = sum / sine / 4;
+  } else {
+    using std::sqrt;
+    const Scalar x = sqrt(squared);
+    share = (1 - x * cos(x) / sin(x)) / (4 * squared);
+  }
+  const Vector3<Scalar> turned = phi.cross(omega_bar);
+  return omega_bar + turned / 2 + share * phi.cross(turned);
+}
+
+/// A = R_s1(a) R_s2(b) R_s3(c).
+template <class Scalar>
+Matrix3<Scalar> euler_rotation(const EulerSequence& s, const Vector3<Scalar>& angles) {
+  return axis_rotation(s.axis[0], angles[0]) * axis_rotation(s.axis[1], angles[1]) *
+         axis_rotation(s.axis[2], angles[2]);
+}
+
+/// The angles of A in the sequence, the middle one in [0, pi] (iji) or [-pi/2, pi/2] (ijk). At a singular A
+/// the first angle is arbitrary and the last makes up for it.
+template <class Scalar>
+Vector3<Scalar> euler_angles(const EulerSequence& s, const Matrix3<Scalar>& A) {
+  using std::atan2, std::hypot, std::sqrt;
+  const auto [i, j, k3] = s.axis;
+  const int k = 3 - i - j;                                          // the axis that the first two leave
+  const Scalar sign = (j == (i + 1) % 3) ? Scalar(1) : Scalar(-1);  // +1 where (i, j, k) is right-handed
+  const auto norm2 = [](const Scalar& x, const Scalar& y) { return Scalar(sqrt(x * x + y * y)); };
+  Vector3<Scalar> angles;
+  if (s.is_symmetric()) {
+    const Scalar sin_b = norm2(A(i, j), A(i, k));
+    angles[1] = atan2(sin_b, A(i, i));
+    angles[0] = atan2(A(j, i), Scalar(-sign * A(k, i)));
+  } else {
+    const Scalar cos_b = norm2(A(i, i), A(i, j));
+    angles[1] = atan2(Scalar(sign * A(i, k3)), cos_b);
+    angles[0] = atan2(Scalar(-sign * A(j, k3)), A(k, k3));
+  }
+  // the last angle from what is left when the first two are undone: well defined at every A
+  const Matrix3<Scalar> R3 = (axis_rotation(i, angles[0]) * axis_rotation(j, angles[1])).transpose() * A;
+  const int m = (k3 + 1) % 3, n = (k3 + 2) % 3;
+  angles[2] = atan2(R3(n, m), R3(m, m));
+  return angles;
+}
+
+}  // namespace trivium

@@ -1,0 +1,66 @@
+# results/ holds what was accepted. Each file of schema.json is made again in the build tree and compared with the
+# accepted one; `cmake --build ... --target accept` (./run accept) makes all of them, takes them in and renders the
+# paper's tables from them. Files of timings are made and accepted apart, by `./run bench --accept`: no test repeats them.
+set(schema ${PROJECT_SOURCE_DIR}/results/schema.json)
+set(regenerated ${CMAKE_BINARY_DIR}/results/regenerated)
+file(MAKE_DIRECTORY ${regenerated})
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${schema})
+file(READ ${schema} schema_text)
+set(accept_commands "")
+set(accept_files "")
+set(fixtures "")
+set(missing "")
+
+string(JSON count LENGTH "${schema_text}" files)
+math(EXPR last "${count} - 1")
+foreach(k RANGE ${last})
+  string(JSON name MEMBER "${schema_text}" files ${k})
+  string(JSON timings ERROR_VARIABLE no_timings GET "${schema_text}" files ${name} timings)
+  if(timings STREQUAL "ON")
+    continue()
+  endif()
+  string(JSON words LENGTH "${schema_text}" files ${name} command)
+  math(EXPR last_word "${words} - 1")
+  set(command "")
+  foreach(w RANGE ${last_word})
+    string(JSON word GET "${schema_text}" files ${name} command ${w})
+    list(APPEND command ${word})
+  endforeach()
+  list(GET command 0 program)
+  if(NOT TARGET ${program})
+    list(APPEND missing ${program})
+    continue()
+  endif()
+  list(APPEND command --csv ${regenerated}/${name}.csv)
+  list(APPEND accept_commands COMMAND ${command})
+  list(APPEND fixtures regenerated_${name})
+  list(APPEND accept_files ${regenerated}/${name}.csv)
+
+  if(TRIVIUM_BUILD_TESTS AND NOT TRIVIUM_SANITIZE)
+    add_test(NAME results.${name}.regenerates COMMAND ${command})
+    add_test(NAME results.${name}.is_as_accepted
+             COMMAND compare_results ${PROJECT_SOURCE_DIR}/results/${name}.csv ${regenerated}/${name}.csv
+                     --schema ${schema})
+    set_tests_properties(results.${name}.regenerates PROPERTIES LABELS paper FIXTURES_SETUP regenerated_${name})
+    set_tests_properties(results.${name}.is_as_accepted PROPERTIES LABELS paper FIXTURES_REQUIRED regenerated_${name})
+  endif()
+endforeach()
+
+if(missing)
+  add_custom_target(accept COMMAND ${CMAKE_COMMAND} -E echo "results of ${missing} cannot be made in this build"
+                           COMMAND ${CMAKE_COMMAND} -E false VERBATIM)
+else()
+  add_custom_target(accept ${accept_commands}
+                    COMMAND accept_results ${accept_files} --into ${PROJECT_SOURCE_DIR}/results
+                    COMMAND paper_tables ${PROJECT_SOURCE_DIR}/results ${PROJECT_SOURCE_DIR}/paper/tables
+                    VERBATIM USES_TERMINAL)
+endif()
+
+if(TRIVIUM_BUILD_TESTS AND NOT TRIVIUM_SANITIZE AND NOT missing)
+  add_test(NAME paper.tampering_is_found
+           COMMAND ${CMAKE_COMMAND} -DCOMPARE=$<TARGET_FILE:compare_results> -DTABLES=$<TARGET_FILE:paper_tables>
+                   -DRESULTS=${PROJECT_SOURCE_DIR}/results -DPAPER_TABLES=${PROJECT_SOURCE_DIR}/paper/tables
+                   -DREGENERATED=${regenerated} -DWORK=${CMAKE_BINARY_DIR}/results/tampered
+                   -P ${PROJECT_SOURCE_DIR}/cmake/test_tampering.cmake)
+  set_tests_properties(paper.tampering_is_found PROPERTIES LABELS paper FIXTURES_REQUIRED "${fixtures}")
+endif()

@@ -1,0 +1,63 @@
+# The few functions that the rooms' CMakeLists.txt share.
+
+# Warnings are errors, in every target of the project and in none of its users. g++ 12 warns of overlapping memcpy in
+# plain string concatenation (GCC bug 105651), so that one is off.
+add_library(trivium_options INTERFACE)
+target_compile_options(trivium_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                                                 -Wno-restrict
+                                                 -Werror)
+# Built for this processor, g++ 12 warns of its own AVX-512 headers (GCC bug 105593) and of Eigen's loads with them.
+if(TRIVIUM_BUILD_BENCH)
+  target_compile_options(trivium_options INTERFACE -Wno-maybe-uninitialized -Wno-uninitialized -Wno-array-bounds)
+endif()
+if(TRIVIUM_SANITIZE)
+  target_compile_options(trivium_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                                                   -fno-omit-frame-pointer)
+  target_link_options(trivium_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# trivium_room(<room> USES <target>... SOURCES <source>...): the library trivium_<room> of the current folder, and what it
+# stands on. A room of headers alone is an INTERFACE library.
+function(trivium_room room)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;SOURCES")
+  set(name trivium_${room})
+  set(scope PUBLIC)
+  if(arg_SOURCES)
+    add_library(${name} STATIC ${arg_SOURCES})
+    target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:trivium_options>)
+  else()
+    add_library(${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(trivium::${room} ALIAS ${name})
+  set_target_properties(${name} PROPERTIES EXPORT_NAME ${room})
+  target_compile_features(${name} ${scope} cxx_std_20)
+  target_include_directories(${name} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/trivium>)
+  target_link_libraries(${name} ${scope} ${arg_USES})
+endfunction()
+
+# All test executables of the label unit: what the sanitizers build.
+add_custom_target(unit_tests)
+
+# trivium_test(<name> <label> USES <target>... SOURCES <source>... [DEFINES <definition>...]): one GoogleTest executable,
+# each of its tests a CTest test.
+function(trivium_test name label)
+  if(NOT TRIVIUM_BUILD_TESTS OR (TRIVIUM_SANITIZE AND NOT label STREQUAL "unit"))
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "USES;SOURCES;DEFINES")
+  add_executable(${name} ${arg_SOURCES})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  target_link_libraries(${name} PRIVATE ${arg_USES} trivium_options GTest::gtest_main rapidcheck)
+  target_compile_definitions(${name} PRIVATE ${arg_DEFINES})
+  # many instantiations of the templates, whose speed is not asked: half the compiler's time
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if(label STREQUAL "unit")
+    add_dependencies(unit_tests ${name})
+  endif()
+  # tests of values have names of their own; what GoogleTest prints of a value may be the bytes of its pointers. A name that
+  # its filter takes for something else runs nothing, which would pass.
+  gtest_discover_tests(${name} PROPERTIES LABELS ${label} FAIL_REGULAR_EXPRESSION "Running 0 tests" DISCOVERY_TIMEOUT 60
+                       TEST_PREFIX ${name}. NO_PRETTY_VALUES)
+endfunction()

@@ -1,0 +1,129 @@
+#include "constraints/basic_constraint.hpp"
+
+#include "constraints/testing/plain_body.hpp"
+
+namespace trivium {
+namespace {
+
+using test::distance, test::Random, test::RowErrors, test::roundings, test::Taylor;
+
+template <class S>
+class BasicConstraints : public testing::Test {};
+using Scalars = testing::Types<double, Quad>;
+TYPED_TEST_SUITE(BasicConstraints, Scalars);
+
+TYPED_TEST(BasicConstraints, PhiIsTheDotProductOfTheLectureNotes) {
+  using S = TypeParam;
+  Random random(21);
+  for (int n = 0; n < 50; ++n) {
+    const auto i = test::random_plain_body<S>(random).now, j = test::random_plain_body<S>(random).now;
+    const Vector3<S> a = random.vector<S, 3>(), b = random.vector<S, 3>(), c = random.vector<S, 3>();
+    const S t(random.uniform());
+    const TimeFunction f = TimeFunction::Polynomial{{0.5, -2, 3}};
+    const S f_t = f(t).f;
+    const BodyPair pair{0, 1};
+    const auto phi = [&](const BasicConstraint<S>& constraint) {
+      return evaluate_row(constraint, i, j, t).phi;
+    };
+    const auto d = [&](const Vector3<S>& s_i, const Vector3<S>& s_j) {
+      return Vector3<S>((j.r + j.A * s_j) - (i.r + i.A * s_i));
+    };
+    const auto near = [](const S& x, const S& y) {
+      return std::abs(static_cast<double>(S(x - y))) <= roundings<S>(100);
+    };
+    EXPECT_TRUE(near(phi(DP1<S>{pair, a, b, f}), (i.A * a).dot(j.A * b) - f_t));
+    EXPECT_TRUE(near(phi(DP2<S>{pair, a, b, c, f}), (i.A * a).dot(d(b, c)) - f_t));
+    EXPECT_TRUE(near(phi(D<S>{pair, a, b, f}), d(a, b).squaredNorm() - f_t));
+    EXPECT_TRUE(near(phi(CD<S>{pair, a, b, c, f}), a.dot(d(b, c)) - f_t));
+    using std::cos, std::sin;
+    const Vector3<S> w = -sin(f_t) * (i.A * a) + cos(f_t) * (i.A * b);
+    EXPECT_TRUE(near(phi(TurningDP1<S>{pair, a, b, c, f}), w.dot(j.A * c)));
+  }
+}
+
+TYPED_TEST(BasicConstraints, RowsAreTheDerivativesOfPhiInCoordinatesOfTheirOwn) {
+  using S = TypeParam;
+  Random random(22);
+  for (int kind = 0; kind < test::basic_kinds; ++kind) {
+    RowErrors worst;
+    for (int n = 0; n < 100; ++n) {
+      const auto i = test::random_plain_body<S>(random), j = test::random_plain_body<S>(random);
+      measure_row(kind, n, i, j, Taylor<S>::parameter(S(random.uniform())), worst);
+    }
+    EXPECT_LE(worst.value, roundings<S>(100)) << test::basic_kind_name(kind);
+    EXPECT_LE(worst.velocity, roundings<S>(1000)) << test::basic_kind_name(kind);
+    EXPECT_LE(worst.acceleration, roundings<S>(3000)) << test::basic_kind_name(kind);
+    EXPECT_LE(worst.row_acceleration, roundings<S>(3000)) << test::basic_kind_name(kind);
+  }
+}
+
+TYPED_TEST(BasicConstraints, NuIsZeroWhereNothingIsPrescribed) {
+  using S = TypeParam;
+  Random random(23);
+  const auto i = test::random_plain_body<S>(random).now, j = test::random_plain_body<S>(random).now;
+  const Vector3<S> a = random.vector<S, 3>(), b = random.vector<S, 3>(), c = random.vector<S, 3>();
+  const BodyPair pair{0, 1};
+  const BasicConstraint<S> rows[] = {DP1<S>{pair, a, b, 0.5}, DP2<S>{pair, a, b, c, 0.5},
+                                     D<S>{pair, a, b, 0.5}, CD<S>{pair, a, b, c, 0.5},
+                                     TurningDP1<S>{pair, a, b, c, 0.5}};
+  for (const auto& row : rows) EXPECT_EQ(evaluate_row(row, i, j, S(1)).nu, S(0));
+}
+
+template <class S>
+class Features : public testing::Test {};
+TYPED_TEST_SUITE(Features, Scalars);
+
+/// Rate and acceleration of a feature are the derivatives of its value; `now` and `along` are the same
+/// feature in S and in Taylor<S>.
+template <class S, class Now, class Along, class Moving>
+void expect_derivatives(const Now& now, const Along& along, const Moving& i, const Moving& j) {
+  EXPECT_LE(distance(now.rate(), test::first_derivative<S, 3, 1>(along.value())), roundings<S>(200));
+  EXPECT_LE(distance(now.acceleration(i.acceleration, j.acceleration),
+                     test::second_derivative<S, 3, 1>(along.value())),
+            roundings<S>(1000));
+}
+
+/// What a feature adds to a row along w: rate = Jacobian q' + drift, in every component.
+template <class S, class Feature, class Moving>
+void expect_jacobian_is_rate(const Feature& x, const Moving& i, const Moving& j) {
+  for (int k = 0; k < 3; ++k) {
+    const Vector3<S> w = Vector3<S>::Unit(k);
+    ConstraintRow<S, 3> row;
+    x.add_jacobian(w, row);
+    const S rate = test::row_times(row, i.velocity, j.velocity) + x.drift_along(w);
+    EXPECT_LE(std::abs(static_cast<double>(S(rate - x.rate()[k]))), roundings<S>(200));
+  }
+}
+
+TYPED_TEST(Features, RateJacobianAndBiasAreThoseOfTheValue) {
+  using S = TypeParam;
+  using T = Taylor<S>;
+  using Now = test::PlainBody<S>;
+  using Along = test::PlainBody<T>;
+  Random random(24);
+  for (int n = 0; n < 50; ++n) {
+    const auto i = test::random_plain_body<S>(random), j = test::random_plain_body<S>(random);
+    const Vector3<S> a = random.vector<S, 3>(), b = random.vector<S, 3>(), c = random.vector<S, 3>();
+    const auto a_T = test::constant<S, 3, 1>(a), b_T = test::constant<S, 3, 1>(b);
+
+    const BodyVectorFeature<Now, End::i> on_i(i.now, a);
+    expect_derivatives<S>(on_i, BodyVectorFeature<Along, End::i>(i.along, a_T), i, j);
+    expect_jacobian_is_rate<S>(on_i, i, j);
+    const BodyVectorFeature<Now, End::j> on_j(j.now, a);
+    expect_derivatives<S>(on_j, BodyVectorFeature<Along, End::j>(j.along, a_T), i, j);
+    expect_jacobian_is_rate<S>(on_j, i, j);
+
+    const PointOffsetFeature<Now> offset(i.now, a, j.now, b);
+    expect_derivatives<S>(offset, PointOffsetFeature<Along>(i.along, a_T, j.along, b_T), i, j);
+    expect_jacobian_is_rate<S>(offset, i, j);
+
+    // a vector that also moves in its body: abar(t) = a + b t + c t^2 / 2
+    const MovingVectorFeature<Now, End::i> moving(i.now, a, b, c);
+    const auto path = test::taylor<S, 3, 1>(a, b, c);
+    expect_derivatives<S>(moving, BodyVectorFeature<Along, End::i>(i.along, path), i, j);
+    expect_jacobian_is_rate<S>(moving, i, j);
+  }
+}
+
+}  // namespace
+}  // namespace trivium

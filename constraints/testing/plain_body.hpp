@@ -1,0 +1,56 @@
+#pragma once
+/// The simplest coordinates the constraint library can be asked about: global angular velocity. No
+/// formulation of the library uses it, so it shows that a constraint knows nothing of formulations. A support
+/// of the tests.
+
+#include "constraints/testing/row_laws.hpp"
+
+namespace trivium::test {
+
+template <class S>
+struct PlainBody {
+  using Scalar = S;
+  static constexpr int rotational_unknowns = 3;
+  Vector3<S> r = Vector3<S>::Zero(), r_dot = Vector3<S>::Zero();
+  Matrix3<S> A = Matrix3<S>::Identity();
+  Vector3<S> omega = Vector3<S>::Zero();  ///< global components
+
+  BodyVector<S> vector(const Vector3<S>& a_bar) const {
+    const Vector3<S> a = A * a_bar, rate = omega.cross(a);
+    return {a_bar, a, rate, omega.cross(rate)};
+  }
+  Matrix3<S> jacobian(const BodyVector<S>& v) const { return -tilde<S>(v.a); }
+  Matrix<S, 1, 3> jacobian_along(const BodyVector<S>& v, const Vector3<S>& w) const {
+    return v.a.cross(w).transpose();
+  }
+};
+static_assert(BodyKinematics<PlainBody<double>>);
+
+template <class S>
+using MovingPlainBody = MovingBody<PlainBody<S>, PlainBody<Taylor<S>>>;
+
+/// On the path with these derivatives of r and of the global rotation: A' = omega~ A.
+template <class S>
+MovingPlainBody<S> moving_plain_body(const Vector3<S>& r, const Matrix3<S>& A,
+                                     const typename MovingPlainBody<S>::Motion& velocity,
+                                     const typename MovingPlainBody<S>::Motion& acceleration) {
+  const Matrix3<S> W = tilde(velocity.q_ddot), W_dot = tilde(acceleration.q_ddot);
+  const Vector3<S> zero = Vector3<S>::Zero();
+  const Matrix3<S> A_dot = W * A, A_ddot = (W * W + W_dot) * A;
+  return {{r, velocity.r_ddot, A, velocity.q_ddot},
+          {taylor<S, 3, 1>(r, velocity.r_ddot, acceleration.r_ddot),
+           taylor<S, 3, 1>(velocity.r_ddot, acceleration.r_ddot, zero), taylor<S, 3, 3>(A, A_dot, A_ddot),
+           taylor<S, 3, 1>(velocity.q_ddot, acceleration.q_ddot, zero)},
+          velocity,
+          acceleration};
+}
+
+template <class S>
+MovingPlainBody<S> random_plain_body(Random& random) {
+  const Vector3<S> r = random.vector<S, 3>();
+  const Matrix3<S> A = rotation_matrix(random.euler_parameters<S>());
+  const typename MovingPlainBody<S>::Motion velocity{random.vector<S, 3>(), random.vector<S, 3>()};
+  return moving_plain_body<S>(r, A, velocity, {random.vector<S, 3>(), random.vector<S, 3>()});
+}
+
+}  // namespace trivium::test

@@ -1,0 +1,122 @@
+#pragma once
+/// The effects of a mechanism: one vector per type, so that an absent type costs nothing. To add an effect,
+/// write its file and name it here.
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include "effects/force.hpp"
+#include "effects/gravity.hpp"
+#include "effects/spring_damper.hpp"
+#include "effects/torque.hpp"
+#include "effects/torsional_spring_damper.hpp"
+
+namespace trivium {
+
+template <class Scalar>
+class Effects {
+ public:
+  template <class E>
+  void add(E effect) {
+    std::get<std::vector<E>>(lists_).push_back(std::move(effect));
+  }
+  template <class E>
+  std::vector<E>& all() {
+    return std::get<std::vector<E>>(lists_);
+  }
+  template <class E>
+  const std::vector<E>& all() const {
+    return std::get<std::vector<E>>(lists_);
+  }
+
+  /// Whether any effect looks at how bodies move; gravity alone does not.
+  bool see_motion() const {
+    bool seen = false;
+    for_each([&](const auto& effect) {
+      using E = std::decay_t<decltype(effect)>;
+      if constexpr (!std::is_same_v<E, Gravity<Scalar>>) seen = true;
+    });
+    return seen;
+  }
+
+  /// Adds every effect's wrenches; one wrench per motion, the ground's last.
+  void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
+    for_each([&](const auto& effect) { effect.apply(view, wrenches); });
+  }
+  /// The rate [W] at which all effects do work on the bodies.
+  Scalar power(const EffectView<Scalar>& view) const {
+    Scalar sum(0);
+    for_each([&](const auto& effect) { sum += effect.power(view); });
+    return sum;
+  }
+  /// The energy [J] that the effects store.
+  Scalar potential_energy(const EffectView<Scalar>& view) const {
+    Scalar sum(0);
+    for_each([&](const auto& effect) { sum += effect.potential_energy(view); });
+    return sum;
+  }
+  /// Whether all give back what they store.
+  bool are_conservative() const {
+    bool all = true;
+    for_each([&](const auto& effect) { all = all && effect.is_conservative(); });
+    return all;
+  }
+  /// What of all power is not taken from stored energy.
+  Scalar nonconservative_power(const EffectView<Scalar>& view) const {
+    Scalar sum(0);
+    for_each([&](const auto& effect) {
+      if (!effect.is_conservative()) sum += effect.nonconservative_power(view);
+    });
+    return sum;
+  }
+  /// The longest step [s] after which all effects can still be followed.
+  Scalar longest_step(const EffectView<Scalar>& view) const {
+    Scalar longest = std::numeric_limits<Scalar>::max();
+    for_each([&](const auto& effect) {
+      if constexpr (requires { effect.longest_step(view); })
+        longest = std::min(longest, Scalar(effect.longest_step(view)));
+    });
+    return longest;
+  }
+  /// Calls visit(effect) for every effect that pushes back where bodies move apart, along the gradient of one
+  /// coordinate: with a stiffness, a damping and a `gradient`.
+  template <class Visit>
+  void for_each_spring(const Visit& visit) const {
+    for_each([&](const auto& effect) {
+      if constexpr (requires(const EffectView<Scalar>& view) { effect.gradient(view); }) visit(effect);
+    });
+  }
+  /// Tells effects that count turns where the motion is.
+  void follow(const EffectView<Scalar>& view) {
+    std::apply([&](auto&... list) { (follow_list(list, view), ...); }, lists_);
+  }
+  /// Appends the times where their functions of time have kinks.
+  void append_kinks(std::vector<double>& times) const {
+    for_each([&](const auto& effect) {
+      if constexpr (requires { effect.append_kinks(times); }) effect.append_kinks(times);
+    });
+  }
+
+ private:
+  template <class List>
+  static void follow_list(List& list, const EffectView<Scalar>& view) {
+    if constexpr (requires { list.front().follow(view); })
+      for (auto& effect : list) effect.follow(view);
+  }
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    std::apply([&](const auto&... list) { (visit_list(list, visit), ...); }, lists_);
+  }
+  template <class List, class Visit>
+  static void visit_list(const List& list, const Visit& visit) {
+    for (const auto& effect : list) visit(effect);
+  }
+
+  std::tuple<std::vector<Gravity<Scalar>>, std::vector<Force<Scalar>>, std::vector<Torque<Scalar>>,
+             std::vector<SpringDamper<Scalar>>, std::vector<TorsionalSpringDamper<Scalar>>>
+      lists_;
+};
+
+}  // namespace trivium

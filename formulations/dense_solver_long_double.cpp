@@ -1,5 +1,0 @@
-#include "formulations/dense_solver_impl.hpp"
-
-namespace trivium {
-template class DenseSolver<long double>;
-}  // namespace trivium

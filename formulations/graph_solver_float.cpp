@@ -1,3 +1,0 @@
-#include "formulations/graph_solver_impl.hpp"
-
-template class trivium::GraphSolver<float>;

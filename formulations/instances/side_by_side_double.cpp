@@ -1,0 +1,6 @@
+#include "formulations/side_by_side_impl.hpp"
+
+namespace trivium {
+template SideBySide<double> side_by_side(const Model<double>&, const RowAnalysis&, const SolveOptions&,
+                                         const Model<NextPrecisionT<double>>*);
+}  // namespace trivium

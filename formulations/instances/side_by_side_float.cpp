@@ -1,0 +1,6 @@
+#include "formulations/side_by_side_impl.hpp"
+
+namespace trivium {
+template SideBySide<float> side_by_side(const Model<float>&, const RowAnalysis&, const SolveOptions&,
+                                        const Model<NextPrecisionT<float>>*);
+}  // namespace trivium

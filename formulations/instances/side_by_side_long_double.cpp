@@ -1,0 +1,6 @@
+#include "formulations/side_by_side_impl.hpp"
+
+namespace trivium {
+template SideBySide<long double> side_by_side(const Model<long double>&, const RowAnalysis&,
+                                              const SolveOptions&, const Model<NextPrecisionT<long double>>*);
+}  // namespace trivium

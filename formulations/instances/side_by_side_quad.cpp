@@ -1,0 +1,6 @@
+#include "formulations/side_by_side_impl.hpp"
+
+namespace trivium {
+template SideBySide<Quad> side_by_side(const Model<Quad>&, const RowAnalysis&, const SolveOptions&,
+                                       const Model<NextPrecisionT<Quad>>*);
+}  // namespace trivium

@@ -1,0 +1,6 @@
+#include "formulations/side_by_side_impl.hpp"
+
+namespace trivium {
+template SideBySide<Real50> side_by_side(const Model<Real50>&, const RowAnalysis&, const SolveOptions&,
+                                         const Model<NextPrecisionT<Real50>>*);
+}  // namespace trivium

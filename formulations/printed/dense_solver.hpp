@@ -1,0 +1,39 @@
+#pragma once
+/// A dense square system: equilibrated, LU with partial pivoting, refined with residuals in working
+/// precision.
+
+#include <memory>
+
+#include "bodies/numbers/scalar.hpp"
+#include "bodies/rotations/so3.hpp"
+
+namespace trivium {
+
+template <class Scalar>
+class DenseSolver {
+ public:
+  /// Factors a symmetric K.
+  explicit DenseSolver(MatrixX<Scalar> K);
+  ~DenseSolver();
+  DenseSolver(DenseSolver&&) noexcept;
+  DenseSolver& operator=(DenseSolver&&) noexcept;
+
+  /// K x = b, refined until the correction no longer shrinks, at most three times.
+  VectorX<Scalar> solve(const VectorX<Scalar>& b) const;
+  /// One forward and back substitution, unrefined.
+  VectorX<Scalar> substitute(const VectorX<Scalar>& b) const;
+
+ private:
+  struct Factor;
+  MatrixX<Scalar> K_;
+  VectorX<Scalar> scale_;
+  std::unique_ptr<Factor> factor_;
+};
+
+extern template class DenseSolver<float>;
+extern template class DenseSolver<double>;
+extern template class DenseSolver<long double>;
+extern template class DenseSolver<Quad>;
+extern template class DenseSolver<Real50>;
+
+}  // namespace trivium

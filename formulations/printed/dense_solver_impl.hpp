@@ -1,0 +1,79 @@
+#pragma once
+/// The one definition behind the DenseSolver instantiations; each Scalar has a translation unit of its own,
+/// because LU is dear to compile.
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "formulations/printed/dense_solver.hpp"
+
+namespace trivium {
+
+template <class Scalar>
+struct DenseSolver<Scalar>::Factor {
+  Eigen::PartialPivLU<MatrixX<Scalar>> lu;
+};
+
+namespace detail {
+
+/// Symmetric scaling to unit maxima of rows and columns (Ruiz 2001), in powers of two so that it rounds
+/// nothing.
+template <class Scalar>
+VectorX<Scalar> equilibrate(MatrixX<Scalar>& K) {
+  using std::frexp, std::ldexp, std::abs;
+  VectorX<Scalar> scale = VectorX<Scalar>::Ones(K.rows());
+  for (int sweep = 0; sweep < 10; ++sweep) {
+    bool changed = false;
+    VectorX<Scalar> step(K.rows());
+    for (Eigen::Index k = 0; k < K.rows(); ++k) {
+      const Scalar largest = K.col(k).cwiseAbs().maxCoeff();
+      int exponent = 0;
+      if (largest > Scalar(0)) frexp(largest, &exponent);
+      const int half = exponent / 2;
+      step[k] = ldexp(Scalar(1), -half);
+      changed = changed || half != 0;
+    }
+    if (!changed) break;
+    K = step.asDiagonal() * K * step.asDiagonal();
+    scale = scale.cwiseProduct(step);
+  }
+  return scale;
+}
+
+}  // namespace detail
+
+template <class Scalar>
+DenseSolver<Scalar>::DenseSolver(MatrixX<Scalar> K) : K_(std::move(K)), factor_(std::make_unique<Factor>()) {
+  scale_ = detail::equilibrate(K_);
+  if (K_.rows() > 0) factor_->lu.compute(K_);
+}
+template <class Scalar>
+DenseSolver<Scalar>::~DenseSolver() = default;
+template <class Scalar>
+DenseSolver<Scalar>::DenseSolver(DenseSolver&&) noexcept = default;
+template <class Scalar>
+DenseSolver<Scalar>& DenseSolver<Scalar>::operator=(DenseSolver&&) noexcept = default;
+
+template <class Scalar>
+VectorX<Scalar> DenseSolver<Scalar>::solve(const VectorX<Scalar>& b) const {
+  if (K_.rows() == 0) return b;
+  const VectorX<Scalar> c = scale_.cwiseProduct(b);
+  VectorX<Scalar> x = factor_->lu.solve(c);
+  Scalar last = x.norm();
+  for (int step = 0; step < 3; ++step) {
+    const VectorX<Scalar> correction = factor_->lu.solve(c - K_ * x);
+    const Scalar size = correction.norm();
+    if (!(size < last / 2)) break;
+    x += correction;
+    last = size;
+  }
+  return scale_.cwiseProduct(x);
+}
+
+template <class Scalar>
+VectorX<Scalar> DenseSolver<Scalar>::substitute(const VectorX<Scalar>& b) const {
+  if (K_.rows() == 0) return b;
+  return scale_.cwiseProduct(factor_->lu.solve(scale_.cwiseProduct(b)));
+}
+
+}  // namespace trivium

@@ -1,5 +1,0 @@
-#include "formulations/side_by_side_impl.hpp"
-
-namespace trivium {
-template SideBySide<Quad> solve_side_by_side(const scenes::Scene&, double, const SolveOptions&);
-}  // namespace trivium

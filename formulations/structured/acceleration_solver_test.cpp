@@ -1,0 +1,187 @@
+/// The solver along the graph and the printed system say the same.
+
+#include "formulations/structured/acceleration_solver.hpp"
+
+#include <filesystem>
+
+#include "bodies/testing/properties.hpp"
+#include "formulations/testing/printed_and_structured.hpp"
+#include "formulations/testing/solve_scene.hpp"
+#include "scenes/format/scene_file.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "scenes/testing/scene_builders.hpp"
+
+namespace trivium {
+namespace {
+
+using test::SolvedTwice;
+
+/// The scene in a unit of length and one of mass that are so many times smaller; of effects, its gravity.
+scenes::Scene in_units(scenes::Scene scene, double length, double mass) {
+  const auto scale = [](scenes::Vector3& v, double by) {
+    for (double& x : v) x *= by;
+  };
+  for (scenes::Body& body : scene.bodies) {
+    body.mass *= mass;
+    const double moment = mass * length * length;
+    if (auto* diagonal = std::get_if<scenes::Vector3>(&body.inertia)) scale(*diagonal, moment);
+    if (auto* full = std::get_if<scenes::Matrix3>(&body.inertia))
+      for (scenes::Vector3& row : *full) scale(row, moment);
+    scale(body.position, length);
+    scale(body.velocity, length);
+  }
+  for (scenes::Constraint& c : scene.constraints) {
+    if (c.i.point) scale(*c.i.point, length);
+    if (c.j.point) scale(*c.j.point, length);
+    c.distance *= length;
+    const double f = c.type == ConstraintType::dp1 ? 1
+                     : c.type == ConstraintType::d ? length * length
+                                                   : length;
+    c.f = TimeFunction::Product{{c.f, f}};
+  }
+  std::erase_if(scene.effects, [](const auto& e) { return !std::holds_alternative<scenes::Gravity>(e); });
+  for (auto& effect : scene.effects) scale(std::get<scenes::Gravity>(effect).acceleration, length);
+  return scene;
+}
+/// What a row is measured in: a number, a length, or its square.
+double unit_of(const BasicConstraint<double>& row, double length) {
+  if (std::holds_alternative<D<double>>(row)) return length * length;
+  return std::holds_alternative<DP2<double>>(row) || std::holds_alternative<CD<double>>(row) ? length : 1;
+}
+
+template <class F>
+class StructuredSolver : public testing::Test {};
+TYPED_TEST_SUITE(StructuredSolver, test::AllFormulations<double>, test::FormulationNames);
+
+TYPED_TEST(StructuredSolver, AgreesWithThePrintedSystem) { test::expect_agreement_on<TypeParam>(150); }
+
+TYPED_TEST(StructuredSolver, AgreesOnTheCatalogue) {
+  for (const auto& entry : std::filesystem::directory_iterator(TRIVIUM_SCENES_DIR)) {
+    const auto& path = entry.path();
+    if (path.extension() != ".json" || path.stem() == "n_four_bar_40") continue;
+    test::expect_agreement<TypeParam>(scenes::read_scene_file(path), path.stem().string());
+  }
+}
+
+TYPED_TEST(StructuredSolver, MinimumNormIsThatOfThePrintedSystem) {
+  for (const char* name : {"four_bar", "bricard", "door"}) {
+    test::SolvedTwice<TypeParam> s(
+        scenes::read_scene_file(std::filesystem::path(TRIVIUM_SCENES_DIR) / (std::string(name) + ".json")));
+    ASSERT_LT(s.structured.rank(), s.mechanism.nc()) << name;
+    const VectorX<double> least = s.structured.minimum_norm_lambda(), printed = s.by_print.lambda;
+    EXPECT_LE((least - printed).norm(), 1e-10 * (1e-6 + printed.norm())) << name;
+  }
+}
+
+// Balancing rows and columns by powers of two would change no bit: no decision compares numbers of
+// different units, and the order of elimination is fixed.
+TYPED_TEST(StructuredSolver, UnitsChangeNoBit) {
+  const double length = 0x1p10, mass = 0x1p-7;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const scenes::Scene scene = in_units(test::varied_scene(seed), 1, 1);
+    const auto solve = [&](const scenes::Scene& of, const auto& use) {
+      const auto mechanism = make_mechanism<double>(of);
+      AccelerationSolver<TypeParam> solver(mechanism);
+      solver.solve(to_coordinates<TypeParam>(mechanism, make_state<double>(of), {}), 0);
+      use(mechanism, solver);
+    };
+    solve(scene, [&](const auto& mechanism, auto& solver) {
+      solve(in_units(scene, length, mass), [&](const auto&, auto& other) {
+        for (int b = 0; b < mechanism.nb(); ++b) {
+          EXPECT_EQ(other.r_ddot(b), length * solver.r_ddot(b)) << seed;
+          EXPECT_EQ(other.omega_bar_dot(b), solver.omega_bar_dot(b)) << seed;
+        }
+        for (int k = 0; k < mechanism.nc(); ++k)
+          EXPECT_EQ(other.lambda()[k],
+                    mass * length * length / unit_of(mechanism.rows[k], length) * solver.lambda()[k])
+              << seed;
+        EXPECT_EQ(other.unique(), solver.unique()) << seed;
+      });
+    });
+  }
+}
+
+TEST(StructuredSolver, AgreesWhereManyClosingsMeet) {
+  for (std::uint64_t seed = 2900; seed < 3000; ++seed) {
+    test::MechanismOptions o;
+    o.bodies = 1 + static_cast<int>(seed % 12);
+    o.closings = static_cast<int>(seed / 3 % 5);
+    o.doubled = static_cast<int>(seed / 7 % 3);
+    // 2953: rows of the tree that see absolute motion, in a loop that else sees none
+    test::expect_agreement<ROmega<double>>(test::random_scene(seed, o), "seed " + std::to_string(seed));
+  }
+}
+
+TEST(StructuredSolver, NamesTheBodyWhoseMotionHasNoInertia) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("rod", 1, {0, 1, 1})};
+  scene.constraints = {test::joint(ConstraintType::spherical, "ball",
+                                   test::side(scenes::ground, scenes::Vector3{}),
+                                   test::side(0, scenes::Vector3{1, 0, 0}))};
+  scene.bodies[0].position = {-1, 0, 0};
+  const auto mechanism = make_mechanism<double>(scene);
+  const auto state = make_state<double>(scene);
+  AccelerationSolver<ROmega<double>> solver(mechanism);
+  try {
+    solver.solve(to_coordinates<ROmega<double>>(mechanism, state, {}), 0);
+    ADD_FAILURE() << "a free spin without inertia has no acceleration";
+  } catch (const ModelError& error) {
+    EXPECT_NE(std::string(error.what()).find("body \"rod\""), std::string::npos) << error.what();
+  }
+}
+
+/// Three bodies that hang on each other by rods, a light one between two others: the light one is eliminated
+/// with a heavy one's forces in it.
+scenes::Scene hung_on_a_light_body(double light, double heavy) {
+  using scenes::Vector3;
+  const auto body = [](const char* name, double mass, const Vector3& position) {
+    scenes::Body b = test::body(name, mass, {mass, 2 * mass, 2.5 * mass}, position);
+    b.velocity = {0.1, 0.2, -0.3};
+    b.angular_velocity = {0.3, -0.5, 0.7};
+    return b;
+  };
+  scenes::Scene scene;
+  scene.bodies = {body("upper", 1, {1, 0, 0}), body("light", light, {2, 0.5, 0}),
+                  body("heavy", heavy, {3, 0, 0.5})};
+  for (int b = 0; b < 3; ++b) {
+    const Vector3 on_i = b == 0 ? Vector3{} : Vector3{0.1, 0.2, 0.3}, on_j{-0.2, 0.1, -0.3};
+    auto rod = test::joint(ConstraintType::distance, "rod " + std::to_string(b), test::side(b - 1, on_i),
+                           test::side(b, on_j));
+    double squared = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double from = on_i[k] + (b == 0 ? 0 : scene.bodies[b - 1].position[k]);
+      squared += std::pow(scene.bodies[b].position[k] + on_j[k] - from, 2);
+    }
+    rod.distance = std::sqrt(squared);
+    scene.constraints.push_back(rod);
+  }
+  scene.effects.push_back(test::gravity());
+  test::project_velocities(scene);
+  return scene;
+}
+TEST(StructuredSolver, RefinesUntilALightBodyThatHoldsAHeavyOneIsRight) {
+  for (const auto& [light, heavy] : {std::pair(1e-2, 1e2), {1e-4, 1e4}, {1e-2, 1e6}}) {
+    const scenes::Scene scene = hung_on_a_light_body(light, heavy);
+    const std::string what = "mass ratio " + std::to_string(heavy / light);
+    test::expect_agreement<ROmega<double>>(scene, what);
+    test::expect_agreement<RP<double>>(scene, what);
+    test::expect_agreement<REpsilon<double>>(scene, what);
+  }
+}
+
+TEST(StructuredSolver, CorrectionsCoverTheErrorOfTheUnrefinedSolution) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    using F = ROmega<double>;
+    SolvedTwice<F> s(test::varied_scene(seed));
+    const auto exact = test::solve_scene<Quad>(test::varied_scene(seed), {{"r-omega"}, {}}, false);
+    s.structured.solve(s.bodies, s.state.t, Refinement::none);
+    const VectorX<double> rough = s.structured.lambda();
+    s.structured.refine();
+    const double error = lambda_distance(s.printed.rows, VectorX<Quad>(scalar_cast<Quad>(rough)),
+                                         exact.formulations.front().solution.lambda);
+    EXPECT_GE(100 * (s.structured.corrections().lambda + 1e-16), error) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace trivium

@@ -1,0 +1,103 @@
+/// Solving again at another state allocates nothing. Counts every call for memory that this program makes; an
+/// executable of its own, linked with -Wl,--wrap=malloc and the like (CMakeLists.txt).
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "bodies/testing/properties.hpp"
+#include "formulations/r_epsilon.hpp"
+#include "formulations/r_omega.hpp"
+#include "formulations/r_p.hpp"
+#include "formulations/structured/acceleration_solver.hpp"
+#include "formulations/testing/random_mechanism.hpp"
+#include "scenes/generators.hpp"
+#include "scenes/make_mechanism.hpp"
+
+namespace {
+long long allocations = 0;
+}
+
+extern "C" {
+void* __real_malloc(std::size_t size);
+void* __real_aligned_alloc(std::size_t alignment, std::size_t size);
+void* __wrap_malloc(std::size_t size) {
+  ++allocations;
+  return __real_malloc(size);
+}
+void* __wrap_aligned_alloc(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __real_aligned_alloc(alignment, size);
+}
+}
+
+void* operator new(std::size_t size) {
+  if (void* p = std::malloc(size)) return p;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  const auto a = static_cast<std::size_t>(alignment);
+  if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+namespace trivium {
+namespace {
+
+template <template <class> class Formulation>
+long long allocations_of_a_second_solve(const scenes::Scene& scene) {
+  using F = Formulation<double>;
+  const auto mechanism = make_mechanism<double>(scene);
+  const auto state = make_state<double>(scene);
+  const auto bodies = to_coordinates<F>(mechanism, state, {});
+  AccelerationSolver<F> solver(mechanism);
+  solver.solve(bodies, state.t);
+  const long long before = allocations;
+  solver.solve(bodies, state.t);
+  return allocations - before;
+}
+
+void expect_none(const scenes::Scene& scene) {
+  EXPECT_EQ(allocations_of_a_second_solve<ROmega>(scene), 0);
+  EXPECT_EQ(allocations_of_a_second_solve<RP>(scene), 0);
+  EXPECT_EQ(allocations_of_a_second_solve<REpsilon>(scene), 0);
+}
+
+TEST(Allocations, AreCounted) {
+  static MatrixX<double> kept;
+  const long long before = allocations;
+  kept = MatrixX<double>::Random(3, 3);
+  static std::vector<int> numbers;
+  numbers.assign(kept.size(), 1);
+  EXPECT_EQ(allocations - before, 2);
+}
+
+TEST(Allocations, ATreeSolvedAgainMakesNone) { expect_none(scenes::chain(10)); }
+TEST(Allocations, LoopsSolvedAgainMakeNone) {
+  expect_none(scenes::ladder(3));
+  expect_none(scenes::ring(6));
+}
+TEST(Allocations, RowsThatAreLookedAtOneByOneMakeNone) {
+  expect_none(test::random_scene(3, {.bodies = 3, .closings = 1, .near_rows = 1e-6}));
+  scenes::Scene drifted = scenes::ladder(3);
+  test::Random random(1);
+  for (scenes::Constraint& c : drifted.constraints) (*c.j.axis)[0] += 1e-10 * random.uniform();
+  expect_none(drifted);
+}
+TEST(Allocations, DriversAndEffectsMakeNone) {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    test::MechanismOptions o;
+    o.bodies = 3;
+    o.closings = static_cast<int>(seed % 3);
+    o.driven = seed % 2 == 0;
+    expect_none(test::random_scene(seed, o));
+  }
+}
+
+}  // namespace
+}  // namespace trivium

@@ -1,0 +1,89 @@
+#pragma once
+/// AccelerationSolver: whether its solution meets the rows that were left out. A part of
+/// acceleration_solver.hpp.
+
+#include <utility>
+
+#include "formulations/structured/acceleration_solver.hpp"
+
+namespace trivium {
+
+template <Formulation F>
+void AccelerationSolver<F>::check_dependent_rows() {
+  if (ranked_.empty()) return;
+  const auto size_here = [&](int b) { return size_of_causes(b); };
+  // what refinement leaves of rows that depend on others stays below
+  const S rounding = S(8 * unit_roundoff<S>());
+  if (!solver_.has_doubtful_rows() && !find_violated_row(solution_, rounding, S(0), size_here)) return;
+  decide_dependent_rows();
+  // least: what velocities of rounding size leave
+  const S tolerance = larger(S(1e-6), S(30 * direction_tolerance<S>())), least = S(1e-12);
+  if (!find_violated_row(solution_, S(1e-3 * tolerance), least, size_here)) return;
+  AccelerationSize<S> whole, turning;
+  for (int b = 0; b < mechanism_.nb(); ++b) {
+    whole.take(size_of_causes(b));
+    turning.take(size_of_turning(b));
+  }
+  if (const auto row = find_violated_row(solution_, tolerance, least, [&](int) { return whole; }))
+    throw_unmet(*row);
+  // how much of it is rounding of the forces shows without them
+  for (BodyPart<S>& force : right_side_.body) force = {};
+  solver_.solve(right_side_, step_);
+  solver_.correct(assembly_.matrix(), right_side_, step_, defect_, defect_);
+  whole = turning;
+  for (int b = 0; b < mechanism_.nb(); ++b) {
+    step_.body[b] += defect_.body[b];
+    push_body(b);
+    whole.take(AccelerationSize<S>::of(step_.body[b]));
+  }
+  if (const auto row = find_violated_row(step_, tolerance, least, [&](int) { return whole; }))
+    throw_unmet(*row);
+}
+
+template <Formulation F>
+template <class SizeOfBody>
+std::optional<EdgeRow> AccelerationSolver<F>::find_violated_row(const GraphVector<S>& solution,
+                                                                const S& tolerance, const S& least,
+                                                                const SizeOfBody& size_of_body) const {
+  return trivium::find_violated_row<S>(solver_, ranked_, assembly_.matrix(), right_side_, solution, tolerance,
+                                       least, size_of_body);
+}
+
+template <Formulation F>
+AccelerationSize<typename F::Scalar> AccelerationSolver<F>::size_of_causes(int b) const {
+  const S moments = assembly_.matrix().H[b].xx.diagonal().sum();
+  const auto force = AccelerationSize<S>::of(right_side_.body[b]);
+  auto size = AccelerationSize<S>::of(solution_.body[b]);
+  size.take({S(force.r / mechanism_.bodies[b].mass), select(moments > S(0), S(force.x / moments), S(0))});
+  size.take(size_of_turning(b));
+  return size;
+}
+
+template <Formulation F>
+void AccelerationSolver<F>::decide_dependent_rows() {
+  if (std::exchange(rows_are_settled_, true)) return;
+  try {
+    if (!solver_.restore_independent_rows()) return;
+  } catch (const NearlyDependentRows& e) {
+    throw ModelError(fmt::format(
+        "row \"{}\" at t = {}: it is one of more than {} that depend on others nearly, but not quite, as "
+        "where positions miss their constraints by a little: assemble them first, or solve the printed "
+        "system",
+        row_name(e.first_too_many), static_cast<double>(t_), solver_.most_reinstated));
+  }
+  solver_.solve(right_side_, solution_);
+  if (refinement_ == Refinement::as_needed) refine_as_needed();
+}
+
+template <Formulation F>
+[[noreturn]] void AccelerationSolver<F>::throw_unmet(const EdgeRow& row) const {
+  require_numbers();
+  throw ModelError(
+      fmt::format("row \"{}\" at t = {}: it depends on other rows and asks for another acceleration than "
+                  "they do. Either none satisfies all: remove a row, or make their functions of time "
+                  "agree; or what is left of it beside them is rounding: take a wider Scalar, or solve the "
+                  "printed system",
+                  row_name(row), static_cast<double>(t_)));
+}
+
+}  // namespace trivium

@@ -1,0 +1,235 @@
+#pragma once
+/// A body that hangs on its parent by any joint of at most six rows, or by none. The rows are solved by
+/// pivoting: Phi H = 0, Phi Y = I, and the body goes in the motion H that they leave free.
+///
+///   M a + Phi^T lambda = F,   Phi a + P a_p = gamma,   a = Y (gamma - P a_p) + H q
+
+#include <array>
+
+#include "formulations/structured/graph_system.hpp"
+
+namespace trivium {
+
+template <class S>
+class GeneralLink {
+ public:
+  /// Rows that on this body depend on the ones before them, or nearly so, have multiplier 0 and are marked in
+  /// `dropped`; those marked before are left out whatever they are.
+  Elimination factor(const BodyBlock<S>& block, const LinkRows<S>& link, BodyBlock<S>* parent, Ranks ranks,
+                     std::array<bool, 6>& dropped) {
+    Matrix6<S> M;
+    M.template topLeftCorner<3, 3>() = block.rr.template topRows<3>();
+    M.template topRightCorner<3, 3>() = block.rx.template topRows<3>();
+    M.template bottomLeftCorner<3, 3>() = block.rx.template topRows<3>().transpose();
+    M.template bottomRightCorner<3, 3>() = block.xx.template topRows<3>();
+    solve_rows(M, link, ranks, dropped);
+    const Vector6<S> size = M.diagonal();
+    // what is rounding beside the other moments has no size
+    const S least = S(1e-8) * largest_of(size.template tail<3>());
+    for (int k = 0; k < 6; ++k)
+      inverse_size_[k] = select(size[k] > (k < 3 ? S(0) : least), S(1 / size[k]), S(0));
+    U_ = M * H_;
+    if (!invert(H_.transpose() * U_, H_.cwiseAbs2().transpose() * size)) return Elimination::no_inertia;
+    rest_ = M - U_ * D_inverse_ * U_.transpose();
+    if (parent == nullptr) return Elimination::done;
+    const Matrix6<S> left = V_.transpose() * rest_ * V_;
+    parent->rr.template topRows<3>() += left.template topLeftCorner<3, 3>();
+    parent->rx.template topRows<3>() += left.template topRightCorner<3, 3>();
+    parent->xx.template topRows<3>() += left.template bottomRightCorner<3, 3>();
+    return Elimination::done;
+  }
+
+  /// Whether more than rounding is left of a row that was left out.
+  bool left_thin_rows() const { return left_thin_rows_; }
+
+  void factor(const BodyColumns<S>& columns, int n, const LinkRows<S>&, LinkColumn<S>& out,
+              ColumnSizes<S>& size, BodyColumns<S>* parent) const {
+    const Matrix6<S> C = columns.six();
+    for (int k = 0; k < n; ++k) {
+      const Vector6<S> squares = C.col(k).cwiseAbs2();
+      const S r = squares.template head<3>().sum(), x = squares.template tail<3>().sum();
+      size.take(k, r, x);
+      // a part that cancelled is as large in any direction
+      const auto whole = [](const S& was, const S& is) { return select(is > S(0), S(was / is), S(0)); };
+      size.product[k] +=
+          whole(size.r[k], r) * squares.template head<3>().dot(inverse_size_.template head<3>()) +
+          whole(size.x[k], x) * squares.template tail<3>().dot(inverse_size_.template tail<3>());
+      const Free g = H_.transpose() * C.col(k);
+      out.g.row(k).setZero();
+      out.g.row(k).head(g.size()) = g.transpose();
+      const Vector6<S> left = C.col(k) - U_ * (D_inverse_ * g);
+      const BodyPart<S> rest = BodyPart<S>::of(left);
+      out.rest_r.col(k) = rest.r;
+      out.rest_x.col(k) = rest.x;
+      if (parent == nullptr) continue;
+      const BodyPart<S> passed = BodyPart<S>::of(V_.transpose() * left);
+      parent->r.col(k) += passed.r;
+      parent->x.col(k) += passed.x;
+    }
+  }
+  void couple(const LinkColumn<S>& a, const LinkColumn<S>& b, int rows_b, Matrix6<S>& sum) const {
+    for (int n = 0; n < rows_b; ++n) sum.col(n) += a.g.leftCols(free()) * Free(D_inverse_ * free_part(b, n));
+  }
+
+  void forward(const BodyPart<S>& force, const Vector6<S>& gamma, const LinkRows<S>&, BodyPart<S>* parent) {
+    const Vector6<S> applied = force.six();
+    q_ = D_inverse_ * (H_.transpose() * applied);
+    f_ = applied - U_ * q_;
+    a_ = Y_ * gamma;
+    if (parent != nullptr) *parent += BodyPart<S>::of(V_.transpose() * (f_ - rest_ * a_));
+  }
+  S closing_rate(const LinkColumn<S>& c, int k) const {
+    return rest_of(c, k).dot(a_) + free_part(c, k).dot(q_);
+  }
+  void add_multiplier(const LinkColumn<S>& c, int k, const S& lambda) {
+    q_ -= lambda * (D_inverse_ * free_part(c, k));
+    f_ -= lambda * rest_of(c, k);
+  }
+  void backward(const BodyPart<S>* parent, const LinkRows<S>&, BodyPart<S>& out, Vector6<S>& lambda) const {
+    Vector6<S> a = a_;
+    if (parent != nullptr) a += V_ * parent->six();
+    lambda = Y_.transpose() * (f_ - rest_ * a);
+    a += H_ * (q_ - D_inverse_ * (U_.transpose() * a));
+    out = BodyPart<S>::of(a);
+  }
+
+ private:
+  using Free = Eigen::Matrix<S, Eigen::Dynamic, 1, 0, 6, 1>;
+  using Motion = Eigen::Matrix<S, 6, Eigen::Dynamic, 0, 6, 6>;
+  using Block = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+
+  int free() const { return static_cast<int>(H_.cols()); }
+  Free free_part(const LinkColumn<S>& c, int k) const { return c.g.row(k).head(free()).transpose(); }
+  static Vector6<S> rest_of(const LinkColumn<S>& c, int k) {
+    return BodyPart<S>{c.rest_r.col(k), c.rest_x.col(k)}.six();
+  }
+
+  /// Lane by lane, unlike Eigen's own.
+  static S largest_of(const Vector3<S>& v) { return larger(larger(v[0], v[1]), v[2]); }
+
+  /// The share of a row beside those before it up to which it is left out: what it does to the parent is the
+  /// square of its inverse, which above this leaves the parent's other motions half of their digits.
+  static S thin_row() {
+    using std::sqrt;
+    return sqrt(sqrt(larger(unit_roundoff<S>(), S(1e-32))));
+  }
+
+  /// Gauss-Jordan on [Phi | P | I] with the largest pivot, columns weighed by the body's own inertia: a
+  /// motion without inertia is solved for first.
+  void solve_rows(const Matrix6<S>& M, const LinkRows<S>& link, Ranks ranks, std::array<bool, 6>& dropped) {
+    using std::abs, std::sqrt;
+    const int rows = link.count;
+    const Matrix6<S> C = link.C.six(), C_parent = link.C_parent.six();
+    Matrix<S, 6, 18> G;
+    G.template leftCols<6>() = C.transpose();
+    G.template middleCols<6>(6) = C_parent.transpose();
+    G.template rightCols<6>().setIdentity();
+    // a moment far below the mass at the rows' own levers would make roundings look like rows
+    S lever2(0);
+    for (int k = 0; k < rows; ++k) {
+      const S r2 = link.C.r.col(k).squaredNorm(), x2 = link.C.x.col(k).squaredNorm();
+      lever2 = larger(lever2, select(r2 > S(0), S(x2 / r2), S(0)));
+    }
+    const S masses = largest_of(M.diagonal().template head<3>());
+    const S moments = larger(largest_of(M.diagonal().template tail<3>()), S(masses * lever2));
+    Vector6<S> weight;
+    for (int k = 0; k < 6; ++k) {
+      const S& largest = k < 3 ? masses : moments;
+      const S least = select(largest > S(0), S(S(1e-6) * largest), S(1));
+      weight[k] = 1 / S(sqrt(select(M(k, k) > least, M(k, k), least)));
+    }
+    // rows are judged against what they are made of
+    Matrix6<S> made_of = C.transpose().cwiseAbs();
+    std::array<int, 6> pivot_of_row;
+    std::array<bool, 6> is_basic{};
+    const S tolerance = ranks == Ranks::kept ? S(100 * unit_roundoff<S>()) : thin_row();
+    const std::array<bool, 6> out = dropped;
+    left_thin_rows_ = false;
+    // row by row, so that the row left out is the one that depends on those before it
+    for (int r = 0; r < rows; ++r) {
+      int best = -1;
+      S best_pull(0), largest(0), size(0);
+      for (int k = 0; k < 6; ++k) {
+        const S p = abs(G(r, k)) * weight[k], whole = made_of(r, k) * weight[k];
+        size = larger(size, whole);
+        if (is_basic[k]) continue;
+        largest = larger(p, largest);
+        if (best < 0 || least_lane(p) > least_lane(best_pull)) {
+          best = k;
+          best_pull = p;
+        }
+      }
+      const S least_pull = tolerance * size;
+      dropped[r] = best < 0 || out[r] || largest <= least_pull;
+      if (dropped[r]) {
+        left_thin_rows_ = left_thin_rows_ || any(largest > S(100 * unit_roundoff<S>()) * size);
+        G.row(r).setZero();
+        continue;
+      }
+      if (best_pull <= least_pull) throw MixedLanes();  // no column stands in all lanes
+      is_basic[best] = true;
+      pivot_of_row[r] = best;
+      const S inverse = 1 / G(r, best);
+      G.row(r) *= inverse;
+      made_of.row(r) *= abs(inverse);
+      for (int other = 0; other < rows; ++other) {
+        if (other == r || (other < r && dropped[other])) continue;
+        const S factor = G(other, best);
+        G.row(other) -= factor * G.row(r);
+        made_of.row(other) += abs(factor) * made_of.row(r);
+      }
+    }
+    Y_.setZero();
+    V_.setZero();
+    int free = 0;
+    for (int k = 0; k < 6; ++k) free += is_basic[k] ? 0 : 1;
+    H_.setZero(6, free);
+    for (int r = 0; r < rows; ++r) {
+      if (dropped[r]) continue;
+      Y_.row(pivot_of_row[r]) = G.row(r).template tail<6>();
+      V_.row(pivot_of_row[r]) = -G.row(r).template segment<6>(6);
+    }
+    for (int k = 0, n = 0; k < 6; ++k) {
+      if (is_basic[k]) continue;
+      H_(k, n) = S(1);
+      for (int r = 0; r < rows; ++r)
+        if (!dropped[r]) H_(pivot_of_row[r], n) = -G(r, k);
+      ++n;
+    }
+  }
+
+  /// D^-1 by L D L^T; false where a pivot is the rounding of what the diagonal is made of.
+  bool invert(const Block& D, const Free& made_of) {
+    const int n = free();
+    Block L = D;
+    bool good = true;
+    D_inverse_.setIdentity(n, n);
+    for (int k = 0; k < n; ++k) {
+      good = good && L(k, k) > 16 * unit_roundoff<S>() * larger(made_of[k], S(0));
+      for (int r = k + 1; r < n; ++r) {
+        const S factor = L(r, k) / L(k, k);
+        L.row(r) -= factor * L.row(k);
+        D_inverse_.row(r) -= factor * D_inverse_.row(k);
+      }
+    }
+    for (int k = n - 1; k >= 0; --k) {
+      const S inverse = 1 / L(k, k);
+      for (int c = k + 1; c < n; ++c) {
+        const S factor = L(k, c);
+        D_inverse_.row(k) -= factor * D_inverse_.row(c);
+      }
+      D_inverse_.row(k) *= inverse;
+    }
+    return good;
+  }
+
+  bool left_thin_rows_ = false;
+  Matrix6<S> Y_, V_, rest_;
+  Vector6<S> inverse_size_;  ///< of the block's diagonal; 0 where that is
+  Motion H_, U_;
+  Block D_inverse_;
+  Free q_;
+  Vector6<S> f_, a_;
+};
+
+}  // namespace trivium

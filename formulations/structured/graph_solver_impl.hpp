@@ -1,0 +1,432 @@
+#pragma once
+/// The one definition behind the GraphSolver instantiations, for those of a Scalar that has none.
+
+#include <algorithm>
+#include <cmath>
+
+#include "formulations/structured/dependent_rows_impl.hpp"
+#include "formulations/structured/graph_solver.hpp"
+
+namespace trivium {
+
+template <class S>
+GraphSolver<S>::GraphSolver(EliminationPlan plan)
+    : doubtful_pivot_(larger(S(1000 * unit_roundoff<S>()), S(1e-8))),
+      passing_pivot_(static_cast<S>(std::pow(largest_lane(unit_roundoff<S>()), 0.6))),
+      plan_(std::move(plan)),
+      block_sum_(plan_.sum_slots),
+      column_(plan_.column_slots),
+      coupling_(plan_.coupling_slots),
+      closing_(plan_.closings.size()),
+      force_sum_(plan_.sum_slots) {
+  dropped_.resize(plan_.graph.edges.size());
+  out_ = dropped_;
+  int columns = 0;
+  std::array<int, 5> count{};
+  for (const EliminationPlan::Link& link : plan_.links) {
+    const int kind = plan_.is_point_link(link) ? plan_.graph.edges[link.edge].size() - 3 : general;
+    place_.push_back(
+        {kind, count[kind]++, columns, link.edge >= 0 ? plan_.graph.edges[link.edge].size() : 0});
+    columns += static_cast<int>(link.columns.size());
+  }
+  link_column_.resize(columns);
+  for (std::size_t c = 0; c < closing_.size(); ++c)
+    closing_[c].rows = plan_.graph.edges[plan_.closings[c].edge].size();
+  std::get<0>(links_).resize(count[0]);
+  std::get<1>(links_).resize(count[1]);
+  std::get<2>(links_).resize(count[2]);
+  std::get<3>(links_).resize(count[3]);
+  std::get<4>(links_).resize(count[4]);
+}
+
+template <class S>
+GraphSolver<S>::~GraphSolver() = default;
+
+template <class S>
+template <class Visit>
+void GraphSolver<S>::with_link(const Place& place, const Visit& visit) {
+  switch (place.kind) {
+    case 0:
+      return visit(std::get<0>(links_)[place.index]);
+    case 1:
+      return visit(std::get<1>(links_)[place.index]);
+    case 2:
+      return visit(std::get<2>(links_)[place.index]);
+    case 3:
+      return visit(std::get<3>(links_)[place.index]);
+    default:
+      return visit(std::get<4>(links_)[place.index]);
+  }
+}
+
+template <class S>
+[[gnu::always_inline]] inline LinkRows<S> GraphSolver<S>::rows_of(int index) const {
+  const EliminationPlan::Link& link = plan_.links[index];
+  if (place_[index].kind != general || link.edge < 0)
+    return {matrix_->point[index], no_columns_, no_columns_, 0};
+  const EdgeRows<S>& edge = matrix_->rows[plan_.rows_slot[link.edge]];
+  return {matrix_->point[index], link.body_is_j ? edge.C_j : edge.C_i, link.body_is_j ? edge.C_i : edge.C_j,
+          place_[index].rows};
+}
+
+template <class S>
+void GraphSolver<S>::factor(const GraphMatrix<S>& matrix) {
+  start_factors(matrix);
+  for (const EliminationPlan::Step& step : plan_.steps) factor_step(step);
+  const auto joint_leaves_out = [&](const EliminationPlan::Link& link) {
+    return link.edge >= 0 && !plan_.is_point_link(link) && leaves_out(link.edge);
+  };
+  if (ranks_ != Ranks::found) return;
+  if (has_thin_rows_ || std::any_of(plan_.links.begin(), plan_.links.end(), joint_leaves_out))
+    restore_independent_rows();
+}
+
+template <class S>
+void GraphSolver<S>::solve(const GraphVector<S>& right_side, GraphVector<S>& solution) {
+  start_solution(right_side);
+  for (const EliminationPlan::Step& step : plan_.steps) forward_step(step, right_side);
+  finish(right_side, solution);
+}
+
+template <class S>
+void GraphSolver<S>::start(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side) {
+  start_factors(matrix);
+  start_solution(right_side);
+}
+
+template <class S>
+void GraphSolver<S>::eliminate(int step, const GraphVector<S>& right_side) {
+  factor_step(plan_.steps[step]);
+  forward_step(plan_.steps[step], right_side);
+}
+
+template <class S>
+void GraphSolver<S>::substitute(GraphVector<S>& solution) {
+  for (auto step = plan_.steps.rbegin(); step != plan_.steps.rend(); ++step) {
+    if (step->link >= 0) backward_link(step->link, solution);
+    for (auto c = step->closings.rbegin(); c != step->closings.rend(); ++c) backward_closing(*c, solution);
+  }
+  solution.body.back() = {};
+}
+
+template <class S>
+void GraphSolver<S>::correct(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side,
+                             const GraphVector<S>& solution, GraphVector<S>& defect,
+                             GraphVector<S>& correction) {
+  std::fill(defect.body.begin(), defect.body.end(), BodyPart<S>{});
+  for (std::size_t c = 0; c < closing_.size(); ++c) {
+    const int edge = plan_.closings[c].edge;
+    edge_defect(matrix, edge, right_side, solution, defect);
+    closing_[c].gamma = defect.edge[edge];
+  }
+  for (const EliminationPlan::Step& step : plan_.steps) {
+    for (int c : step.closings) forward_closing(c, &defect.body[plan_.closings[c].body]);
+    if (step.link < 0) continue;
+    link_defect(matrix, step.link, right_side, solution, defect);
+    const EliminationPlan::Link& link = plan_.links[step.link];
+    pass_up(step.link, defect.body[link.body], defect,
+            has_parent(link) ? &defect.body[link.parent] : nullptr);
+  }
+  finish(defect, correction);
+}
+
+template <class S>
+inline void GraphSolver<S>::link_defect(const GraphMatrix<S>& matrix, int index,
+                                        const GraphVector<S>& right_side, const GraphVector<S>& solution,
+                                        GraphVector<S>& defect) {
+  const EliminationPlan::Link& link = plan_.links[index];
+  const BodyPart<S>& child = solution.body[link.body];
+  const BodyBlock<S>& H = matrix.H[link.body];
+  BodyPart<S> left = right_side.body[link.body];
+  left.r -= times<S, 3>(H.rr, child.r) + times<S, 3>(H.rx, child.x);
+  left.x -= padded_transpose_times<S>(H.rx, child.r) + times<S, 3>(H.xx, child.x);
+  defect.body[link.body] += left;
+  if (link.edge < 0) return;
+  with_link(place_[index], [&](auto& factors) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(factors)>, GeneralLink<S>>) {
+      edge_defect(matrix, link.edge, right_side, solution, defect);
+    } else {
+      defect.edge[link.edge] = right_side.edge[link.edge];
+      factors.take_defect(rows_of(index), child, has_parent(link) ? &solution.body[link.parent] : nullptr,
+                          solution.edge[link.edge], defect.body[link.body],
+                          has_parent(link) ? &defect.body[link.parent] : nullptr, defect.edge[link.edge]);
+    }
+  });
+}
+
+template <class S>
+void GraphSolver<S>::edge_defect(const GraphMatrix<S>& matrix, int e, const GraphVector<S>& right_side,
+                                 const GraphVector<S>& solution, GraphVector<S>& defect) const {
+  const GraphEdge& edge = plan_.graph.edges[e];
+  const EdgeRows<S>& rows = matrix.rows[plan_.rows_slot[e]];
+  defect.edge[e] = right_side.edge[e] + rows.compliance * solution.edge[e];
+  const auto one = [&](int body, const BodyColumns<S>& C) {
+    if (body == plan_.graph.bodies) return;
+    for (int k = 0; k < edge.size(); ++k) {
+      defect.body[body].r -= solution.edge[e][k] * C.r.col(k);
+      defect.body[body].x -= solution.edge[e][k] * C.x.col(k);
+      defect.edge[e][k] -= C.r.col(k).dot(solution.body[body].r) + C.x.col(k).dot(solution.body[body].x);
+    }
+  };
+  one(edge.i, rows.C_i);
+  one(edge.j, rows.C_j);
+}
+
+template <class S>
+void GraphSolver<S>::start_factors(const GraphMatrix<S>& matrix) {
+  matrix_ = &matrix;
+  bordered_ = 0;
+  has_thin_rows_ = false;
+  for (const EliminationPlan::Link& link : plan_.links)
+    for (const EliminationPlan::Column& column : link.columns) column_[column.slot] = {};
+  for (Matrix6<S>& block : coupling_) block.setZero();
+  for (std::size_t c = 0; c < closing_.size(); ++c) {
+    const EliminationPlan::Closing& closing = plan_.closings[c];
+    if (closing.column_slot >= 0) column_[closing.column_slot] = {};
+    if (closing.slot_i >= 0) column_[closing.slot_i] = matrix_->rows[plan_.rows_slot[closing.edge]].C_i;
+    if (closing.slot_j >= 0) column_[closing.slot_j] = matrix_->rows[plan_.rows_slot[closing.edge]].C_j;
+    closing_[c].size.setZero();
+    const S compliance = matrix_->rows[plan_.rows_slot[closing.edge]].compliance;
+    closing_[c].own.setConstant(compliance);
+    coupling_[plan_.diagonal_slot[c]].diagonal().setConstant(compliance);
+  }
+}
+
+template <class S>
+void GraphSolver<S>::start_solution(const GraphVector<S>& right_side) {
+  for (std::size_t c = 0; c < closing_.size(); ++c)
+    closing_[c].gamma = right_side.edge[plan_.closings[c].edge];
+}
+
+template <class S>
+inline void GraphSolver<S>::factor_step(const EliminationPlan::Step& step) {
+  for (int c : step.closings)
+    factor_closing(c, step.link < 0 ? nullptr : &block_sum_[plan_.links[step.link].sum_slot]);
+  if (step.link >= 0) factor_link(step.link);
+}
+
+template <class S>
+inline void GraphSolver<S>::forward_step(const EliminationPlan::Step& step,
+                                         const GraphVector<S>& right_side) {
+  for (int c : step.closings)
+    forward_closing(c, step.link < 0 ? nullptr : &force_sum_[plan_.links[step.link].sum_slot]);
+  if (step.link >= 0) forward_link(step.link, right_side);
+}
+
+template <class S>
+inline void GraphSolver<S>::factor_link(int index) {
+  const EliminationPlan::Link& link = plan_.links[index];
+  const LinkRows<S> rows = rows_of(index);
+  with_link(place_[index], [&](auto& factors) {
+    std::array<bool, 6> dropped{};
+    if (ranks_ != Ranks::found && link.edge >= 0) dropped = out_[link.edge];
+    BodyBlock<S>* const parent = has_parent(link) ? &block_sum_[link.parent_sum_slot] : nullptr;
+    if (link.is_first) *parent = matrix_->H[link.parent];
+    const Elimination result = factors.factor(
+        link.sum_slot < 0 ? matrix_->H[link.body] : block_sum_[link.sum_slot], rows, parent, ranks_, dropped);
+    if (result != Elimination::done) throw_singular(link, result);
+    if (link.edge >= 0) dropped_[link.edge] = dropped;
+    if constexpr (std::is_same_v<std::decay_t<decltype(factors)>, GeneralLink<S>>)
+      has_thin_rows_ = has_thin_rows_ || factors.left_thin_rows();
+    LinkColumn<S>* const columns = link_column_.data() + place_[index].first_column;
+    for (std::size_t n = 0; n < link.columns.size(); ++n) {
+      const EliminationPlan::Column& column = link.columns[n];
+      factors.factor(column_[column.slot], rows_of_closing(column.closing), rows, columns[n],
+                     closing_[column.closing].size,
+                     column.parent_slot >= 0 ? &column_[column.parent_slot] : nullptr);
+    }
+    for (const EliminationPlan::Coupling& pair : link.couplings) {
+      const int a = link.columns[pair.first].closing, b = link.columns[pair.second].closing;
+      Matrix6<S>& sum = coupling_[pair.slot];
+      if (a == b) closing_[a].own -= sum.diagonal();
+      factors.couple(columns[pair.first], columns[pair.second], rows_of_closing(b), sum);
+      if (a == b) closing_[a].own += sum.diagonal();
+    }
+  });
+}
+
+template <class S>
+void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
+  const EliminationPlan::Closing& closing = plan_.closings[c];
+  ClosingFactor& f = closing_[c];
+  Matrix6<S>& block = coupling_[plan_.diagonal_slot[c]];
+  const int n = rows_of_closing(c);
+  std::array<bool, 6>& dropped = dropped_[closing.edge];
+  const bool on_body = closing.column_slot >= 0;
+  if (on_body) f.C = column_[closing.column_slot];
+  if (ranks_ == Ranks::seen || ranks_ == Ranks::counted) choose_rows(c);
+  const S defect = direction_tolerance<S>() * direction_tolerance<S>();
+  for (int k = 0; k < n; ++k) {
+    const S pivot = block(k, k);
+    const S cancelled = defect * f.size.product[k];
+    const S rounding = S(30 * unit_roundoff<S>()) * (f.own[k] + f.size.product[k]);
+    switch (ranks_) {
+      case Ranks::found:
+        dropped[k] = pivot <= doubtful_pivot_ * f.own[k] + cancelled;
+        break;
+      case Ranks::seen:
+      case Ranks::kept:
+      case Ranks::counted:
+        dropped[k] = out_[closing.edge][k] || pivot <= rounding;
+    }
+    has_thin_rows_ = has_thin_rows_ || (dropped[k] && any(pivot > rounding));
+    f.inverse[k] = dropped[k] ? S(0) : S(1 / pivot);
+    for (int r = k + 1; r < n; ++r) {
+      const S l = block(k, r) * f.inverse[k];
+      f.L(r, k) = l;
+      if (dropped[k]) continue;
+      for (int s = r; s < n; ++s) block(r, s) -= l * block(k, s);
+      if (on_body) {
+        f.C.r.col(r) -= l * f.C.r.col(k);
+        f.C.x.col(r) -= l * f.C.x.col(k);
+      }
+      for (const EliminationPlan::Neighbour& next : closing.later)
+        coupling_[next.slot].row(r) -= l * coupling_[next.slot].row(k);
+    }
+  }
+  for (int k = 0; k < n; ++k) {
+    if (dropped[k]) continue;
+    if (on_body) {
+      const Padded<S> r = f.C.r.col(k), x = f.C.x.col(k);
+      const Padded<S> scaled_r = f.inverse[k] * r, scaled_x = f.inverse[k] * x;
+      for (int m = 0; m < 3; ++m) {
+        body->rr.col(m) += r * scaled_r[m];
+        body->rx.col(m) += r * scaled_x[m];
+        body->xx.col(m) += x * scaled_x[m];
+      }
+      for (const EliminationPlan::Neighbour& next : closing.later)
+        if (next.column_slot >= 0)
+          for (int m = 0; m < rows_of_closing(next.closing); ++m) {
+            column_[next.column_slot].r.col(m) -= coupling_[next.slot](k, m) * scaled_r;
+            column_[next.column_slot].x.col(m) -= coupling_[next.slot](k, m) * scaled_x;
+          }
+    }
+    for (const EliminationPlan::Fill& fill : closing.fill) {
+      const EliminationPlan::Neighbour &a = closing.later[fill.first], &b = closing.later[fill.second];
+      const Vector6<S> of_a = f.inverse[k] * coupling_[a.slot].row(k).transpose();
+      for (int s = 0; s < rows_of_closing(b.closing); ++s)
+        coupling_[fill.slot].col(s) -= of_a * coupling_[b.slot](k, s);
+    }
+  }
+}
+
+template <class S>
+void GraphSolver<S>::choose_rows(int c) {
+  const ClosingFactor& f = closing_[c];
+  Matrix6<S> block = coupling_[plan_.diagonal_slot[c]];
+  const int n = rows_of_closing(c);
+  std::array<bool, 6>& out = out_[plan_.closings[c].edge];
+  std::array<bool, 6> is_done{};
+  int most = n;
+  S least = S(0);
+  if (ranks_ == Ranks::counted) {
+    most -= static_cast<int>(std::count(out.begin(), out.begin() + n, true));
+  } else {
+    is_done = out;
+    least = passing_pivot_;
+  }
+  for (int chosen = 0; chosen < most; ++chosen) {
+    int best = -1;
+    S best_share = least;
+    for (int k = 0; k < n; ++k) {
+      const S share = block(k, k) / (f.own[k] + f.size.product[k]);
+      if (is_done[k] || !(share > best_share)) continue;
+      best = k;
+      best_share = share;
+    }
+    if (best < 0) break;
+    is_done[best] = true;
+    const Vector6<S> column = block.col(best);
+    block -= column * column.transpose() / column[best];
+  }
+  for (int k = 0; k < n; ++k) out[k] = !is_done[k] || (ranks_ == Ranks::seen && out[k]);
+}
+
+template <class S>
+inline void GraphSolver<S>::forward_link(int index, const GraphVector<S>& right_side) {
+  const EliminationPlan::Link& link = plan_.links[index];
+  BodyPart<S>* const parent = has_parent(link) ? &force_sum_[link.parent_sum_slot] : nullptr;
+  if (link.is_first) *parent = right_side.body[link.parent];
+  pass_up(index, link.sum_slot < 0 ? right_side.body[link.body] : force_sum_[link.sum_slot], right_side,
+          parent);
+}
+
+template <class S>
+inline void GraphSolver<S>::pass_up(int index, const BodyPart<S>& force, const GraphVector<S>& right_side,
+                                    BodyPart<S>* parent) {
+  const EliminationPlan::Link& link = plan_.links[index];
+  with_link(place_[index], [&](auto& factors) {
+    factors.forward(force, link.edge >= 0 ? right_side.edge[link.edge] : none_, rows_of(index), parent);
+    const LinkColumn<S>* column = link_column_.data() + place_[index].first_column;
+    for (const EliminationPlan::Column& c : link.columns) {
+      for (int k = 0; k < rows_of_closing(c.closing); ++k)
+        closing_[c.closing].gamma[k] -= factors.closing_rate(*column, k);
+      ++column;
+    }
+  });
+}
+
+template <class S>
+void GraphSolver<S>::forward_closing(int c, BodyPart<S>* body) {
+  const EliminationPlan::Closing& closing = plan_.closings[c];
+  ClosingFactor& f = closing_[c];
+  const int n = rows_of_closing(c);
+  for (int k = 0; k < n; ++k)
+    for (int r = k + 1; r < n; ++r) f.gamma[r] -= f.L(r, k) * f.gamma[k];
+  for (int k = 0; k < n; ++k) {
+    const S scaled = f.inverse[k] * f.gamma[k];
+    if (closing.column_slot >= 0) {
+      body->r += scaled * f.C.r.col(k);
+      body->x += scaled * f.C.x.col(k);
+    }
+    for (const EliminationPlan::Neighbour& next : closing.later)
+      for (int m = 0; m < rows_of_closing(next.closing); ++m)
+        closing_[next.closing].gamma[m] -= scaled * coupling_[next.slot](k, m);
+  }
+}
+
+template <class S>
+void GraphSolver<S>::backward_closing(int c, GraphVector<S>& solution) {
+  const EliminationPlan::Closing& closing = plan_.closings[c];
+  ClosingFactor& f = closing_[c];
+  const int n = rows_of_closing(c);
+  Vector6<S>& lambda = solution.edge[closing.edge];
+  for (int k = 0; k < n; ++k) {
+    S sum = -f.gamma[k];
+    if (closing.column_slot >= 0)
+      sum +=
+          f.C.r.col(k).dot(solution.body[closing.body].r) + f.C.x.col(k).dot(solution.body[closing.body].x);
+    for (const EliminationPlan::Neighbour& next : closing.later) {
+      const Vector6<S>& theirs = solution.edge[plan_.closings[next.closing].edge];
+      for (int m = 0; m < rows_of_closing(next.closing); ++m) sum -= coupling_[next.slot](k, m) * theirs[m];
+    }
+    lambda[k] = f.inverse[k] * sum;
+  }
+  for (int k = n - 1; k >= 0; --k)
+    for (int r = k + 1; r < n; ++r)
+      if (!dropped_[closing.edge][k]) lambda[k] -= f.L(r, k) * lambda[r];
+}
+
+template <class S>
+inline void GraphSolver<S>::backward_link(int index, GraphVector<S>& solution) {
+  const EliminationPlan::Link& link = plan_.links[index];
+  with_link(place_[index], [&](auto& factors) {
+    const LinkColumn<S>* column = link_column_.data() + place_[index].first_column;
+    for (const EliminationPlan::Column& c : link.columns) {
+      const Vector6<S>& lambda = solution.edge[plan_.closings[c.closing].edge];
+      for (int k = 0; k < rows_of_closing(c.closing); ++k) factors.add_multiplier(*column, k, lambda[k]);
+      ++column;
+    }
+    factors.backward(has_parent(link) ? &solution.body[link.parent] : nullptr, rows_of(index),
+                     solution.body[link.body], link.edge >= 0 ? solution.edge[link.edge] : nowhere_);
+  });
+}
+
+template <class S>
+[[noreturn]] void GraphSolver<S>::throw_singular(const EliminationPlan::Link& link, Elimination result) {
+  throw SingularLink(link.body, result == Elimination::no_inertia
+                                    ? "the joint to its parent leaves a motion without inertia free"
+                                    : "the orientation rows of the joint to its parent depend on each other");
+}
+
+}  // namespace trivium

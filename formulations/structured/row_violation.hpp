@@ -1,0 +1,64 @@
+#pragma once
+/// Whether a solution meets the rows that its factorisation left out.
+
+#include <optional>
+#include <span>
+
+#include "formulations/structured/graph_solver.hpp"
+
+namespace trivium {
+
+/// The largest number of each part.
+template <class S>
+struct AccelerationSize {
+  S r{0}, x{0};
+
+  static AccelerationSize of(const BodyPart<S>& part) {
+    using std::abs;
+    AccelerationSize size;
+    for (int k = 0; k < 3; ++k) size.take({S(abs(part.r[k])), S(abs(part.x[k]))});
+    return size;
+  }
+  void take(const AccelerationSize& other) {
+    r = larger(r, other.r);
+    x = larger(x, other.x);
+  }
+};
+
+/// Of the given edges, which are no point joints of the tree, the first row that was left out and that the
+/// solution misses by more than this share of what it is made of: its right side, and numbers of a size by
+/// body, AccelerationSize size_of_body(int). What is not above `least` is none. Of a batch, one that any lane
+/// misses.
+template <class S, class SizeOfBody>
+std::optional<EdgeRow> find_violated_row(const GraphSolver<S>& solver, std::span<const int> edges,
+                                         const GraphMatrix<S>& matrix, const GraphVector<S>& right_side,
+                                         const GraphVector<S>& solution, const S& tolerance, const S& least,
+                                         const SizeOfBody& size_of_body) {
+  using std::abs;
+  const EliminationPlan& plan = solver.plan();
+  for (const int e : edges) {
+    if (!solver.leaves_out(e)) continue;
+    const GraphEdge& edge = plan.graph.edges[e];
+    const EdgeRows<S>& rows = matrix.rows[plan.rows_slot[e]];
+    const auto size_of = [&](int b) {
+      return b == plan.graph.bodies ? AccelerationSize<S>{} : size_of_body(b);
+    };
+    const AccelerationSize<S> size_i = size_of(edge.i), size_j = size_of(edge.j);
+    for (int k = 0; k < edge.size(); ++k) {
+      if (!solver.is_dropped(e, k)) continue;
+      S missing = right_side.edge[e][k], made_of = abs(missing);
+      const auto take = [&](const BodyColumns<S>& C, int b, const AccelerationSize<S>& size) {
+        if (b == plan.graph.bodies) return;
+        const BodyPart<S>& a = solution.body[b];
+        missing -= C.r.col(k).dot(a.r) + C.x.col(k).dot(a.x);
+        made_of += C.r.col(k).cwiseAbs().sum() * size.r + C.x.col(k).cwiseAbs().sum() * size.x;
+      };
+      take(rows.C_i, edge.i, size_i);
+      take(rows.C_j, edge.j, size_j);
+      if (!all(abs(missing) <= tolerance * made_of + least)) return EdgeRow{e, k};
+    }
+  }
+  return {};
+}
+
+}  // namespace trivium

@@ -1,0 +1,41 @@
+#pragma once
+/// Bodies on which the laws of the Formulation concept are tried.
+
+#include "formulations/testing/moving_body.hpp"
+
+namespace trivium::test {
+
+template <class F>
+struct Sample {
+  using S = typename F::Scalar;
+  typename F::Chart chart;
+  Vector4<S> p;
+  Vector3<S> omega_bar, omega_bar_dot, a_bar;
+  Matrix3<S> J_bar;
+  typename F::Coordinates q;
+  typename F::Kinematics body;
+};
+
+/// Poses and velocities at home in every formulation, over all sequences.
+template <class F, class Law>
+void for_all_samples(const Law& law) {
+  using S = typename F::Scalar;
+  Random random(51);
+  for (const auto name : euler_sequence_names)
+    for (int n = 0; n < 8; ++n) {
+      Sample<F> s;
+      s.p = random.euler_parameters<S>();
+      s.chart = F::choose_chart({*parse_euler_sequence(name), true}, s.p);
+      s.omega_bar = random.vector<S, 3>();
+      s.omega_bar_dot = random.vector<S, 3>();
+      s.a_bar = random.vector<S, 3>();
+      const Matrix3<S> axes = rotation_matrix(random.euler_parameters<S>());
+      s.J_bar = axes * Vector3<S>(S(1), S(random.uniform(1, 2)), S(2)).asDiagonal() * axes.transpose();
+      s.q = F::from_pose(s.chart, s.p, s.omega_bar);
+      const Vector3<S> r = random.vector<S, 3>(), r_dot = random.vector<S, 3>();
+      s.body = F::kinematics(s.chart, r, r_dot, s.q);
+      law(s);
+    }
+}
+
+}  // namespace trivium::test

@@ -1,0 +1,239 @@
+#include "formulations/testing/random_mechanism.hpp"
+
+#include <Eigen/QR>
+
+#include "bodies/testing/properties.hpp"
+#include "formulations/side_by_side.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "scenes/testing/scene_builders.hpp"
+
+namespace trivium::test {
+
+namespace {
+
+using Vec = Vector3<double>;
+using TF = TimeFunction;
+
+scenes::Vector3 store(const Vec& v) { return {v[0], v[1], v[2]}; }
+
+/// The axes and points of a joint in the global frame, and the type that they fit.
+struct GlobalJoint {
+  Vec P_i, P_j, z_i, z_j, u_i, u_j;
+};
+
+class SceneBuilder {
+ public:
+  SceneBuilder(std::uint64_t seed, const MechanismOptions& options) : random_(seed), options_(options) {}
+
+  scenes::Scene build() {
+    for (int b = 0; b < options_.bodies; ++b) add_body(b);
+    for (int b = 0; b < options_.bodies; ++b) add_joint(draw_type(), random_.index(b + 1) - 1, b);
+    for (int k = 0; k < options_.closings; ++k) add_closing();
+    for (int k = 0; k < options_.doubled; ++k) double_a_joint();
+    if (options_.near_rows > 0) add_near_rows();
+    if (options_.driven) drive_a_revolute();
+    add_effects();
+    project_velocities(scene_);
+    return scene_;
+  }
+
+ private:
+  void add_body(int b) {
+    scenes::Body body;
+    body.name = "body " + std::to_string(b);
+    body.mass = std::pow(10.0, random_.uniform(-options_.mass_decades, options_.mass_decades));
+    const double x = random_.uniform(0.5, 1.5), y = random_.uniform(0.5, 1.5), z = random_.uniform(0.5, 1.5);
+    const double size = 0.1 * body.mass;  // moments of a box obey the triangle inequality
+    body.inertia = scenes::Vector3{size * (y + z), size * (z + x), size * (x + y)};
+    body.position = store(random_.vector<double, 3>());
+    const Vector4<double> p = random_.euler_parameters<double>();
+    body.orientation = scenes::EulerParameters{{p[0], p[1], p[2], p[3]}};
+    if (options_.gimbal_distance > 0)
+      body.orientation =
+          scenes::EulerAngles{{random_.uniform(-3, 3), options_.gimbal_distance, random_.uniform(-3, 3)},
+                              EulerSequence{{2, 0, 2}}};
+    body.velocity = store(random_.vector<double, 3>());
+    body.angular_velocity = store(random_.vector<double, 3>(2));
+    scene_.bodies.push_back(body);
+  }
+
+  ConstraintType draw_type() {
+    constexpr std::array types{ConstraintType::spherical,   ConstraintType::universal,
+                               ConstraintType::revolute,    ConstraintType::revolute,
+                               ConstraintType::cylindrical, ConstraintType::translational,
+                               ConstraintType::planar,      ConstraintType::in_line,
+                               ConstraintType::distance,    ConstraintType::fixed};
+    return types[random_.index(static_cast<int>(types.size()))];
+  }
+
+  GlobalJoint draw_geometry(ConstraintType type) {
+    GlobalJoint g;
+    g.z_i = g.z_j = random_.direction<double>();
+    const JointFrame<double> axes = joint_frame<double>(Vec::Zero(), g.z_i, random_.direction<double>());
+    g.u_i = g.u_j = axes.u;
+    g.P_i = g.P_j = random_.vector<double, 3>();
+    const Vec along = random_.uniform() * g.z_i;
+    const Vec across = random_.uniform() * axes.u + random_.uniform() * axes.v;
+    using enum ConstraintType;
+    if (type == cylindrical || type == translational || type == in_line) g.P_j += along;
+    if (type == planar) g.P_j += across;
+    if (type == distance) g.P_j += along + across;
+    if (type == universal) g.z_j = axes.u;
+    if (type == universal) g.u_j = axes.v;
+    return g;
+  }
+
+  scenes::Side side(int body, const Vec& P, const Vec& z, const Vec& u) const {
+    const auto [r, A] = pose(body);
+    return {body, store(A.transpose() * (P - r)), {}, store(A.transpose() * z), store(A.transpose() * u)};
+  }
+  std::pair<Vec, Matrix3<double>> pose(int body) const {
+    if (body == scenes::ground) return {Vec::Zero(), Matrix3<double>::Identity()};
+    const auto& b = scene_.bodies[body];
+    return {Vec(b.position[0], b.position[1], b.position[2]),
+            rotation_matrix(euler_parameters_of<double>(b.orientation))};
+  }
+
+  void add(ConstraintType type, int i, int j, const GlobalJoint& g) {
+    scenes::Constraint c;
+    c.type = type;
+    c.name = "joint " + std::to_string(scene_.constraints.size());
+    c.i = side(i, g.P_i, g.z_i, g.u_i);
+    c.j = side(j, g.P_j, g.z_j, g.u_j);
+    c.distance = (g.P_j - g.P_i).norm();
+    scene_.constraints.push_back(c);
+    geometry_.push_back(g);
+  }
+  void add_joint(ConstraintType type, int i, int j) { add(type, i, j, draw_geometry(type)); }
+
+  /// One basic row between two bodies, drawn again until the mechanism has a freedom left for it.
+  void add_closing() {
+    for (int attempt = 0; attempt < 20; ++attempt) {
+      const int j = random_.index(options_.bodies), i = random_.index(options_.bodies + 1) - 1;
+      scenes::Constraint c;
+      constexpr std::array types{ConstraintType::dp1, ConstraintType::dp2, ConstraintType::d,
+                                 ConstraintType::cd};
+      c.type = types[random_.index(4)];
+      c.name = "closing " + std::to_string(scene_.constraints.size());
+      const auto draw = [&] { return store(random_.vector<double, 3>()); };
+      c.i = {i, draw(), draw(), {}, {}};
+      c.j = {j, draw(), draw(), {}, {}};
+      c.direction = draw();
+      add_fitted(c);
+      if (i != j && is_independent()) return;
+      remove_last();
+    }
+  }
+  bool is_independent() const {
+    const auto system = tangent_system(make_mechanism<double>(scene_), make_state<double>(scene_));
+    return analyse_rows(system).redundant.empty();
+  }
+  void remove_last() {
+    scene_.constraints.pop_back();
+    geometry_.pop_back();
+  }
+
+  /// A distance, and the distance between points that are nearly the same.
+  void add_near_rows() {
+    const int j = random_.index(options_.bodies);
+    const Vec s_i = random_.vector<double, 3>(3), s_j = random_.vector<double, 3>();
+    for (const double shift : {0.0, options_.near_rows}) {
+      scenes::Constraint c;
+      c.type = ConstraintType::d;
+      c.name = "near " + std::to_string(scene_.constraints.size());
+      c.i = test::side(scenes::ground, store(s_i));
+      c.j = test::side(j, store(s_j + shift * Vec(0.3, -0.5, 0.8)));
+      add_fitted(c);
+      if (!is_independent()) return remove_last();
+    }
+  }
+
+  /// f(0) is what the poses make of it.
+  void add_fitted(const scenes::Constraint& c) {
+    scene_.constraints.push_back(c);
+    geometry_.emplace_back();
+    const auto mechanism = make_mechanism<double>(scene_);
+    const auto eom = equations_of_motion<ROmega<double>>(
+        mechanism, to_coordinates<ROmega<double>>(mechanism, make_state<double>(scene_), {}), 0.0);
+    const double phi = eom.row.back().phi;
+    scene_.constraints.back().f =
+        options_.driven ? TF(TF::Polynomial{{phi, random_.uniform(), random_.uniform()}}) : TF(phi);
+  }
+
+  /// The same joint again, at another of its points: every row of the second depends on the first.
+  void double_a_joint() {
+    const std::size_t k = random_.index(options_.bodies);
+    const scenes::Constraint first = scene_.constraints[k];
+    GlobalJoint g = geometry_[k];
+    if (first.type == ConstraintType::revolute || first.type == ConstraintType::cylindrical) {
+      g.P_i += 0.5 * g.z_i;
+      g.P_j += 0.5 * g.z_i;
+    }
+    add(first.type, first.i.body, first.j.body, g);
+  }
+
+  void drive_a_revolute() {
+    for (std::size_t k = 0; k < scene_.constraints.size(); ++k) {
+      if (scene_.constraints[k].type != ConstraintType::revolute) continue;
+      const auto [i, j] = std::pair{scene_.constraints[k].i.body, scene_.constraints[k].j.body};
+      add(ConstraintType::rotation_driver, i, j, geometry_[k]);
+      scene_.constraints.back().angle = TF::Polynomial{{0, random_.uniform(), random_.uniform()}};
+      if (!is_independent()) remove_last();
+      return;
+    }
+  }
+
+  void add_effects() {
+    scene_.effects.push_back(scenes::Gravity{"", {0.3, -0.4, -9.81}});
+    const auto functions = [&] {
+      return std::array<TF, 3>{TF(random_.uniform(-5, 5)), TF(random_.uniform(-5, 5)),
+                               TF(TF::Harmonic{0, random_.uniform(-5, 5), 3, 1})};
+    };
+    const int last = options_.bodies - 1;
+    scene_.effects.push_back(
+        scenes::Force{"", 0, store(random_.vector<double, 3>()), functions(), scenes::Frame::body});
+    scene_.effects.push_back(scenes::Torque{"", last, functions(), scenes::Frame::global});
+    scenes::SpringDamper spring;
+    spring.i = test::side(scenes::ground, store(random_.vector<double, 3>(3)));
+    spring.j = test::side(last, store(random_.vector<double, 3>()));
+    spring.stiffness = 20;
+    spring.damping = 3;
+    spring.free_length = 0.5;
+    scene_.effects.push_back(spring);
+  }
+
+  Random random_;
+  MechanismOptions options_;
+  scenes::Scene scene_;
+  std::vector<GlobalJoint> geometry_;
+};
+
+}  // namespace
+
+scenes::Scene random_scene(std::uint64_t seed, const MechanismOptions& options) {
+  return SceneBuilder(seed, options).build();
+}
+
+void project_velocities(scenes::Scene& scene) {
+  const auto mechanism = make_mechanism<double>(scene);
+  auto state = make_state<double>(scene);
+  const TangentSystem system = tangent_system(mechanism, state);
+  if (system.Phi.rows() == 0) return;
+  VectorX<double> v(6 * mechanism.nb()), root_inverse(6 * mechanism.nb()), nu(mechanism.nc());
+  for (int b = 0; b < mechanism.nb(); ++b) {
+    v.segment<6>(6 * b) << state.twist[b].r_dot, state.twist[b].omega_bar;
+    root_inverse.segment<6>(6 * b) << Vec::Constant(1 / std::sqrt(mechanism.bodies[b].mass)),
+        mechanism.bodies[b].inertia.diagonal().cwiseSqrt().cwiseInverse();
+  }
+  const auto eom = equations_of_motion<ROmega<double>>(
+      mechanism, to_coordinates<ROmega<double>>(mechanism, state, {}), state.t);
+  for (int k = 0; k < mechanism.nc(); ++k) nu[k] = eom.row[k].nu;
+  Eigen::CompleteOrthogonalDecomposition<MatrixX<double>> weighted;
+  weighted.setThreshold(1e-9);
+  weighted.compute(system.Phi * root_inverse.asDiagonal());
+  for (int pass = 0; pass < 2; ++pass) v -= root_inverse.cwiseProduct(weighted.solve(system.Phi * v - nu));
+  for (int b = 0; b < mechanism.nb(); ++b) state.twist[b] = {v.segment<3>(6 * b), v.segment<3>(6 * b + 3)};
+  set_state(scene, state);
+}
+
+}  // namespace trivium::test

@@ -1,0 +1,249 @@
+#pragma once
+/// Half-explicit Runge-Kutta methods on index 2: stages are explicit in q and v, and each one's multipliers
+/// are what puts the velocities of the next onto their rows:
+///
+///   Q_i = q_n + h sum_{j<i} a_ij Q'_j,   V_i = v_n + h sum_{j<i} a_ij V'_j
+///
+///   M(Q_i) V'_i + Phi_q(Q_i)^T lambda_i = Q(Q_i, V_i, t_i),   Phi_q(Q_i+1) V_i+1 = nu(t_i+1)
+///
+/// HEM4 is of order 4 (Brasey and Hairer, SIAM Journal on Numerical Analysis 30, 1993). HEDOP5 is Dormand and
+/// Prince's 5(4) in this form (Arnold and Murua, Numerical Algorithms 19, 1998): its first stage takes V' and
+/// lambda from the last step, whose seventh found them at its end by rows at 19/20 of the way.
+///
+/// The rows are those of the next stage and the forces those of this one; the symmetric matrix of this stage
+/// solves for both by repetition, which falls by about the angle that bodies turn between the two.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "integrators/step_size_control.hpp"
+
+namespace trivium::integrators {
+
+/// HEM4's coefficients: the last row is that of the step.
+template <class S>
+struct Hem4Coefficients {
+  static constexpr int stages = 5, end = 5;  ///< the row that is the step's
+  static constexpr bool first_is_known = false;
+  std::array<S, 6> c;
+  std::array<std::array<S, 5>, 6> a;
+
+  Hem4Coefficients() {
+    using std::sqrt;
+    const S r = sqrt(S(6)), o(0);
+    c = {o, S(3) / 10, (4 - r) / 10, (4 + r) / 10, S(1), S(1)};
+    a = {{{o, o, o, o, o},
+          {S(3) / 10, o, o, o, o},
+          {(1 + r) / 30, (11 - 4 * r) / 30, o, o, o},
+          {(-79 - 31 * r) / 150, (-1 - 4 * r) / 30, (24 + 11 * r) / 25, o, o},
+          {(14 + 5 * r) / 6, (-8 + 7 * r) / 6, (-9 - 7 * r) / 4, (9 - r) / 4, o},
+          {o, o, (16 - r) / 36, (16 + r) / 36, S(1) / 9}}};
+  }
+};
+
+/// HEDOP5's: the last row is where the seventh stage's multipliers have their rows.
+template <class S>
+struct Hedop5Coefficients {
+  static constexpr int stages = 7, end = 6;
+  static constexpr bool first_is_known = true;
+  std::array<S, 8> c;
+  std::array<std::array<S, 7>, 8> a;
+  std::array<S, 7> embedded;  ///< of order 4
+
+  Hedop5Coefficients() {
+    const S o(0);
+    const auto of = [](long long n, long long d) { return S(S(n) / S(d)); };
+    c = {o, of(1, 5), of(3, 10), of(4, 5), of(8, 9), S(1), S(1), of(19, 20)};
+    a = {{{o, o, o, o, o, o, o},
+          {of(1, 5), o, o, o, o, o, o},
+          {of(3, 40), of(9, 40), o, o, o, o, o},
+          {of(44, 45), of(-56, 15), of(32, 9), o, o, o, o},
+          {of(19372, 6561), of(-25360, 2187), of(64448, 6561), of(-212, 729), o, o, o},
+          {of(9017, 3168), of(-355, 33), of(46732, 5247), of(49, 176), of(-5103, 18656), o, o},
+          {of(35, 384), o, of(500, 1113), of(125, 192), of(-2187, 6784), of(11, 84), o},
+          {of(-18611506045861, 19738176307200), of(59332529, 14479296), of(-2509441598627, 893904224850),
+           of(2763523204159, 3289696051200), of(-41262869588913, 116235927142400),
+           of(46310205821, 287848404480), of(-3280, 75413)}}};
+    embedded = {of(5179, 57600), o,        of(7571, 16695), of(393, 640), of(-92097, 339200),
+                of(187, 2100),   of(1, 40)};
+  }
+};
+
+template <ConstrainedSystem System, class Coefficients>
+class HalfExplicit {
+ public:
+  using S = typename System::Scalar;
+
+  /// Steps of its own choice to the tolerances, which needs an embedded formula, or of the grid's length.
+  explicit HalfExplicit(std::optional<Tolerances> tolerances = {}) : tolerances_(tolerances) {}
+
+  void step(System& system, S& t, StateVector<S>& y, const S& stop) {
+    if (!has_begun_) begin(system, t, y);
+    if (!tolerances_) {
+      advance(system, t, stop - t, y);
+      require_finite(reached_, stop);
+      accept(stop - t, y);
+      t = stop;
+      return;
+    }
+    take_chosen_step(
+        system, choice_, {S(-0.2), S(5)}, counters_, t, y, stop,
+        [&](const S& h) {
+          advance(system, t, h, y);
+          return error_of(h, y);
+        },
+        [&](const S& h) { accept(h, y); });
+  }
+  void restart() {
+    has_begun_ = has_stepped_ = false;
+    choice_.restart();
+    ++counters_.restarts;
+  }
+  bool shorten() {
+    if (!tolerances_) return false;
+    has_begun_ = has_stepped_ = false;
+    choice_.shorten();
+    --counters_.steps;
+    ++counters_.rejected_steps;
+    return true;
+  }
+  const Counters& counters() const { return counters_; }
+  /// Of the last stage, at the step's end.
+  const StateVector<S>* lambda() const { return has_stepped_ ? &last_lambda_ : nullptr; }
+
+ private:
+  static constexpr int stages = Coefficients::stages, end = Coefficients::end;
+  static constexpr bool first_is_known = Coefficients::first_is_known;
+
+  struct Stage {
+    StateVector<S> q_dot, v_dot;
+    S work_rate{0};
+  };
+
+  void begin(System& system, const S& t, const StateVector<S>& y) {
+    nq_ = system.position_size();
+    nv_ = system.velocity_size();
+    if constexpr (first_is_known) {
+      StateVector<S> y_dot;
+      system.derivative(t, y, y_dot);
+      system.accelerations(t, y, stage_[0].v_dot, lambda_);
+      if (y.size() > nq_ + nv_) stage_[0].work_rate = y_dot[nq_ + nv_];
+      counters_.right_sides += 2;
+    }
+    if (tolerances_ && !choice_.has_begun())
+      choice_.begin(first_step(system, t, y, 5, *tolerances_, counters_.right_sides));
+    has_begun_ = true;
+  }
+
+  /// The stages of a step, and where they lead; y stays.
+  void advance(System& system, const S& t, const S& h, const StateVector<S>& y) {
+    lambda_.setZero(system.multipliers());
+    at_ = y;
+    for (int i = 0; i < stages; ++i) {
+      Stage& stage = stage_[i];
+      next_ = y;
+      system.position_rate(at_, at_.segment(nq_, nv_), stage.q_dot);
+      for (int j = 0; j <= i; ++j) {
+        next_.head(nq_) += h * of_.a[i + 1][j] * stage_[j].q_dot;
+        if (j < i) next_.segment(nq_, nv_) += h * of_.a[i + 1][j] * stage_[j].v_dot;
+      }
+      if (first_is_known && i == 0) {
+        next_.segment(nq_, nv_) += h * of_.a[1][0] * stage.v_dot;
+      } else {
+        solve(system, t + of_.c[i] * h, t + of_.c[i + 1] * h, h * of_.a[i + 1][i], at_, stage.v_dot);
+        if (y.size() > nq_ + nv_) stage.work_rate = system.work_rate(lambda_);
+      }
+      std::swap(at_, next_);
+      if (i + 1 == end) reached_ = at_;
+    }
+  }
+  void accept(const S& h, StateVector<S>& y) {
+    const StateVector<S> before = y;
+    y = reached_;
+    if (y.size() > nq_ + nv_) {
+      y[nq_ + nv_] = before[nq_ + nv_];
+      for (int j = 0; j < end; ++j) y[nq_ + nv_] += h * of_.a[end][j] * stage_[j].work_rate;
+    }
+    if constexpr (first_is_known) {
+      std::swap(stage_[0].v_dot, stage_[stages - 1].v_dot);
+      stage_[0].work_rate = stage_[stages - 1].work_rate;
+    }
+    last_lambda_ = lambda_;
+    has_stepped_ = true;
+    ++counters_.steps;
+  }
+  /// In tolerances.
+  S error_of(const S& h, const StateVector<S>& y) const {
+    if constexpr (requires { of_.embedded; }) {
+      StateVector<S> off = StateVector<S>::Zero(nq_ + nv_);
+      for (int j = 0; j < stages; ++j) {
+        const S share = h * (of_.a[end][j] - of_.embedded[j]);
+        off.head(nq_) += share * stage_[j].q_dot;
+        off.tail(nv_) += share * stage_[j].v_dot;
+      }
+      using std::sqrt;
+      const auto allowed =
+          (S(tolerances_->atol) + S(tolerances_->rtol) * y.cwiseAbs().cwiseMax(reached_.cwiseAbs()).array())
+              .head(nq_ + nv_);
+      return sqrt(S((off.array() / allowed).square().sum() / S(nq_ + nv_)));
+    } else {
+      return S(0);
+    }
+  }
+
+  /// V' and lambda of the stage at y, that lead the next one's velocities, which move with V' by `share`,
+  /// onto their rows.
+  void solve(System& system, const S& t, const S& t_next, const S& share, const StateVector<S>& y,
+             StateVector<S>& v_dot) {
+    v_dot.setZero(nv_);
+    lambda_.setZero();
+    system.residual(t, y, v_dot, lambda_);
+    ++counters_.right_sides;
+    system.force_residual(left_);
+    system.take_internal_rows(v_dot, left_);
+    system.factor(S(0), S(0));
+    system.solve_internal_rows(y, left_, v_dot);
+    next_.segment(nq_, nv_) += share * v_dot;
+    S before = std::numeric_limits<S>::max();
+    constexpr int most_repetitions = 60;
+    for (int k = 0; k < most_repetitions; ++k) {
+      system.position_rows(t_next, next_);
+      const S violation = system.velocity_rows();
+      system.row_residual(rows_);
+      system.position_rows(t, y);  // the changes are those of this stage
+      if (k > 0 && violation <= rounding<S>()) return;
+      if (!(violation < before)) {
+        if (k > 1 && violation <= 1000 * rounding<S>()) return;
+        if (k > 1) break;
+      }
+      before = violation;
+      change_.setZero(nv_);
+      system.solve(left_, rows_ / -share, change_, lambda_);
+      left_.setZero();
+      v_dot += change_;
+      next_.segment(nq_, nv_) += share * change_;
+      ++counters_.iterations;
+    }
+    system.position_rows(t_next, next_);
+    system.velocity_rows();  // for its name
+    throw IntegrationError(
+        fmt::format("at t = {}: velocities of the next stage do not come to meet row \"{}\"; take smaller "
+                    "steps, or another method where rows are redundant",
+                    static_cast<double>(t), system.least_met_row()));
+  }
+
+  const Coefficients of_;
+  const std::optional<Tolerances> tolerances_;
+  StepSizeControl<S> choice_;
+  std::array<Stage, stages> stage_;
+  StateVector<S> at_, next_, reached_, lambda_, last_lambda_, left_, rows_, change_;
+  int nq_ = 0, nv_ = 0;
+  bool has_begun_ = false, has_stepped_ = false;
+  Counters counters_;
+};
+
+}  // namespace trivium::integrators

@@ -1,0 +1,182 @@
+#pragma once
+/// Boost.Odeint's explicit methods on y' = f(t, y): Dormand-Prince 5(4), Fehlberg 7(8), Bulirsch-Stoer and
+/// Adams-Bashforth-Moulton, with steps of their own choice or of a given length.
+
+#include <fmt/format.h>
+
+#include <boost/numeric/odeint/algebra/range_algebra.hpp>
+#include <boost/numeric/odeint/external/eigen/eigen_resize.hpp>
+#include <boost/numeric/odeint/stepper/adams_bashforth_moulton.hpp>
+#include <boost/numeric/odeint/stepper/adaptive_adams_bashforth_moulton.hpp>
+#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
+#include <boost/numeric/odeint/stepper/controlled_adams_bashforth_moulton.hpp>
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "integrators/step_size_control.hpp"
+
+namespace trivium::integrators {
+
+namespace odeint = boost::numeric::odeint;
+
+/// Of scalars that are classes too; and a number that is none is larger than any.
+struct StateVectorAlgebra : odeint::range_algebra {
+  template <class V>
+  static typename V::Scalar norm_inf(const V& v) {
+    using std::abs;
+    typename V::Scalar largest(0);
+    for (Eigen::Index k = 0; k < v.size(); ++k) {
+      const typename V::Scalar size = abs(v[k]);
+      if (!(size <= std::numeric_limits<typename V::Scalar>::max()))
+        return std::numeric_limits<typename V::Scalar>::infinity();
+      if (size > largest) largest = size;
+    }
+    return largest;
+  }
+};
+
+template <class S>
+using DormandPrince5 = odeint::runge_kutta_dopri5<StateVector<S>, S, StateVector<S>, S, StateVectorAlgebra>;
+template <class S>
+using Fehlberg78 = odeint::runge_kutta_fehlberg78<StateVector<S>, S, StateVector<S>, S, StateVectorAlgebra>;
+template <class S>
+using BulirschStoer = odeint::bulirsch_stoer<StateVector<S>, S, StateVector<S>, S, StateVectorAlgebra>;
+/// Of given steps: predicts with 5 steps and corrects with 5; starts with Fehlberg 7(8).
+template <class S>
+using AdamsBashforthMoulton =
+    odeint::adams_bashforth_moulton<5, StateVector<S>, S, StateVector<S>, S, StateVectorAlgebra,
+                                    odeint::default_operations, odeint::initially_resizer, Fehlberg78<S>>;
+/// Of steps and orders of its own choice, up to 12.
+using AdaptiveAdams =
+    odeint::adaptive_adams_bashforth_moulton<12, StateVector<double>, double, StateVector<double>, double,
+                                             StateVectorAlgebra>;
+
+/// f as Odeint calls it, counted.
+template <FirstOrderSystem System>
+struct RightSide {
+  using S = typename System::Scalar;
+  System& system;
+  long& calls;
+
+  void operator()(const StateVector<S>& y, StateVector<S>& y_dot, const S& t) const {
+    ++calls;
+    system.derivative(t, y, y_dot);
+  }
+};
+
+/// An Odeint controlled stepper: steps of its own choice.
+template <class S, class Controlled>
+class ChosenSteps {
+ public:
+  ChosenSteps(Controlled controlled, int order, const Tolerances& tolerances)
+      : controlled_(std::move(controlled)), order_(order), tolerances_(tolerances) {}
+
+  template <FirstOrderSystem System>
+  void step(System& system, S& t, StateVector<S>& y, const S& stop) {
+    RightSide<System> f{system, counters_.right_sides};
+    if (!choice_.has_begun())
+      choice_.begin(first_step(system, t, y, order_, tolerances_, counters_.right_sides));
+    y_dot_.resize(y.size());
+    f(y, y_dot_, t);
+    for (std::string trouble;;) {
+      if (choice_.is_too_small(t, stop)) give_up(system, t, y, trouble);
+      const S tried = choice_.length(t, stop);
+      S h = tried, moved = t;
+      try {
+        if (attempt(f, y, moved, h) == odeint::success) {
+          choice_.accept(t, moved, stop, h);
+          ++counters_.steps;
+          return;
+        }
+        trouble.clear();
+      } catch (const std::runtime_error& error) {
+        trouble = error.what();
+        h = tried / 4;
+        forget();
+      }
+      choice_.reject(h < tried ? h : S(tried / 2));
+      ++counters_.rejected_steps;
+    }
+  }
+  void restart() {
+    forget();
+    choice_.restart();
+    ++counters_.restarts;
+  }
+  /// A step to shorten was not taken after all.
+  bool shorten() {
+    forget();
+    choice_.shorten();
+    --counters_.steps;
+    ++counters_.rejected_steps;
+    return true;
+  }
+  const Counters& counters() const { return counters_; }
+
+ private:
+  template <class F>
+  odeint::controlled_step_result attempt(const F& f, StateVector<S>& y, S& t, S& h) {
+    // the derivative at hand is that of y as it was projected
+    if constexpr (requires { controlled_.try_step(f, y, y_dot_, t, h); })
+      return controlled_.try_step(f, y, y_dot_, t, h);
+    else
+      return controlled_.try_step(f, y, t, h);
+  }
+
+  void forget() {
+    if constexpr (requires { controlled_.reset(); }) controlled_.reset();
+  }
+
+  Controlled controlled_;
+  int order_;
+  Tolerances tolerances_;
+  StepSizeControl<S> choice_;
+  StateVector<S> y_dot_;
+  Counters counters_;
+};
+
+/// Steps of the grid's length.
+template <class S, class Stepper>
+class GivenSteps {
+ public:
+  template <FirstOrderSystem System>
+  void step(System& system, S& t, StateVector<S>& y, const S& stop) {
+    using std::abs;
+    const S h = stop - t;
+    if (remembers_a_step || abs(h - last_) > S(1e-9) * last_) forget();
+    last_ = h;
+    stepper_.do_step(RightSide<System>{system, counters_.right_sides}, y, t, h);
+    require_finite(y, stop);
+    t = stop;
+    ++counters_.steps;
+  }
+  void restart() {
+    forget();
+    ++counters_.restarts;
+  }
+  bool shorten() { return false; }
+  const Counters& counters() const { return counters_; }
+
+ private:
+  /// Its last stage would be the next step's first, but y was projected since.
+  static constexpr bool remembers_a_step =
+      std::is_same_v<typename Stepper::stepper_category, odeint::explicit_error_stepper_fsal_tag>;
+
+  void forget() {
+    if constexpr (requires { stepper_.reset(); }) stepper_.reset();
+    last_ = S(0);
+  }
+
+  Stepper stepper_;
+  S last_{0};
+  Counters counters_;
+};
+
+}  // namespace trivium::integrators

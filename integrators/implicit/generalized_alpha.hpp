@@ -1,0 +1,92 @@
+#pragma once
+/// The generalised-alpha method on Lie groups: Arnold and Bruels, Multibody System Dynamics 18 (2007);
+/// Bruels, Cardona and Arnold, Mechanism and Machine Theory 48 (2012).
+///
+///   dq = h v_n + h^2 ((1/2 - beta) a_n + beta a_n+1) + s,   q_n+1 = q_n o exp(dq)
+///   v_n+1 = v_n + h ((1 - gamma) a_n + gamma a_n+1)
+///   (1 - alpha_m) a_n+1 + alpha_m a_n = (1 - alpha_f) v'_n+1 + alpha_f v'_n
+///   M v'_n+1 + Phi_q^T lambda_n+1 = Q
+///
+///   index 3:              Phi(q_n+1, t_n+1) = 0,  s = 0
+///   stabilised index 2:   Phi(q_n+1, t_n+1) = 0,  Phi_q v_n+1 = nu,  M s + Phi_q^T eta = 0
+///
+/// The auxiliary a is v' at t + (alpha_m - alpha_f) h, to first order: so it begins, and order 2 holds from
+/// the first step, whether M depends on q or not.
+
+#include <optional>
+
+#include "integrators/implicit/newton.hpp"
+#include "integrators/initial_acceleration.hpp"
+
+namespace trivium::integrators {
+
+template <ConstrainedSystem System>
+class GeneralizedAlpha {
+ public:
+  using S = typename System::Scalar;
+
+  /// rho in [0, 1] is the spectral radius at infinity: how much of the fastest oscillations a step leaves.
+  GeneralizedAlpha(double rho, bool is_stabilised, const NewtonOptions& newton)
+      : is_stabilised_(is_stabilised),
+        alpha_m_((2 * S(rho) - 1) / (S(rho) + 1)),
+        alpha_f_(S(rho) / (S(rho) + 1)),
+        gamma_(S(0.5) + alpha_f_ - alpha_m_),
+        beta_((gamma_ + S(0.5)) * (gamma_ + S(0.5)) / 4),
+        newton_(newton) {}
+
+  void step(System& system, S& t, StateVector<S>& y, const S& stop) {
+    const S h = stop - t;
+    if (!last_h_) begin(system, t, y, h);
+    const S per_a = (1 - alpha_f_) / (1 - alpha_m_);
+    const Shares<S> shares{h * h * beta_ * per_a, h * gamma_ * per_a};
+    const int nq = system.position_size(), nv = system.velocity_size();
+    const StateVector<S> v = y.segment(nq, nv), from = y;
+    const StateVector<S> known = (alpha_f_ * v_dot_.now() - alpha_m_ * a_) / (1 - alpha_m_);
+    const auto place = [&](const StepUnknowns<S>& x, StateVector<S>& to) {
+      next_a_ = known + per_a * x.v_dot;
+      displacement_ = h * v + h * h * ((S(0.5) - beta_) * a_ + beta_ * next_a_);
+      if (is_stabilised_) displacement_ += x.shift;
+      system.displace(from, displacement_, to);
+      to.segment(nq, nv) = v + h * ((1 - gamma_) * a_ + gamma_ * next_a_);
+    };
+    const S ahead = h / *last_h_;
+    StepUnknowns<S> x{v_dot_.ahead(ahead), lambda_.ahead(ahead),
+                      StateVector<S>::Zero(is_stabilised_ ? nv : 0)};
+    newton_(system, stop, shares, place, y, x, counters_);
+    work_.add(system, x.lambda, h, y);
+    v_dot_.push(x.v_dot);
+    lambda_.push(x.lambda);
+    a_ = next_a_;
+    last_h_ = h;
+    t = stop;
+    ++counters_.steps;
+  }
+  void restart() {
+    last_h_.reset();
+    ++counters_.restarts;
+  }
+  bool shorten() { return false; }
+  const Counters& counters() const { return counters_; }
+  const StateVector<S>* lambda() const { return last_h_ ? &lambda_.now() : nullptr; }
+
+ private:
+  void begin(System& system, const S& t, const StateVector<S>& y, const S& h) {
+    const Start<S> start(system, t, y, h, counters_);
+    v_dot_.begin(start.v_dot, start.v_ddot, h);
+    lambda_.begin(start.lambda, start.lambda_dot, h);
+    a_ = start.v_dot + (alpha_m_ - alpha_f_) * h * start.v_ddot;
+    last_h_ = h;
+    work_.begin(start.work_rate);
+  }
+
+  const bool is_stabilised_;
+  const S alpha_m_, alpha_f_, gamma_, beta_;
+  Newton<System> newton_;
+  Line<S> v_dot_, lambda_;
+  StateVector<S> a_, next_a_, displacement_;
+  WorkByTrapezoids<S> work_;
+  std::optional<S> last_h_;
+  Counters counters_;
+};
+
+}  // namespace trivium::integrators

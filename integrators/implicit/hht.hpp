@@ -1,0 +1,82 @@
+#pragma once
+/// HHT on index 3 (HHT-I3): Negrut, Rampalli, Ottarsson and Sajdak, Journal of Computational and Nonlinear
+/// Dynamics 2 (2007), after Hilber, Hughes and Taylor. Newmark's formulas with gamma = 1/2 - alpha, beta =
+/// (1 - alpha)^2 / 4, alpha in [-1/3, 0], and
+///
+///   M a_n+1 / (1 + alpha) + g_n+1 - alpha / (1 + alpha) g_n = 0,   g = Phi_q^T lambda - Q
+///   Phi(q_n+1, t_n+1) = 0
+///
+/// Where M depends on q, as in r-p and r-epsilon, g_n belongs to other coordinates than g_n+1, and with alpha
+/// < 0 the order falls to 1.
+
+#include <optional>
+
+#include "integrators/implicit/newton.hpp"
+#include "integrators/initial_acceleration.hpp"
+
+namespace trivium::integrators {
+
+template <ConstrainedSystem System>
+class HHT {
+ public:
+  using S = typename System::Scalar;
+
+  HHT(double alpha, const NewtonOptions& newton)
+      : alpha_(alpha), gamma_(S(0.5) - alpha_), beta_((1 - alpha_) * (1 - alpha_) / 4), newton_(newton) {}
+
+  void step(System& system, S& t, StateVector<S>& y, const S& stop) {
+    const S h = stop - t;
+    if (!last_h_) begin(system, t, y, h);
+    const int nq = system.position_size(), nv = system.velocity_size();
+    const StateVector<S> v = y.segment(nq, nv), from = y, a = a_.now();
+    // Newton's unknown is a_n+1 / (1 + alpha), with which M stands alone
+    const S per_x = 1 + alpha_;
+    const auto place = [&](const StepUnknowns<S>& x, StateVector<S>& to) {
+      displacement_ = h * v + h * h * ((S(0.5) - beta_) * a + beta_ * per_x * x.v_dot);
+      system.displace(from, displacement_, to);
+      to.segment(nq, nv) = v + h * ((1 - gamma_) * a + gamma_ * per_x * x.v_dot);
+    };
+    const auto force = [&](const StateVector<S>& at, const StateVector<S>& x, StateVector<S>& total) {
+      system.inertia_force(at, x, inertia_);
+      total = inertia_ - alpha_ / per_x * g_;
+    };
+    const S ahead = h / *last_h_;
+    StepUnknowns<S> x{a_.ahead(ahead) / per_x, lambda_.ahead(ahead), {}};
+    newton_(system, stop, {h * h * beta_ * per_x, h * gamma_ * per_x}, place, y, x, counters_, force);
+    work_.add(system, x.lambda, h, y);
+    g_ = alpha_ / per_x * g_ - inertia_;
+    a_.push(per_x * x.v_dot);
+    lambda_.push(x.lambda);
+    last_h_ = h;
+    t = stop;
+    ++counters_.steps;
+  }
+  void restart() {
+    last_h_.reset();
+    ++counters_.restarts;
+  }
+  bool shorten() { return false; }
+  const Counters& counters() const { return counters_; }
+  const StateVector<S>* lambda() const { return last_h_ ? &lambda_.now() : nullptr; }
+
+ private:
+  void begin(System& system, const S& t, const StateVector<S>& y, const S& h) {
+    const Start<S> start(system, t, y, h, counters_);
+    a_.begin(start.v_dot, start.v_ddot, h);
+    lambda_.begin(start.lambda, start.lambda_dot, h);
+    system.inertia_force(y, start.v_dot, inertia_);
+    g_ = -inertia_;
+    last_h_ = h;
+    work_.begin(start.work_rate);
+  }
+
+  const S alpha_, gamma_, beta_;
+  Newton<System> newton_;
+  Line<S> a_, lambda_;
+  StateVector<S> g_, displacement_, inertia_;
+  WorkByTrapezoids<S> work_;
+  std::optional<S> last_h_;
+  Counters counters_;
+};
+
+}  // namespace trivium::integrators

@@ -1,0 +1,156 @@
+#pragma once
+/// Steps of a method's own choice: the first one, where they end, and giving up.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "integrators/contract/system.hpp"
+
+namespace trivium::integrators {
+
+/// A first step for a method of some order: one that moves y by about a hundredth of the size that errors are
+/// measured by, and that f does not change much over. Hairer, Norsett, Wanner (1993), II.4.
+template <FirstOrderSystem System>
+typename System::Scalar first_step(System& system, const typename System::Scalar& t,
+                                   const StateVector<typename System::Scalar>& y, int order,
+                                   const Tolerances& tolerances, long& right_sides) {
+  using S = typename System::Scalar;
+  using std::pow, std::sqrt;
+  StateVector<S> f0(y.size()), f1(y.size());
+  const auto f = [&](const StateVector<S>& at, StateVector<S>& rate, const S& time) {
+    ++right_sides;
+    system.derivative(time, at, rate);
+  };
+  const auto norm = [&](const StateVector<S>& x) {
+    S sum(0);
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+      using std::abs;
+      const S scaled = x[k] / (S(tolerances.atol) + S(tolerances.rtol) * abs(y[k]));
+      sum += scaled * scaled;
+    }
+    return S(sqrt(sum / S(static_cast<double>(x.size()))));
+  };
+  f(y, f0, t);
+  const S d0 = norm(y), d1 = norm(f0);
+  const S h0 = d0 < S(1e-5) || d1 < S(1e-5) ? S(1e-6) : S(d0 / d1 / 100);
+  f(StateVector<S>(y + h0 * f0), f1, t + h0);
+  const S d2 = norm(StateVector<S>(f1 - f0)) / h0, d = d1 > d2 ? d1 : d2;
+  const S h1 = d <= S(1e-15) ? S(h0 / 1000 > S(1e-6) ? h0 / 1000 : S(1e-6))
+                             : S(pow(S(S(0.01) / d), S(1) / S(order + 1)));
+  return 100 * h0 < h1 ? S(100 * h0) : h1;
+}
+
+/// What all methods that choose their steps have in common: where steps end, and giving up.
+template <class S>
+class StepSizeControl {
+ public:
+  /// The length to try next, at most to `stop`.
+  S length(const S& t, const S& stop) {
+    const S room = stop - t;
+    lands_ = wanted_ >= room * S(1 - 1e-10);
+    cut_ = wanted_ > room / 2;
+    tried_ = lands_ ? room : cut_ ? S(room / 2) : wanted_;  // half of the way: leaves no crumb
+    return tried_;
+  }
+  /// The step was taken; the method says what it would take next.
+  void accept(S& t, const S& moved, const S& stop, const S& next) {
+    t = lands_ ? stop : moved;
+    // a step cut short says little of the next
+    wanted_ = cut_ && wanted_ > next ? wanted_ : next;
+    if (!(wanted_ > passable_)) return;
+    wanted_ = passable_;
+    passable_ = relief_ * passable_;
+    relief_ = std::min(S(8), S(relief_ * relief_));
+  }
+  void reject(const S& next) { wanted_ = next; }
+  /// The step could not be solved: those after it come back to its length slowly at first.
+  void fail() {
+    wanted_ = tried_ / 4;
+    passable_ = tried_ / 2;
+    relief_ = S(1.1);
+  }
+  /// Of the step accepted last.
+  void shorten() { wanted_ = tried_ / 4; }
+
+  bool has_begun() const { return wanted_ > S(0); }
+  void begin(const S& h) { wanted_ = h; }
+  void restart() { *this = {}; }
+  /// Beside the rounding of the times between.
+  bool is_too_small(const S& t, const S& stop) const {
+    using std::abs, std::max;
+    return !(wanted_ > 4 * std::numeric_limits<S>::epsilon() * max(S(abs(t)), S(abs(stop))));
+  }
+
+ private:
+  S wanted_{0}, tried_{0}, passable_{std::numeric_limits<S>::max()}, relief_{1};
+  bool lands_ = false, cut_ = false;
+};
+
+/// Of a step, to where it ends: numbers whose squares are numbers.
+template <class S>
+void require_finite(const StateVector<S>& y, const S& t) {
+  if (!y.allFinite() || !(y.cwiseAbs().maxCoeff() < S(1e100)))
+    throw IntegrationError(fmt::format("at t = {}: the motion is not finite any more; take smaller steps",
+                                       static_cast<double>(t)));
+}
+
+template <FirstOrderSystem System>
+[[noreturn]] void give_up(System& system, const typename System::Scalar& t,
+                          const StateVector<typename System::Scalar>& y, std::string why) {
+  // there are none
+  constexpr std::string_view advice = "; take smaller steps";
+  if (why.ends_with(advice)) why.resize(why.size() - advice.size());
+  const std::string diagnose = system.diagnose(t, y);
+  throw IntegrationError(
+      fmt::format("at t = {}: the steps have shrunk to nothing{}{}", static_cast<double>(t),
+                  why.empty() ? "" : ": " + why,
+                  diagnose.empty() ? "; looser tolerances or another method may pass" : "; " + diagnose));
+}
+
+/// How long the next step may be beside one of an estimated error, in tolerances: 0.9 error^power, to `most`.
+template <class S>
+struct StepRule {
+  S power, most;
+
+  S operator()(const S& error) const {
+    using std::pow;
+    const S factor = error == S(0) ? most : S(S(0.9) * pow(error, power));
+    return std::min(most, std::max(S(0.2), factor));
+  }
+};
+
+/// Tries lengths until `attempt(h)` estimates an error of at most 1; `accept(h)` then takes the step. Where
+/// an attempt throws a runtime_error, a quarter is tried. Gives up where none is left to try.
+template <FirstOrderSystem System, class Attempt, class Accept>
+void take_chosen_step(System& system, StepSizeControl<typename System::Scalar>& choice,
+                      const StepRule<typename System::Scalar>& rule, Counters& counters,
+                      typename System::Scalar& t, const StateVector<typename System::Scalar>& y,
+                      const typename System::Scalar& stop, const Attempt& attempt, const Accept& accept) {
+  using S = typename System::Scalar;
+  for (std::string trouble;;) {
+    if (choice.is_too_small(t, stop)) give_up(system, t, y, trouble);
+    const S h = choice.length(t, stop);
+    try {
+      const S error = attempt(h);
+      const S next = h * rule(error);
+      if (error <= S(1)) {
+        accept(h);
+        choice.accept(t, S(t + h), stop, next);
+        return;
+      }
+      trouble.clear();
+      choice.reject(next);
+    } catch (const std::runtime_error& failure) {
+      trouble = failure.what();
+      choice.fail();
+    }
+    ++counters.rejected_steps;
+  }
+}
+
+}  // namespace trivium::integrators

@@ -1,0 +1,170 @@
+#pragma once
+/// RATTLE on a Lie group: the variational integrator of the discrete Lagrangian h (1/2 Omega^T M Omega - V),
+/// with q_n+1 = q_n o exp(theta), theta = h Omega, and constraints on positions and velocities. Symplectic
+/// where forces have a potential, of order 2. Hairer, Lubich and Wanner, Geometric Numerical Integration
+/// (2006), VII.1 and VII.5; Lee, Leok and McClamroch, Computer Methods in Applied Mechanics and Engineering
+/// 196 (2007).
+///
+///   T(theta)^-1 M theta / h = M v_n + h/2 (f_n - Phi_q^T lambda_n),      Phi(q_n+1, t_n+1) = 0
+///   M v_n+1 = T(-theta)^-1 M theta / h + h/2 (f_n+1 - Phi_q^T mu_n+1),    Phi_q v_n+1 = nu
+///
+/// T is that of displacement_rate, and f what effects do: gyroscopic terms are in T. Composed of five
+/// (Suzuki, Physics Letters A 146 (1990)) it has order 4; no part of such a step leaves it, so that it sees
+/// nothing of what is beyond an event. Its own multipliers are mu_n+1, less what mu_n and lambda_n tell of
+/// its error: of order 2. Work is that of the states between, by trapezoids: of the method's order.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "integrators/initial_acceleration.hpp"
+
+namespace trivium::integrators {
+
+template <ConstrainedSystem System>
+class Rattle {
+ public:
+  using S = typename System::Scalar;
+
+  /// Of order 2 or 4.
+  explicit Rattle(int order) : is_composed_(order == 4) {}
+
+  void step(System& system, S& t, StateVector<S>& y, const S& stop) {
+    using std::pow;
+    if (!system.inertia_is_constant())
+      throw UsageError(
+          "rattle needs coordinates in which the mass matrix does not depend on positions: r-omega, or "
+          "r-epsilon-omega-first");
+    const S h = stop - t;
+    if (!has_begun_) begin(system, t, y, h);
+    if (is_composed_) {
+      const S part = 1 / (4 - pow(S(4), S(1) / 3)) * h, back = h - 4 * part;
+      advance(system, t, S(t + part), y);
+      advance(system, S(t + part), S(t + 2 * part), y);
+      advance(system, S(t + 2 * part), S(t + 2 * part + back), y);
+      advance(system, S(stop - 2 * part), S(stop - part), y);
+      advance(system, S(stop - part), stop, y);
+    } else {
+      advance(system, t, stop, y);
+    }
+    t = stop;
+    ++counters_.steps;
+  }
+  void restart() {
+    has_begun_ = false;
+    ++counters_.restarts;
+  }
+  bool shorten() { return false; }
+  const Counters& counters() const { return counters_; }
+  const StateVector<S>* lambda() const { return has_begun_ ? &lambda_ : nullptr; }
+
+ private:
+  void begin(System& system, const S& t, const StateVector<S>& y, const S& h) {
+    const Start<S> start(system, t, y, h, counters_);
+    none_.setZero(system.velocity_size());
+    lambda_ = last_mu_ = start.lambda;
+    last_h_ = S(0);
+    // what constraints do: what does not balance with their multipliers, less what does not without
+    factor(system, t, y);
+    system.force_residual(held_);
+    system.residual(t, y, none_, StateVector<S>::Zero(system.multipliers()));
+    system.force_residual(left_);
+    held_ -= left_;
+    work_.begin(start.work_rate);
+    has_begun_ = true;
+  }
+
+  void advance(System& system, const S& t, const S& t_next, StateVector<S>& y) {
+    const S h = t_next - t;
+    const int nq = system.position_size(), nv = system.velocity_size();
+    const StateVector<S> from = y, v = y.segment(nq, nv);
+    system.applied_force(t, y, force_);
+    system.inertia_force(y, v, momentum_);
+    StateVector<S> known = h * momentum_ + h * h / 2 * (force_ + held_), theta = h * v;
+    mu_.setZero(system.multipliers());
+    approach(
+        system, t_next, known,
+        [&] {
+          system.displace(from, theta, y);
+          system.inertia_force(y, theta, momentum_);
+          system.displacement_rate(theta, momentum_, rate_);
+          left_ = known - rate_;
+          return S(system.position_rows(t_next, y));
+        },
+        [&] {
+          theta += change_;
+          known += momentum_of(system, y, change_) - left_;  // by what constraints do
+        });
+    // lambda_n and mu_n are off by as much to either side, in proportion to the step after and before
+    const StateVector<S> off = h / (h + last_h_) * 2 / (h * h) * mu_;
+    system.inertia_force(y, theta, momentum_);
+    system.displacement_rate(-theta, momentum_, rate_);
+    const StateVector<S> arriving = rate_ / h;
+    y.segment(nq, nv) = theta / h;
+    factor(system, t_next, y);
+    held_.setZero(nv);
+    mu_.setZero();
+    approach(
+        system, t_next, arriving,
+        [&] {
+          system.applied_force(t_next, y, force_);
+          left_ = arriving + h / 2 * (force_ + held_) - momentum_of(system, y, y.segment(nq, nv));
+          return S(system.velocity_rows());
+        },
+        [&] {
+          y.segment(nq, nv) += change_;
+          held_ += 2 / h * (momentum_of(system, y, change_) - left_);
+        });
+    last_mu_ = 2 / h * mu_;
+    last_h_ = h;
+    lambda_ = last_mu_ + off;
+    if (y.size() == nq + nv) return;
+    system.derivative(t_next, y, y_dot_);
+    ++counters_.right_sides;
+    work_.add(y_dot_[nq + nv], h, y[nq + nv]);
+  }
+
+  /// To rounding, by the matrix at hand: `look` leaves what does not balance in left_ and returns the rows'
+  /// violation, `move` takes what would mend it from change_.
+  template <class Look, class Move>
+  void approach(System& system, const S& t, const StateVector<S>& beside, const Look& look,
+                const Move& move) {
+    S before = std::numeric_limits<S>::max();
+    for (int k = 0; k < 50; ++k) {
+      const S rows = look(), size = beside.norm();
+      const S unbalanced = size > S(0) ? S(left_.norm() / size) : left_.norm();
+      const S now = std::max(rows, unbalanced);
+      if (now <= rounding<S>() / 4 || (now <= 64 * rounding<S>() && !(now <= before / 2))) return;
+      if (k > 5 && !(now <= before)) break;
+      before = now;
+      change_.setZero(none_.size());
+      system.velocity_projection(left_, change_, mu_);
+      move();
+      ++counters_.iterations;
+    }
+    throw IntegrationError(fmt::format("row \"{}\" at t = {}: the step does not meet it; take smaller steps",
+                                       system.least_met_row(), static_cast<double>(t)));
+  }
+
+  void factor(System& system, const S& t, const StateVector<S>& y) {
+    system.residual(t, y, none_, lambda_);
+    system.factor(S(0), S(0));
+    ++counters_.right_sides;
+  }
+  StateVector<S> momentum_of(System& system, const StateVector<S>& y, const StateVector<S>& v) {
+    StateVector<S> momentum;
+    system.inertia_force(y, v, momentum);
+    return momentum;
+  }
+
+  const bool is_composed_;
+  bool has_begun_ = false;
+  StateVector<S> lambda_, mu_, force_, momentum_, rate_, left_, change_, none_, y_dot_;
+  StateVector<S> held_, last_mu_;  ///< what constraints do at the last state
+  S last_h_{0};
+  WorkByTrapezoids<S> work_;
+  Counters counters_;
+};
+
+}  // namespace trivium::integrators

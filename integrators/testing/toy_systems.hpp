@@ -1,0 +1,84 @@
+#pragma once
+/// Small systems with known solutions. A support of the tests.
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "integrators/contract/system.hpp"
+
+namespace trivium::integrators::test {
+
+/// y' = f(t, y), free of constraints.
+struct Free {
+  using Scalar = double;
+  std::function<StateVector<double>(double, const StateVector<double>&)> f;
+  StateVector<double> y0;
+  double longest = 1e300;
+  int settled = 0, changes_at = -1;  ///< the settled state at which coordinates are said to have changed
+
+  int size() const { return static_cast<int>(y0.size()); }
+  StateVector<double> start() const { return y0; }
+  void derivative(double t, const StateVector<double>& y, StateVector<double>& y_dot) { y_dot = f(t, y); }
+  double position_violation(double, const StateVector<double>&) { return 0; }
+  double velocity_violation(double, const StateVector<double>&) { return 0; }
+  double relative_violation() const { return 0; }
+  bool projection_is_too_large(const StateVector<double>&, const StateVector<double>&,
+                               const StateVector<double>&) const {
+    return false;
+  }
+  double longest_step(double, const StateVector<double>&) const { return longest; }
+  void correct_positions(StateVector<double>&, bool) {}
+  void correct_velocities(StateVector<double>&, bool) {}
+  void normalise(StateVector<double>&) {}
+  std::string worst_row() const { return "none"; }
+  bool accept_state(double, StateVector<double>&) { return settled++ == changes_at; }
+  bool pass_discontinuity(double, double, StateVector<double>&) { return false; }
+  std::string diagnose(double, const StateVector<double>&) { return {}; }
+};
+
+/// A particle (x, y, x', y') on the unit circle at constant speed: Phi = (x^2 + y^2 - 1) / 2.
+struct OnACircle : Free {
+  double seen = 0, factored_x = 0, factored_y = 0;
+  bool stuck = false;  ///< corrections do nothing
+  int factors = 0;
+
+  explicit OnACircle(double speed = 1) {
+    y0 = Eigen::Vector4d(1, 0, 0, speed);
+    f = [](double, const StateVector<double>& y) {
+      const double pull = (y[2] * y[2] + y[3] * y[3]) / (y[0] * y[0] + y[1] * y[1]);
+      return StateVector<double>(Eigen::Vector4d(y[2], y[3], -pull * y[0], -pull * y[1]));
+    };
+  }
+  double position_violation(double, const StateVector<double>& y) {
+    seen = (y[0] * y[0] + y[1] * y[1] - 1) / 2;
+    return std::abs(seen);
+  }
+  double velocity_violation(double, const StateVector<double>& y) {
+    seen = y[0] * y[2] + y[1] * y[3];
+    return std::abs(seen);
+  }
+  void correct_positions(StateVector<double>& y, bool factor) { correct(y, 0, factor); }
+  void correct_velocities(StateVector<double>& y, bool factor) { correct(y, 2, factor); }
+  double relative_violation() const { return std::abs(seen); }
+  bool projection_is_too_large(const StateVector<double>& before, const StateVector<double>& stepped,
+                               const StateVector<double>& projected) const {
+    return !((projected - stepped).norm() <= (stepped - before).norm() / 10 + 1e-4);
+  }
+  std::string worst_row() const { return "circle"; }
+
+ private:
+  void correct(StateVector<double>& y, int part, bool factor) {
+    if (factor) {
+      factored_x = y[0];
+      factored_y = y[1];
+      ++factors;
+    }
+    if (stuck) return;
+    const double size = factored_x * factored_x + factored_y * factored_y;
+    y[part] -= seen * factored_x / size;
+    y[part + 1] -= seen * factored_y / size;
+  }
+};
+
+}  // namespace trivium::integrators::test

@@ -1,0 +1,51 @@
+#pragma once
+/// What every formulation sees of a scene: bodies, constraint rows and effects in one Scalar, names resolved
+/// to indices, axes normalised. The ground is the last body index everywhere: index nb, with no mass and no
+/// coordinates.
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "constraints/constraint_type.hpp"
+#include "constraints/joint.hpp"
+#include "effects/effect_list.hpp"
+#include "mechanism/mechanism_state.hpp"
+
+namespace trivium {
+
+/// One constraint of the scene (basic or joint) and the rows that are its own.
+template <class Scalar>
+struct Joint : BodyPair {
+  std::string name;
+  ConstraintType type = ConstraintType::spherical;
+  JointFrame<Scalar> frame_i, frame_j;  ///< for joints with axes; a basic constraint has its points here
+  int first_row = 0, rows = 0;
+  TimeFunction angle;  ///< rotation_driver: alpha(t)
+};
+
+template <class Scalar>
+struct Mechanism {
+  std::string name;
+  std::vector<std::string> body_names;  ///< nb + 1, "ground" last
+  std::vector<RigidBody<Scalar>> bodies;
+  std::vector<BasicConstraint<Scalar>> rows;
+  std::vector<std::string> row_names;  ///< "joint.dp1(u_i, z_j)", or the name of a basic constraint
+  std::vector<Joint<Scalar>> joints;   ///< in file order; basic constraints are joints of one row
+  Effects<Scalar> effects;
+
+  /// Times where a function of time has a kink in its second derivative, in order.
+  std::vector<double> kinks() const {
+    std::vector<double> times;
+    for (const BasicConstraint<Scalar>& row : rows) function_of(row).append_kinks(times);
+    effects.append_kinks(times);
+    std::sort(times.begin(), times.end());
+    return times;
+  }
+
+  int nb() const { return static_cast<int>(bodies.size()); }
+  int nc() const { return static_cast<int>(rows.size()); }
+  int ground() const { return nb(); }
+};
+
+}  // namespace trivium

@@ -1,0 +1,124 @@
+/// What an evaluation costs: a table over the scenes, and time per body against n for chains and ladders.
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "paper/generator/figure.hpp"
+#include "paper/generator/table.hpp"
+
+namespace trivium::paper {
+
+namespace {
+
+/// One solver of the table or the figures: the rows of results/ that are its own.
+struct Solver {
+  std::string engine, formulation, refinement;
+  Tex name;
+};
+
+const std::vector<Solver> ours{{"Trivium", "r-omega", "unrefined", {"\\romega"}},
+                               {"Trivium", "r-omega", "refined", {"\\romega, refined"}},
+                               {"Trivium", "r-p", "refined", {"\\rp, refined"}},
+                               {"Trivium", "r-epsilon", "refined", {"\\reps, refined"}}};
+const std::vector<Solver> others{{"Simbody 3.7", "none", "none", {"Simbody"}},
+                                 {"MuJoCo 2.2.2", "none", "none", {"MuJoCo"}},
+                                 {"DART 6.12", "none", "none", {"DART"}},
+                                 {"SuiteSparse KLU", "r-omega", "none", {"KLU"}}};
+
+std::vector<Solver> all_solvers() {
+  std::vector<Solver> all = ours;
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
+}
+
+/// The scenes in their order, each with its rows.
+struct SceneRows {
+  std::string scene;
+  std::vector<std::size_t> rows;
+};
+
+std::vector<SceneRows> scenes_of(const ResultsTable& table) {
+  std::vector<SceneRows> all;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const std::string& scene = table.text(row, "scene");
+    if (scene == "ensemble") continue;
+    if (all.empty() || all.back().scene != scene) all.push_back({scene, {}});
+    all.back().rows.push_back(row);
+  }
+  return all;
+}
+
+/// The solver's row; none where it has no time.
+std::optional<std::size_t> row_of(const ResultsTable& table, const SceneRows& scene, const Solver& solver) {
+  for (const std::size_t row : scene.rows)
+    if (table.text(row, "engine") == solver.engine && table.text(row, "formulation") == solver.formulation &&
+        table.text(row, "refinement") == solver.refinement && table.text(row, "microseconds") != "none")
+      return row;
+  return {};
+}
+
+/// Three digits without an exponent: microseconds from tenths to hundred thousands.
+Tex microseconds(double x) {
+  const int digits = x < 9.995 ? 2 : x < 99.95 ? 1 : 0;
+  return {fmt::format("{:.{}f}", x, digits)};
+}
+
+/// Our formulations solid, the others dashed.
+std::string plot(const ResultsTable& table, const std::string& family, const std::string& origin) {
+  LogLogFigure figure({"$n$"}, {"microseconds per body"});
+  for (const Solver& solver : all_solvers()) {
+    LogLogFigure::Points points;
+    for (const SceneRows& scene : scenes_of(table)) {
+      if (!scene.scene.starts_with(family + "_")) continue;
+      if (const auto row = row_of(table, scene, solver))
+        points.emplace_back(table.text(*row, "n"), table.text(*row, "microseconds_per_body"));
+    }
+    figure.add(solver.name, points);
+  }
+  return figure.str(origin);
+}
+
+const std::string origin = "results/acceleration_cost.csv";
+
+}  // namespace
+
+std::string acceleration_cost_table(Results& results, Numbers& numbers) {
+  const ResultsTable& table = results["acceleration_cost"];
+  std::vector<TexColumn> columns{{"l", {"mechanism"}}, {"r", {"$n_b$"}}};
+  const std::vector<Solver> all = all_solvers();
+  for (const Solver& solver : all) columns.push_back({"r", solver.name});
+  TexTable out(columns);
+  for (const SceneRows& scene : scenes_of(table)) {
+    std::vector<Tex> cells{text(scene.scene), text(table.text(scene.rows.front(), "bodies"))};
+    for (const Solver& solver : all) {
+      const auto row = row_of(table, scene, solver);
+      cells.push_back(row ? microseconds(table.number(*row, "microseconds")) : Tex{"--"});
+    }
+    out.add(cells);
+    if (scene.scene != "chain_100") continue;
+    const auto time = [&](const Solver& solver) {
+      const auto row = row_of(table, scene, solver);
+      if (!row) throw ResultsError("acceleration_cost: chain_100 has no time of " + solver.engine);
+      return table.number(*row, "microseconds");
+    };
+    const double own = time(ours[0]), refined = time(ours[1]);
+    numbers.define("CostSimbody", ratio_in_text(time(others[0]) / own));
+    numbers.define("CostSimbodyRefined", ratio_in_text(time(others[0]) / refined));
+    numbers.define("CostMujoco", ratio_in_text(time(others[1]) / own));
+    numbers.define("CostMujocoRefined", ratio_in_text(time(others[1]) / refined));
+    numbers.define("CostDart", ratio_in_text(time(others[2]) / own));
+    numbers.define("CostDartRefined", ratio_in_text(time(others[2]) / refined));
+  }
+  return out.str(origin);
+}
+
+std::string cost_of_chains_figure(Results& results, Numbers&) {
+  return plot(results["acceleration_cost"], "chain", origin);
+}
+
+std::string cost_of_ladders_figure(Results& results, Numbers&) {
+  return plot(results["acceleration_cost"], "ladder", origin);
+}
+
+}  // namespace trivium::paper

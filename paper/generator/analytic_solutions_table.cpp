@@ -1,0 +1,55 @@
+/// One line a quantity of a problem: its largest error in every formulation, and what it is held to.
+
+#include "paper/generator/statistics.hpp"
+#include "paper/generator/table.hpp"
+
+namespace trivium::paper {
+
+namespace {
+
+/// A quantity with its unit: a square is raised.
+Tex quantity(const std::string& plain) {
+  const std::size_t square = plain.find("^2");
+  if (square == std::string::npos) return text(plain);
+  return {text(plain.substr(0, square)).source + "\\textsuperscript{2}" +
+          text(plain.substr(square + 2)).source};
+}
+
+}  // namespace
+
+std::string analytic_solutions_table(Results& results, Numbers& numbers) {
+  const ResultsTable& table = results["analytic_solutions"];
+  const std::vector<std::string> formulations{"r-omega", "r-p", "r-epsilon", "r-epsilon-omega-first"};
+  const std::size_t n = formulations.size();
+  if (table.rows.size() % n != 0) throw ResultsError("analytic_solutions: a quantity lacks a formulation");
+  std::vector<TexColumn> columns{{"l", {"problem"}}, {"l", {"error of"}}};
+  for (const char* heading : {"\\romega", "\\rp", "\\reps", "\\omegafirst"})
+    columns.push_back({scientific, {heading}});
+  columns.push_back({scientific, {"bound"}});
+  TexTable out(columns);
+  std::size_t failed = 0;
+  Sample closed_forms;
+  std::string last;
+  for (std::size_t first = 0; first < table.rows.size(); first += n) {
+    const std::string& problem = table.text(first, "problem");
+    if (!last.empty() && problem != last) out.rule();
+    std::vector<Tex> cells{text(problem == last ? "" : problem), quantity(table.text(first, "quantity"))};
+    last = problem;
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t row = first + k;
+      if (table.text(row, "formulation") != formulations[k] || table.text(row, "problem") != problem)
+        throw ResultsError("analytic_solutions: the rows of " + problem + " are out of order");
+      if (table.text(row, "verdict") != "ok") ++failed;
+      cells.push_back(number(table.number(row, "error")));
+      if (!problem.starts_with("adams")) closed_forms.add(table.number(row, "error"), problem);
+    }
+    cells.push_back(number(table.number(first, "bound")));
+    out.add(cells);
+  }
+  numbers.define("ClosedFormsWorst", in_text(closed_forms.worst()));
+  numbers.define("ClosedFormsWorstProblem", text(closed_forms.worst_name()));
+  numbers.define("ClosedFormsFailed", integer(failed));
+  return out.str("results/analytic_solutions.csv");
+}
+
+}  // namespace trivium::paper

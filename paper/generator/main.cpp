@@ -1,0 +1,76 @@
+/// paper_tables: writes paper/tables from results/, or proves that what lies there is what it would write.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "base/command_line.hpp"
+#include "base/exit_code.hpp"
+#include "base/whole_file.hpp"
+#include "paper/generator/table.hpp"
+
+namespace trivium::paper {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using Files = std::map<std::string, std::string>;
+
+int write(const Files& files, const fs::path& directory) {
+  fs::create_directories(directory);
+  for (const auto& [name, text] : files) write_whole(directory / name, text);
+  return exit_done;
+}
+
+/// The first line that differs, for a message that can be acted on.
+std::size_t differing_line(const std::string& a, const std::string& b) {
+  const auto at = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
+  return 1 + static_cast<std::size_t>(std::count(a.begin(), at, '\n'));
+}
+
+int check(const Files& files, const fs::path& directory) {
+  std::vector<std::string> stale;
+  for (const auto& [name, text] : files) {
+    if (!fs::exists(directory / name)) {
+      stale.push_back(name + ": missing");
+      continue;
+    }
+    const std::string present = read_whole(directory / name);
+    if (present != text)
+      stale.push_back(
+          fmt::format("{}: line {} is not what results/ give", name, differing_line(present, text)));
+  }
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory))
+    if (const std::string name = entry.path().filename().string(); !files.contains(name))
+      stale.push_back(name + ": no table of the paper");
+  for (const std::string& line : stale) fmt::print("{}\n", line);
+  if (stale.empty()) fmt::print("{} files in {} are current\n", files.size(), directory.filename().string());
+  return stale.empty() ? exit_done : exit_criterion_failed;
+}
+
+}  // namespace
+
+}  // namespace trivium::paper
+
+int main(int argc, char** argv) {
+  using namespace trivium;
+  CLI::App app{"Writes the paper's tables from accepted results", "paper_tables"};
+  std::string results, tables;
+  bool only_check = false;
+  app.set_version_flag("--version", "trivium " TRIVIUM_VERSION);
+  app.add_option("RESULTS", results, "The folder of accepted results, with their schema")->required();
+  app.add_option("TABLES", tables, "The folder of the tables")->required();
+  app.add_flag("--check", only_check,
+               "Write nothing; exit code 1 unless TABLES holds exactly what RESULTS give");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_done : exit_input_error;
+  }
+  return run_guarded([&] {
+    const auto files = paper::render(results);
+    return only_check ? paper::check(files, tables) : paper::write(files, tables);
+  });
+}

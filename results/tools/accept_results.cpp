@@ -1,0 +1,51 @@
+/// Takes regenerated results into results/: a deliberate step, since all that the paper prints follows from
+/// it.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "base/command_line.hpp"
+#include "base/exit_code.hpp"
+#include "results/tools/results_acceptance.hpp"
+#include "results/tools/results_table.hpp"
+
+namespace trivium {
+
+namespace {
+
+int run(const std::vector<std::string>& files, const std::string& directory) {
+  const auto schema = read_schema(std::filesystem::path(directory) / "schema.json");
+  std::vector<std::string> refusals;
+  for (const std::string& file : files)
+    for (std::string& why : refusals_of(schema, file)) refusals.push_back(std::move(why));
+  for (const std::string& why : refusals) fmt::print(stderr, "not accepted: {}\n", why);
+  if (!refusals.empty()) return exit_criterion_failed;
+  for (const std::string& file : files) {
+    accept(file, directory);
+    fmt::print("accepted {}\n", std::filesystem::path(file).filename().string());
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+}  // namespace trivium
+
+int main(int argc, char** argv) {
+  using namespace trivium;
+  CLI::App app{"Takes regenerated results, all of them or none, into the folder of accepted ones",
+               "accept_results"};
+  std::vector<std::string> files;
+  std::string directory;
+  app.set_version_flag("--version", "trivium " TRIVIUM_VERSION);
+  app.add_option("REGENERATED", files, "CSV files, their manifests beside them")->required();
+  app.add_option("--into", directory, "The folder of accepted results, with their schema")->required();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_done : exit_input_error;
+  }
+  return run_guarded([&] { return run(files, directory); });
+}

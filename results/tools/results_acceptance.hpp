@@ -1,0 +1,19 @@
+#pragma once
+/// What results must be before they are accepted, and the step itself.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/tools/results_schema.hpp"
+
+namespace trivium {
+
+/// Why a regenerated file may not be accepted: it is not what its schema says, or it was made by sources that
+/// no commit holds, so that nobody could make it again. Empty if it may.
+std::vector<std::string> refusals_of(const std::vector<ResultsSchema>& all, const std::filesystem::path& csv);
+
+/// Copies the CSV and its manifest into the folder.
+void accept(const std::filesystem::path& csv, const std::filesystem::path& directory);
+
+}  // namespace trivium

@@ -1,0 +1,62 @@
+#include "scenes/catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "scenes/format/scene_file.hpp"
+
+namespace trivium {
+
+namespace fs = std::filesystem;
+
+fs::path catalogue_directory() {
+  if (const char* from_environment = std::getenv("TRIVIUM_SCENES")) return from_environment;
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    const fs::path installed = program.parent_path().parent_path() / "share" / "trivium" / "scenes";
+    if (fs::is_directory(installed)) return installed;
+  }
+  return TRIVIUM_SOURCE_SCENES;
+}
+
+std::vector<fs::path> catalogue() {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(catalogue_directory()))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+namespace {
+
+/// No file and no scene of the catalogue; the nearest of its names is suggested.
+[[noreturn]] void throw_unknown_scene(const std::string& name) {
+  std::vector<std::string> names;
+  std::error_code error;
+  if (fs::is_directory(catalogue_directory(), error))
+    for (const fs::path& file : catalogue()) names.push_back(file.stem().string());
+  const fs::path asked(name);
+  throw scenes::SceneError(name.empty() ? "\"\"" : name, "",
+                           "no such file, and no such scene in the catalogue",
+                           "a path to a scene file, or a name that trivium list prints",
+                           scenes::nearest(asked.extension() == ".json" ? asked.stem().string() : name,
+                                           {names.begin(), names.end()}));
+}
+
+}  // namespace
+
+scenes::Scene load_scene(const std::string& path_or_name, double t) {
+  std::error_code error;
+  const bool is_there = fs::exists(path_or_name, error);
+  if (path_or_name.find('/') == std::string::npos && (!is_there || fs::is_directory(path_or_name, error))) {
+    const fs::path by_name = catalogue_directory() / (path_or_name + ".json");
+    if (fs::exists(by_name, error)) return scenes::read_scene_file(by_name, t);
+    if (!is_there) throw_unknown_scene(path_or_name);
+  }
+  return scenes::read_scene_file(path_or_name, t);
+}
+
+}  // namespace trivium

@@ -1,0 +1,79 @@
+#pragma once
+/// From JSON values to typed ones. Every function says in a SceneError what it found and what it takes.
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenes/format/json.hpp"
+#include "scenes/format/scene_keys.hpp"
+#include "scenes/scene.hpp"
+
+namespace trivium::scenes {
+
+[[noreturn]] void fail_type(const Json& json, const Path& at, std::string accepted);
+
+/// Members that are no object's business, repeated ones and missing ones are errors.
+class ObjectReader {
+ public:
+  ObjectReader(const Json& json, const Path& at, const Shape& shape);
+
+  const Json* find(std::string_view key) const;
+
+  /// Leaves `out` as it is if the key is absent.
+  template <class T, class... Context>
+  void read(std::string_view key, T& out, const Context&... context) const {
+    if (const Json* json = find(key)) read_value(*json, at_ / key, out, context...);
+  }
+
+ private:
+  const Path& at_;
+  const Shape& shape_;
+  std::array<const Json*, 8> found_{};
+};
+
+/// Which of `names` the text says; `noun` is what they are names of.
+std::size_t read_choice(const Json& json, const Path& at, std::string_view noun,
+                        const std::vector<std::string_view>& names);
+
+/// Which of `names` the object's member `tag` says.
+std::size_t read_tag(const Json& json, const Path& at, std::string_view tag, std::string_view noun,
+                     const std::vector<std::string_view>& names);
+
+void read_value(const Json& json, const Path& at, bool& out);
+void read_value(const Json& json, const Path& at, double& out);
+void read_value(const Json& json, const Path& at, std::string& out);
+void read_value(const Json& json, const Path& at, TimeFunction& out);
+
+/// The array's items; exactly `size` of them if given.
+const Json::Array& read_items(const Json& json, const Path& at, std::string_view items,
+                              std::optional<std::size_t> size = {});
+
+template <std::size_t n>
+void read_value(const Json& json, const Path& at, std::array<double, n>& out) {
+  const Json::Array& items = read_items(json, at, "numbers", n);
+  for (std::size_t k = 0; k < n; ++k) read_value(items[k], at / k, out[k]);
+}
+inline void read_value(const Json& json, const Path& at, Matrix3& out) {
+  const Json::Array& rows = read_items(json, at, "rows of 3 numbers", 3);
+  for (std::size_t k = 0; k < 3; ++k) read_value(rows[k], at / k, out[k]);
+}
+inline void read_value(const Json& json, const Path& at, std::array<TimeFunction, 3>& out) {
+  const Json::Array& items = read_items(json, at, "functions of time", 3);
+  for (std::size_t k = 0; k < 3; ++k) read_value(items[k], at / k, out[k]);
+}
+inline void read_value(const Json& json, const Path& at, std::optional<Vector3>& out) {
+  read_value(json, at, out.emplace());
+}
+
+template <class Shapes>
+std::vector<std::string_view> names_of(const Shapes& shapes) {
+  std::vector<std::string_view> names;
+  for (const Shape& shape : shapes) names.push_back(shape.name());
+  return names;
+}
+
+}  // namespace trivium::scenes

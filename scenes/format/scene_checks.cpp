@@ -1,0 +1,131 @@
+#include "scenes/format/scene_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+#include <unordered_set>
+
+namespace trivium::scenes {
+namespace {
+
+/// Names that are given are unique; those of bodies and constraints are given.
+class UniqueNames {
+ public:
+  explicit UniqueNames(std::string_view noun, bool required) : noun_(noun), required_(required) {}
+
+  void add(const std::string& name, const Path& at) {
+    if (name.empty() && !required_) return;
+    const std::string accepted = fmt::format("a name that no other {} has", noun_);
+    if (name.empty()) fail(at / "name", "an empty name", accepted);
+    if (!names_.insert(name).second)
+      fail(at / "name", fmt::format("a second {} named {}", noun_, in_quotes(name)), accepted);
+  }
+
+ private:
+  std::string_view noun_;
+  bool required_;
+  std::unordered_set<std::string_view> names_;
+};
+
+void check_body_index(int body, const Scene& scene, const Path& at) {
+  if (body != ground && (body < 0 || static_cast<std::size_t>(body) >= scene.bodies.size()))
+    fail(at / "body", fmt::format("body number {}", body), fmt::format("-1 to {}", scene.bodies.size() - 1));
+}
+
+void check_two_bodies(const Side& i, const Side& j, const Scene& scene, const Path& at) {
+  check_body_index(i.body, scene, at / "i");
+  check_body_index(j.body, scene, at / "j");
+  if (i.body == j.body)
+    fail(at, fmt::format("both sides on {}", in_quotes(scene.body_name(i.body))), "two different bodies");
+}
+
+void check_loaded_body(int body, const Scene& scene, const Path& at) {
+  check_body_index(body, scene, at);
+  if (body == ground) fail(at / "body", "a load on the ground, which nothing moves", "a body of the scene");
+}
+
+class EffectChecks {
+ public:
+  EffectChecks(const Scene& scene, const Path& at) : scene_(scene), at_(at) {}
+
+  void operator()(const Gravity&) const {}
+  void operator()(const Force& effect) const {
+    check_loaded_body(effect.body, scene_, at_);
+    const Path force = at_ / "force";
+    for (std::size_t k = 0; k < 3; ++k) check_function(effect.force[k], force / k);
+  }
+  void operator()(const Torque& effect) const {
+    check_loaded_body(effect.body, scene_, at_);
+    const Path torque = at_ / "torque";
+    for (std::size_t k = 0; k < 3; ++k) check_function(effect.torque[k], torque / k);
+  }
+  void operator()(const SpringDamper& effect) const {
+    check_two_bodies(effect.i, effect.j, scene_, at_);
+    check_point_only(effect.i, at_ / "i");
+    check_point_only(effect.j, at_ / "j");
+    check_function(effect.actuator, at_ / "actuator");
+  }
+  void operator()(const TorsionalSpringDamper& effect) const {
+    if (effect.joint < 0 || static_cast<std::size_t>(effect.joint) >= scene_.constraints.size())
+      fail(at_ / "joint", fmt::format("constraint number {}", effect.joint),
+           "the number of a joint of the scene");
+    const Constraint& joint = scene_.constraints[static_cast<std::size_t>(effect.joint)];
+    if (joint.type != ConstraintType::revolute && joint.type != ConstraintType::cylindrical)
+      fail(at_ / "joint", fmt::format("{}, which has no angle", in_quotes(joint.name)),
+           "a revolute or cylindrical joint");
+    check_function(effect.actuator, at_ / "actuator");
+  }
+
+ private:
+  static void check_point_only(const Side& side, const Path& at) {
+    if (side.vector || side.axis || side.x) fail(at, "a direction", "a body and a point");
+  }
+
+  const Scene& scene_;
+  const Path& at_;
+};
+
+}  // namespace
+
+void check_magnitudes(const Json& json, const Path& at) {
+  if (const double* number = json.number()) {
+    if (!(std::abs(*number) <= largest_magnitude))
+      fail(at, "found " + shortest(*number), fmt::format("magnitudes up to {}", shortest(largest_magnitude)));
+  } else if (const Json::Array* array = json.array()) {
+    for (std::size_t k = 0; k < array->size(); ++k) check_magnitudes((*array)[k], at / k);
+  } else if (const Json::Object* object = json.object()) {
+    for (const Member& member : *object) check_magnitudes(member.value, at / std::string_view(member.key));
+  }
+}
+
+double norm(const Vector3& v) { return std::hypot(v[0], v[1], v[2]); }
+
+void check_scene(const Scene& scene, const Path& root) {
+  const Path bodies = root / "bodies", constraints = root / "constraints", effects = root / "effects";
+  if (scene.bodies.empty()) fail(bodies, "no body", "at least one body");
+  if (scene.bodies.size() > most_bodies)
+    fail(bodies, fmt::format("{} bodies", scene.bodies.size()), fmt::format("at most {}", most_bodies));
+  UniqueNames body_names("body", true), constraint_names("constraint", true), effect_names("effect", false);
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const Path at = bodies / k;
+    if (scene.bodies[k].name == "ground")
+      fail(at / "name", "a body named \"ground\"", "any other name: ground is implicit");
+    body_names.add(scene.bodies[k].name, at);
+    check_body(scene.bodies[k], at);
+  }
+  for (std::size_t k = 0; k < scene.constraints.size(); ++k) {
+    const Path at = constraints / k;
+    const Constraint& constraint = scene.constraints[k];
+    constraint_names.add(constraint.name, at);
+    check_two_bodies(constraint.i, constraint.j, scene, at);
+    check_constraint(constraint, at);
+  }
+  for (std::size_t k = 0; k < scene.effects.size(); ++k) {
+    const Path at = effects / k;
+    std::visit([&](const auto& effect) { effect_names.add(effect.name, at); }, scene.effects[k]);
+    std::visit(EffectChecks(scene, at), scene.effects[k]);
+  }
+}
+
+}  // namespace trivium::scenes

@@ -1,0 +1,70 @@
+#pragma once
+/// What a reader says when a file is not a scene, and the place in the document that it speaks of.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace trivium::scenes {
+
+/// Names the file, the place (a JSON pointer such as `/bodies/0/mass`; empty for the document as a whole),
+/// what was found there and what is accepted: `x.json: /bodies/0/mas: unknown key "mas"; accepted: name,
+/// mass, inertia (did you mean "mass"?)`.
+class SceneError : public Error {
+ public:
+  SceneError(std::string file, std::string path, std::string found, std::string accepted,
+             std::string suggestion = {});
+
+  const std::string& file() const { return file_; }
+  const std::string& path() const { return path_; }
+  const std::string& found() const { return found_; }
+  const std::string& accepted() const { return accepted_; }
+  const std::string& suggestion() const { return suggestion_; }  ///< the nearest accepted word; may be empty
+
+ private:
+  std::string file_, path_, found_, accepted_, suggestion_;
+};
+
+/// A place in a document: a chain of keys and indices kept on the stack, so that no text is made until an
+/// error needs it. A path points at its parent, which must outlive it; that is why a temporary has no
+/// children.
+class Path {
+ public:
+  explicit Path(std::string_view file) : key_(file) {}
+
+  Path operator/(std::string_view key) const& { return {this, key, 0}; }
+  Path operator/(const char* key) const& { return {this, key, 0}; }
+  Path operator/(std::size_t index) const& { return {this, {}, index}; }
+  Path operator/(std::string_view) const&& = delete;
+  Path operator/(const char*) const&& = delete;
+  Path operator/(std::size_t) const&& = delete;
+
+  std::string file() const;
+  std::string pointer() const;  ///< RFC 6901
+  int depth() const { return depth_; }
+
+ private:
+  Path(const Path* parent, std::string_view key, std::size_t index)
+      : parent_(parent), key_(key), index_(index), depth_(parent->depth_ + 1) {}
+
+  const Path* parent_ = nullptr;
+  std::string_view key_;
+  std::size_t index_ = 0;
+  int depth_ = 0;
+};
+
+[[noreturn]] void fail(const Path& at, std::string found, std::string accepted, std::string suggestion = {});
+
+/// Text from outside made safe to print: escaped as JSON escapes, cut to a readable length.
+std::string printable(std::string_view text, std::size_t longest = 60);
+/// The same in quotation marks.
+std::string in_quotes(std::string_view text);
+/// "a, b, c"; a long list is cut and counted.
+std::string list_of(const std::vector<std::string_view>& words);
+/// The candidate that a typing slip would turn into `word`; empty if none is near.
+std::string nearest(std::string_view word, const std::vector<std::string_view>& candidates);
+
+}  // namespace trivium::scenes

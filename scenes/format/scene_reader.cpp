@@ -1,0 +1,218 @@
+#include "scenes/format/scene_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <unordered_map>
+
+#include "scenes/format/json_reader.hpp"
+
+namespace trivium::scenes {
+namespace {
+
+/// Where a name stands in its list.
+struct Names {
+  std::string_view noun;
+  std::vector<std::string_view> list;
+  std::unordered_map<std::string_view, int> index;
+
+  int find(const Json& json, const Path& at) const {
+    if (!json.text()) fail_type(json, at, fmt::format("the name of a {}", noun));
+    const auto known = index.find(*json.text());
+    if (known == index.end())
+      fail(at, fmt::format("unknown {} {}", noun, in_quotes(*json.text())),
+           list.empty() ? fmt::format("the name of a {}; there is none", noun) : list_of(list),
+           nearest(*json.text(), list));
+    return known->second;
+  }
+};
+
+Names names_of_bodies(const std::vector<Body>& bodies) {
+  Names names{"body", {"ground"}, {{"ground", ground}}};
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    names.list.push_back(bodies[k].name);
+    names.index.emplace(bodies[k].name, static_cast<int>(k));
+  }
+  return names;
+}
+
+Names names_of_joints(const std::vector<Constraint>& constraints) {
+  Names names{"joint", {}, {}};
+  for (std::size_t k = 0; k < constraints.size(); ++k) {
+    const ConstraintType type = constraints[k].type;
+    if (type == ConstraintType::revolute || type == ConstraintType::cylindrical)
+      names.list.push_back(constraints[k].name);
+    names.index.emplace(constraints[k].name, static_cast<int>(k));
+  }
+  return names;
+}
+
+void read_value(const Json& json, const Path& at, EulerSequence& out) {
+  const std::vector<std::string_view> names(euler_sequence_names.begin(), euler_sequence_names.end());
+  out = *parse_euler_sequence(names[read_choice(json, at, "sequence", names)]);
+}
+
+void read_value(const Json& json, const Path& at, AxisAngle& out) {
+  const ObjectReader object(json, at, axis_angle_shape);
+  object.read("axis", out.axis);
+  object.read("angle", out.angle);
+}
+
+void read_value(const Json& json, const Path& at, Orientation& out) {
+  const std::string accepted =
+      "an object with one of euler_parameters, euler_angles (with sequence), axis_angle, matrix";
+  if (!json.object()) fail_type(json, at, accepted);
+  const ObjectReader object(json, at, orientation_shape);
+  std::vector<std::string_view> ways;
+  for (const char* way : {"euler_parameters", "euler_angles", "axis_angle", "matrix"})
+    if (object.find(way)) ways.push_back(way);
+  const Json* sequence = object.find("sequence");
+  if (ways.empty() && !sequence) fail(at, "found an empty object", accepted);
+  if (ways.size() > 1) fail(at, fmt::format("found {} together", fmt::join(ways, " and ")), accepted);
+  if ((sequence != nullptr) != (object.find("euler_angles") != nullptr))
+    fail(at, sequence ? "a sequence without euler_angles" : "euler_angles without a sequence", accepted);
+  object.read("euler_parameters", out.emplace<EulerParameters>().e);
+  if (object.find("euler_angles")) {
+    EulerAngles& angles = out.emplace<EulerAngles>();
+    object.read("euler_angles", angles.angles);
+    read_value(*sequence, at / "sequence", angles.sequence);
+  }
+  if (const Json* axis_angle = object.find("axis_angle"))
+    read_value(*axis_angle, at / "axis_angle", out.emplace<AxisAngle>());
+  if (object.find("matrix")) object.read("matrix", out.emplace<RotationMatrix>().A);
+}
+
+void read_value(const Json& json, const Path& at, std::variant<Vector3, Matrix3>& out) {
+  const Json::Array* items = json.array();
+  if (!items || items->size() != 3) fail_type(json, at, "[Jxx, Jyy, Jzz] or a symmetric 3x3 matrix");
+  if (items->front().number())
+    scenes::read_value(json, at, out.emplace<Vector3>());
+  else
+    scenes::read_value(json, at, out.emplace<Matrix3>());
+}
+
+void read_value(const Json& json, const Path& at, Body& out) {
+  const ObjectReader object(json, at, body_shape);
+  object.read("name", out.name);
+  object.read("mass", out.mass);
+  if (const Json* inertia = object.find("inertia")) read_value(*inertia, at / "inertia", out.inertia);
+  object.read("unphysical_inertia", out.unphysical_inertia);
+  object.read("position", out.position);
+  if (const Json* orientation = object.find("orientation"))
+    read_value(*orientation, at / "orientation", out.orientation);
+  object.read("velocity", out.velocity);
+  object.read("angular_velocity", out.angular_velocity);
+}
+
+Side read_side(const Json& json, const Path& at, const Shape& shape, const Names& bodies) {
+  const ObjectReader object(json, at, shape);
+  Side side;
+  side.body = bodies.find(*object.find("body"), at / "body");
+  object.read("point", side.point);
+  object.read("vector", side.vector);
+  object.read("axis", side.axis);
+  object.read("x", side.x);
+  return side;
+}
+
+void read_value(const Json& json, const Path& at, Constraint& out, const Names& bodies) {
+  std::vector<std::string_view> types;
+  for (const ConstraintShape& known : constraint_shapes) types.push_back(known.shape.name());
+  const ConstraintShape& shape = constraint_shapes[read_tag(json, at, "type", "constraint type", types)];
+  const ObjectReader object(json, at, shape.shape);
+  out.type = shape.type;
+  object.read("name", out.name);
+  out.i = read_side(*object.find("i"), at / "i", *shape.i, bodies);
+  out.j = read_side(*object.find("j"), at / "j", *shape.j, bodies);
+  object.read("f", out.f);
+  object.read("direction", out.direction);
+  object.read("distance", out.distance);
+  object.read("angle", out.angle);
+}
+
+Frame read_frame(const ObjectReader& object, const Path& at) {
+  const Json* frame = object.find("frame");
+  if (!frame) return Frame::global;
+  return static_cast<Frame>(
+      read_choice(*frame, at / "frame", "frame", {frame_names.begin(), frame_names.end()}));
+}
+
+void read_value(const Json& json, const Path& at, Effect& out, const Names& bodies, const Names& joints) {
+  const std::size_t type = read_tag(json, at, "type", "effect type", names_of(effect_shapes));
+  const ObjectReader object(json, at, effect_shapes[type]);
+  switch (type) {
+    case 0: {
+      Gravity& gravity = out.emplace<Gravity>();
+      object.read("acceleration", gravity.acceleration);
+      break;
+    }
+    case 1: {
+      Force& force = out.emplace<Force>();
+      force.body = bodies.find(*object.find("body"), at / "body");
+      object.read("point", force.point);
+      object.read("force", force.force);
+      force.frame = read_frame(object, at);
+      break;
+    }
+    case 2: {
+      Torque& torque = out.emplace<Torque>();
+      torque.body = bodies.find(*object.find("body"), at / "body");
+      object.read("torque", torque.torque);
+      torque.frame = read_frame(object, at);
+      break;
+    }
+    case 3: {
+      SpringDamper& spring = out.emplace<SpringDamper>();
+      spring.i = read_side(*object.find("i"), at / "i", point_side, bodies);
+      spring.j = read_side(*object.find("j"), at / "j", point_side, bodies);
+      object.read("stiffness", spring.stiffness);
+      object.read("damping", spring.damping);
+      object.read("free_length", spring.free_length);
+      object.read("actuator", spring.actuator);
+      break;
+    }
+    default: {
+      TorsionalSpringDamper& spring = out.emplace<TorsionalSpringDamper>();
+      spring.joint = joints.find(*object.find("joint"), at / "joint");
+      object.read("stiffness", spring.stiffness);
+      object.read("damping", spring.damping);
+      object.read("free_angle", spring.free_angle);
+      object.read("actuator", spring.actuator);
+    }
+  }
+  std::visit([&](auto& effect) { object.read("name", effect.name); }, out);
+  if (const Json* name = object.find("name"); name && name->text()->empty())
+    fail(at / "name", "an empty name", "a name, or no key \"name\"");
+}
+
+template <class Item, class... Context>
+void read_list(const ObjectReader& scene, const Path& root, std::string_view key, std::vector<Item>& out,
+               const Context&... context) {
+  const Json* json = scene.find(key);
+  if (!json) return;
+  const Path at = root / key;
+  const Json::Array& items = read_items(*json, at, key);
+  out.resize(items.size());
+  for (std::size_t k = 0; k < items.size(); ++k) read_value(items[k], at / k, out[k], context...);
+}
+
+}  // namespace
+
+Scene read_scene(const Json& json, const Path& root) {
+  const ObjectReader object(json, root, scene_shape);
+  double version = 0;
+  object.read("trivium", version);
+  if (version != 1) fail(root / "trivium", "format version " + shortest(version), "version 1");
+
+  Scene scene;
+  object.read("name", scene.name);
+  object.read("description", scene.description);
+  object.read("reference", scene.reference);
+  read_list(object, root, "bodies", scene.bodies);
+  const Names bodies = names_of_bodies(scene.bodies);
+  read_list(object, root, "constraints", scene.constraints, bodies);
+  read_list(object, root, "effects", scene.effects, bodies, names_of_joints(scene.constraints));
+  return scene;
+}
+
+}  // namespace trivium::scenes

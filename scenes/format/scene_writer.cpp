@@ -1,0 +1,206 @@
+#include <array>
+#include <cmath>
+
+#include "scenes/format/scene_checks.hpp"
+#include "scenes/format/scene_file.hpp"
+#include "scenes/format/scene_keys.hpp"
+
+namespace trivium::scenes {
+namespace {
+
+template <class T, std::size_t n>
+Json to_json(const std::array<T, n>& items);
+template <class T>
+Json to_json(const std::vector<T>& items);
+Json to_json(double number) { return number; }
+Json to_json(const std::string& text) { return text; }
+Json to_json(Frame frame) { return frame_names[static_cast<std::size_t>(frame)]; }
+
+class FunctionWriter {
+ public:
+  Json operator()(double constant) const { return constant; }
+  Json operator()(const TimeFunction::Polynomial& f) const {
+    return Json::Object{{"kind", "polynomial"}, {"coefficients", to_json(f.coefficients)}};
+  }
+  Json operator()(const TimeFunction::Harmonic& f) const {
+    return Json::Object{{"kind", "harmonic"},
+                        {"offset", f.offset},
+                        {"amplitude", f.amplitude},
+                        {"angular_frequency", f.angular_frequency},
+                        {"phase", f.phase}};
+  }
+  Json operator()(const TimeFunction::Sin& f) const {
+    return Json::Object{{"kind", "sin"}, {"of", argument(f.of)}};
+  }
+  Json operator()(const TimeFunction::Cos& f) const {
+    return Json::Object{{"kind", "cos"}, {"of", argument(f.of)}};
+  }
+  Json operator()(const TimeFunction::Sum& f) const {
+    return Json::Object{{"kind", "sum"}, {"terms", to_json(f.terms)}};
+  }
+  Json operator()(const TimeFunction::Product& f) const {
+    return Json::Object{{"kind", "product"}, {"factors", to_json(f.factors)}};
+  }
+  Json operator()(const TimeFunction::Step5& f) const {
+    return Json::Object{{"kind", "step5"}, {"t0", f.t0}, {"f0", f.f0}, {"t1", f.t1}, {"f1", f.f1}};
+  }
+  Json operator()(const TimeFunction::Piecewise& f) const {
+    return Json::Object{{"kind", "piecewise"}, {"times", to_json(f.times)}, {"pieces", to_json(f.pieces)}};
+  }
+
+ private:
+  static Json argument(const std::vector<TimeFunction>& of) {
+    return std::visit(FunctionWriter{}, of.front().kind());
+  }
+};
+
+Json to_json(const TimeFunction& f) { return std::visit(FunctionWriter{}, f.kind()); }
+
+template <class T, std::size_t n>
+Json to_json(const std::array<T, n>& items) {
+  Json::Array array;
+  for (const T& item : items) array.push_back(to_json(item));
+  return array;
+}
+template <class T>
+Json to_json(const std::vector<T>& items) {
+  Json::Array array;
+  array.reserve(items.size());
+  for (const T& item : items) array.push_back(to_json(item));
+  return array;
+}
+
+struct OrientationWriter {
+  Json operator()(const EulerParameters& p) const { return Json::Object{{"euler_parameters", to_json(p.e)}}; }
+  Json operator()(const EulerAngles& angles) const {
+    return Json::Object{{"euler_angles", to_json(angles.angles)}, {"sequence", angles.sequence.name()}};
+  }
+  Json operator()(const AxisAngle& rotation) const {
+    return Json::Object{
+        {"axis_angle", Json::Object{{"axis", to_json(rotation.axis)}, {"angle", rotation.angle}}}};
+  }
+  Json operator()(const RotationMatrix& rotation) const {
+    return Json::Object{{"matrix", to_json(rotation.A)}};
+  }
+};
+
+// A default is left out only if the very bits come back: -0 is not the default 0.
+bool is_default(double number) { return number == 0 && !std::signbit(number); }
+bool is_default(const Vector3& v) { return is_default(v[0]) && is_default(v[1]) && is_default(v[2]); }
+bool is_default(const TimeFunction& f) { return f.is_number() && is_default(std::get<double>(f.kind())); }
+bool is_default(const std::string& text) { return text.empty(); }
+bool is_default(Frame frame) { return frame == Frame::global; }
+
+class ObjectWriter {
+ public:
+  explicit ObjectWriter(const Shape& shape) : shape_(shape) {}
+
+  ObjectWriter& set(std::string_view key, Json value) {
+    object_.push_back({std::string(key), std::move(value)});
+    return *this;
+  }
+  /// Unless the key is optional and the value its default, or the object has no such key.
+  template <class T>
+  ObjectWriter& add(std::string_view key, const T& value) {
+    const Key* known = shape_.find(key);
+    if (known && (known->required || !is_default(value))) set(key, to_json(value));
+    return *this;
+  }
+  ObjectWriter& add(std::string_view key, const std::optional<Vector3>& value) {
+    return value ? set(key, to_json(*value)) : *this;
+  }
+  Json done() { return std::move(object_); }
+
+ private:
+  const Shape& shape_;
+  Json::Object object_;
+};
+
+Json to_json(const Body& body) {
+  ObjectWriter object(body_shape);
+  object.add("name", body.name).add("mass", body.mass);
+  object.set("inertia", std::visit([](const auto& J) { return to_json(J); }, body.inertia));
+  if (body.unphysical_inertia) object.set("unphysical_inertia", true);
+  object.add("position", body.position);
+  const EulerParameters* p = std::get_if<EulerParameters>(&body.orientation);
+  const bool identity = p && p->e[0] == 1 && is_default(Vector3{p->e[1], p->e[2], p->e[3]});
+  if (!identity) object.set("orientation", std::visit(OrientationWriter{}, body.orientation));
+  return object.add("velocity", body.velocity).add("angular_velocity", body.angular_velocity).done();
+}
+
+Json to_json(const Side& side, const Shape& shape, const Scene& scene) {
+  ObjectWriter object(shape);
+  object.add("body", scene.body_name(side.body)).add("vector", side.vector).add("point", side.point);
+  return object.add("axis", side.axis).add("x", side.x).done();
+}
+
+Json to_json(const Constraint& constraint, const Scene& scene) {
+  const ConstraintShape& shape = shape_of(constraint.type);
+  ObjectWriter object(shape.shape);
+  object.set("type", shape.shape.name()).add("name", constraint.name);
+  object.set("i", to_json(constraint.i, *shape.i, scene)).set("j", to_json(constraint.j, *shape.j, scene));
+  object.add("direction", constraint.direction).add("f", constraint.f);
+  return object.add("distance", constraint.distance).add("angle", constraint.angle).done();
+}
+
+class EffectWriter {
+ public:
+  EffectWriter(const Scene& scene, const Shape& shape) : scene_(scene), object_(shape) {
+    object_.set("type", shape.name());
+  }
+
+  Json operator()(const Gravity& effect) {
+    return object_.add("name", effect.name).add("acceleration", effect.acceleration).done();
+  }
+  Json operator()(const Force& effect) {
+    object_.add("name", effect.name).add("body", scene_.body_name(effect.body)).add("point", effect.point);
+    return object_.set("force", to_json(effect.force)).add("frame", effect.frame).done();
+  }
+  Json operator()(const Torque& effect) {
+    object_.add("name", effect.name).add("body", scene_.body_name(effect.body));
+    return object_.set("torque", to_json(effect.torque)).add("frame", effect.frame).done();
+  }
+  Json operator()(const SpringDamper& effect) {
+    object_.add("name", effect.name).set("i", to_json(effect.i, point_side, scene_));
+    object_.set("j", to_json(effect.j, point_side, scene_)).add("stiffness", effect.stiffness);
+    object_.add("damping", effect.damping).add("free_length", effect.free_length);
+    return object_.add("actuator", effect.actuator).done();
+  }
+  Json operator()(const TorsionalSpringDamper& effect) {
+    object_.add("name", effect.name)
+        .set("joint", scene_.constraints[static_cast<std::size_t>(effect.joint)].name);
+    object_.add("stiffness", effect.stiffness).add("damping", effect.damping);
+    return object_.add("free_angle", effect.free_angle).add("actuator", effect.actuator).done();
+  }
+
+ private:
+  const Scene& scene_;
+  ObjectWriter object_;
+};
+
+Json to_json(const Scene& scene) {
+  ObjectWriter object(scene_shape);
+  object.set("trivium", 1.0).add("name", scene.name).add("description", scene.description);
+  object.add("reference", scene.reference);
+  Json::Array bodies, constraints, effects;
+  for (const Body& body : scene.bodies) bodies.push_back(to_json(body));
+  for (const Constraint& constraint : scene.constraints) constraints.push_back(to_json(constraint, scene));
+  for (const Effect& effect : scene.effects)
+    effects.push_back(std::visit(EffectWriter(scene, effect_shapes[effect.index()]), effect));
+  object.set("bodies", std::move(bodies));
+  if (!constraints.empty()) object.set("constraints", std::move(constraints));
+  if (!effects.empty()) object.set("effects", std::move(effects));
+  return object.done();
+}
+
+}  // namespace
+
+std::string write_scene(const Scene& scene) {
+  const Path root("the scene to write");
+  check_scene(scene, root);
+  const Json json = to_json(scene);
+  check_magnitudes(json, root);
+  return print_json(json, root);
+}
+
+}  // namespace trivium::scenes

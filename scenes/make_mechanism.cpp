@@ -1,0 +1,286 @@
+#include "scenes/make_mechanism.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "scenes/range_checked_cast.hpp"
+
+namespace trivium {
+
+namespace {
+
+/// Of a direction, see of_moderate_size; what has a magnitude goes through RangeCheckedCast.
+template <class Scalar>
+Vector3<Scalar> direction_of(const scenes::Vector3& v) {
+  return {Scalar(v[0]), Scalar(v[1]), Scalar(v[2])};
+}
+
+/// The direction of what the scene normalises when used, of a size that any Scalar can square: numbers up to
+/// 1e100 overflow in float. A power of two scales doubles exactly.
+template <std::size_t n>
+std::array<double, n> of_moderate_size(std::array<double, n> direction) {
+  double largest = 0;
+  for (double x : direction) largest = std::max(largest, std::abs(x));
+  for (double& x : direction) x = std::ldexp(x, -std::ilogb(largest));
+  return direction;
+}
+
+template <class Scalar>
+Matrix3<Scalar> matrix_of(const scenes::Matrix3& rows, const RangeCheckedCast<Scalar>& narrowed,
+                          std::string_view key) {
+  Matrix3<Scalar> m;
+  for (int k = 0; k < 3; ++k) m.row(k) = narrowed.vector(rows[k], key).transpose();
+  return m;
+}
+
+/// What lifts principal moments below zero, which the reader takes within its tolerance and no body has, to
+/// zero. What rounding leaves below zero of a matrix that is singular as written is none of them.
+Matrix3<double> lift_of_negative_moments(const Matrix3<double>& J) {
+  const Eigen::SelfAdjointEigenSolver<Matrix3<double>> principal(J);
+  const double rounding = 8 * unit_roundoff<double>() * J.cwiseAbs().maxCoeff();
+  const Vector3<double> lift =
+      principal.eigenvalues().unaryExpr([&](double moment) { return moment < -rounding ? -moment : 0.0; });
+  return principal.eigenvectors() * lift.asDiagonal() * principal.eigenvectors().transpose();
+}
+
+template <class Scalar>
+Matrix3<Scalar> inertia_of(const scenes::Body& body, const RangeCheckedCast<Scalar>& narrowed) {
+  // no moment may vanish beside the others: without it the rotation has no mass
+  const auto moment = [&](double written) { return narrowed.number(std::max(written, 0.0), "inertia"); };
+  if (const auto* diagonal = std::get_if<scenes::Vector3>(&body.inertia)) {
+    const auto& [Jx, Jy, Jz] = *diagonal;
+    return Vector3<Scalar>(moment(Jx), moment(Jy), moment(Jz)).asDiagonal();
+  }
+  const scenes::Matrix3& rows = std::get<scenes::Matrix3>(body.inertia);
+  for (std::size_t k = 0; k < 3; ++k) moment(rows[k][k]);
+  const Matrix3<Scalar> J = matrix_of<Scalar>(rows, narrowed, "inertia");
+  const Matrix3<Scalar> symmetric = (J + J.transpose()) / Scalar(2);
+  return symmetric + scalar_cast<Scalar>(lift_of_negative_moments(scalar_cast<double>(symmetric)));
+}
+
+template <class Scalar>
+JointFrame<Scalar> frame_of(const scenes::Side& side, const RangeCheckedCast<Scalar>& narrowed,
+                            std::string_view point_key) {
+  const Vector3<Scalar> point = narrowed.place(side.point.value_or(scenes::Vector3{}), point_key);
+  if (!side.axis) return {.point = point};
+  const scenes::Vector3 axis = of_moderate_size(*side.axis);
+  // which e_k is the scene's, in double: a Scalar that rounds two components to a tie has the same rows
+  const Vector3<Scalar> x = side.x ? direction_of<Scalar>(of_moderate_size(*side.x))
+                                   : scalar_cast<Scalar>(default_x(direction_of<double>(axis)));
+  return joint_frame<Scalar>(point, direction_of<Scalar>(axis), x);
+}
+
+template <class Scalar>
+JointRows<Scalar> basic_row(BasicConstraint<Scalar> constraint) {
+  return {{"", std::move(constraint)}};
+}
+
+template <class Scalar>
+JointRows<Scalar> rows_of(const scenes::Constraint& c, const Joint<Scalar>& joint,
+                          const RangeCheckedCast<Scalar>& narrowed) {
+  const JointBuilder<Scalar> build(joint, joint.frame_i, joint.frame_j);
+  const BodyPair bodies = joint;
+  const auto point_i = joint.frame_i.point, point_j = joint.frame_j.point;
+  const auto vector_i = narrowed.vector(c.i.vector, "i/vector"),
+             vector_j = narrowed.vector(c.j.vector, "j/vector");
+  const TimeFunction& f = narrowed.function(c.f, "f");
+  switch (c.type) {
+    case ConstraintType::dp1:
+      return basic_row<Scalar>(DP1<Scalar>{bodies, vector_i, vector_j, f});
+    case ConstraintType::dp2:
+      return basic_row<Scalar>(DP2<Scalar>{bodies, vector_i, point_i, point_j, f});
+    case ConstraintType::d:
+      return basic_row<Scalar>(D<Scalar>{bodies, point_i, point_j, f});
+    case ConstraintType::cd:
+      return basic_row<Scalar>(
+          CD<Scalar>{bodies, narrowed.vector(c.direction, "direction"), point_i, point_j, f});
+    case ConstraintType::spherical:
+      return build.spherical();
+    case ConstraintType::universal:
+      return build.universal();
+    case ConstraintType::revolute:
+      return build.revolute();
+    case ConstraintType::cylindrical:
+      return build.cylindrical();
+    case ConstraintType::translational:
+      return build.translational();
+    case ConstraintType::fixed:
+      return build.fixed();
+    case ConstraintType::planar:
+      return build.planar();
+    case ConstraintType::in_line:
+      return build.in_line();
+    case ConstraintType::in_plane:
+      return build.in_plane();
+    case ConstraintType::distance:
+      narrowed.number(c.distance, "distance");
+      narrowed.number(c.distance * c.distance, "squared distance");  // the row's right side
+      return build.distance(c.distance);
+    case ConstraintType::rotation_driver:
+      return build.rotation_driver(narrowed.function(c.angle, "angle"));
+  }
+  return {};
+}
+
+/// Turns the scene's effects into the mechanism's; body indices as in the mechanism.
+template <class Scalar>
+struct EffectBuilder {
+  Mechanism<Scalar>& mechanism;
+  std::string_view name;  ///< the effect's own, or its place in the file
+  RangeCheckedCast<Scalar> narrowed{"effect", name};
+
+  int index(int scene_body) const { return scene_body == scenes::ground ? mechanism.ground() : scene_body; }
+  static ComponentFrame frame(scenes::Frame f) {
+    return f == scenes::Frame::global ? ComponentFrame::global : ComponentFrame::body;
+  }
+
+  void operator()(const scenes::Gravity& e) const {
+    mechanism.effects.add(Gravity<Scalar>{narrowed.vector(e.acceleration, "acceleration")});
+  }
+  void operator()(const scenes::Force& e) const {
+    mechanism.effects.add(Force<Scalar>{index(e.body), narrowed.place(e.point, "point"),
+                                        narrowed.functions(e.force, "force"), frame(e.frame)});
+  }
+  void operator()(const scenes::Torque& e) const {
+    mechanism.effects.add(
+        Torque<Scalar>{index(e.body), narrowed.functions(e.torque, "torque"), frame(e.frame)});
+  }
+  void operator()(const scenes::SpringDamper& e) const {
+    mechanism.effects.add(SpringDamper<Scalar>{
+        std::string(name), index(e.i.body), index(e.j.body),
+        narrowed.place(e.i.point.value_or(scenes::Vector3{}), "i/point"),
+        narrowed.place(e.j.point.value_or(scenes::Vector3{}), "j/point"),
+        narrowed.number(e.stiffness, "stiffness"), narrowed.number(e.damping, "damping"),
+        narrowed.number(e.free_length, "free_length"), narrowed.function(e.actuator, "actuator")});
+  }
+  void operator()(const scenes::TorsionalSpringDamper& e) const {
+    const Joint<Scalar>& joint = mechanism.joints[e.joint];
+    mechanism.effects.add(TorsionalSpringDamper<Scalar>{
+        joint.i, joint.j, joint.frame_i.u, joint.frame_i.v, joint.frame_i.z, joint.frame_j.u,
+        narrowed.number(e.stiffness, "stiffness"), narrowed.number(e.damping, "damping"),
+        narrowed.angle(e.free_angle, "free_angle"), narrowed.function(e.actuator, "actuator"), Scalar(0)});
+  }
+};
+
+/// The name of an effect, or its place in the file where it has none.
+std::string name_of(const scenes::Scene& scene, std::size_t effect) {
+  const std::string& name =
+      std::visit([](const auto& e) -> const std::string& { return e.name; }, scene.effects[effect]);
+  return name.empty() ? fmt::format("/effects/{}", effect) : name;
+}
+
+template <class Scalar>
+struct ToEulerParameters {
+  RangeCheckedCast<Scalar> narrowed;
+
+  Vector4<Scalar> operator()(const scenes::EulerParameters& o) const {
+    const auto e = of_moderate_size(o.e);
+    const Vector4<Scalar> p{Scalar(e[0]), Scalar(e[1]), Scalar(e[2]), Scalar(e[3])};
+    return p / p.stableNorm();
+  }
+  Vector4<Scalar> operator()(const scenes::EulerAngles& o) const {
+    Vector4<Scalar> p = Vector4<Scalar>::Unit(0);
+    for (int k = 0; k < 3; ++k)
+      p = multiply_parameters<Scalar>(
+          p, turn(Vector3<Scalar>::Unit(o.sequence.axis[k]), narrowed.angle(o.angles[k], "euler_angles")));
+    return p / p.norm();
+  }
+  Vector4<Scalar> operator()(const scenes::AxisAngle& o) const {
+    const Vector3<Scalar> axis = direction_of<Scalar>(of_moderate_size(o.axis));
+    return turn(axis / axis.stableNorm(), narrowed.angle(o.angle, "angle"));
+  }
+  Vector4<Scalar> operator()(const scenes::RotationMatrix& o) const {
+    return euler_parameters(matrix_of<Scalar>(o.A, narrowed, "matrix"));
+  }
+
+  static Vector4<Scalar> turn(const Vector3<Scalar>& axis, const Scalar& angle) {
+    using std::cos, std::sin;
+    const Scalar half = angle / 2;
+    Vector4<Scalar> p;
+    p << Scalar(cos(half)), Scalar(sin(half)) * axis;
+    return p / p.norm();
+  }
+};
+
+}  // namespace
+
+template <class Scalar>
+Vector4<Scalar> euler_parameters_of(const scenes::Orientation& orientation) {
+  return std::visit(ToEulerParameters<Scalar>{{"body", ""}}, orientation);
+}
+
+template <class Scalar>
+Mechanism<Scalar> make_mechanism(const scenes::Scene& scene) {
+  Mechanism<Scalar> m;
+  m.name = scene.name;
+  for (const scenes::Body& body : scene.bodies) {
+    m.body_names.push_back(body.name);
+    const RangeCheckedCast<Scalar> narrowed("body", body.name);
+    m.bodies.push_back({narrowed.number(body.mass, "mass"), inertia_of<Scalar>(body, narrowed)});
+  }
+  m.body_names.push_back("ground");
+  for (const scenes::Constraint& c : scene.constraints) {
+    const RangeCheckedCast<Scalar> narrowed("constraint", c.name);
+    Joint<Scalar> joint;
+    joint.i = c.i.body == scenes::ground ? m.ground() : c.i.body;
+    joint.j = c.j.body == scenes::ground ? m.ground() : c.j.body;
+    joint.name = c.name;
+    joint.type = c.type;
+    joint.frame_i = frame_of<Scalar>(c.i, narrowed, "i/point");
+    joint.frame_j = frame_of<Scalar>(c.j, narrowed, "j/point");
+    joint.angle = c.angle;
+    joint.first_row = m.nc();
+    for (NamedRow<Scalar>& row : rows_of<Scalar>(c, joint, narrowed)) {
+      m.row_names.push_back(row.label.empty() ? c.name : c.name + "." + row.label);
+      m.rows.push_back(std::move(row.constraint));
+    }
+    joint.rows = m.nc() - joint.first_row;
+    m.joints.push_back(std::move(joint));
+  }
+  for (std::size_t k = 0; k < scene.effects.size(); ++k) {
+    const std::string name = name_of(scene, k);
+    std::visit(EffectBuilder<Scalar>{m, name}, scene.effects[k]);
+  }
+  return m;
+}
+
+template <class Scalar>
+MechanismState<Scalar> make_state(const scenes::Scene& scene, Scalar t) {
+  MechanismState<Scalar> state;
+  state.t = RangeCheckedCast<Scalar>::time(t);
+  for (const scenes::Body& body : scene.bodies) {
+    const RangeCheckedCast<Scalar> narrowed("body", body.name);
+    state.pose.push_back({narrowed.place(body.position, "position"),
+                          std::visit(ToEulerParameters<Scalar>{narrowed}, body.orientation)});
+    state.twist.push_back({narrowed.place(body.velocity, "velocity"),
+                           narrowed.place(body.angular_velocity, "angular_velocity")});
+  }
+  return state;
+}
+
+void set_state(scenes::Scene& scene, const MechanismState<double>& state) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    scenes::Body& body = scene.bodies[b];
+    const auto store = [](const Vector3<double>& v) { return scenes::Vector3{v[0], v[1], v[2]}; };
+    body.position = store(state.pose[b].r);
+    const Vector4<double>& p = state.pose[b].p;
+    body.orientation = scenes::EulerParameters{{p[0], p[1], p[2], p[3]}};
+    body.velocity = store(state.twist[b].r_dot);
+    body.angular_velocity = store(state.twist[b].omega_bar);
+  }
+}
+
+#define TRIVIUM_INSTANTIATE(Scalar)                                                   \
+  template Mechanism<Scalar> make_mechanism<Scalar>(const scenes::Scene&);            \
+  template MechanismState<Scalar> make_state<Scalar>(const scenes::Scene&, Scalar t); \
+  template Vector4<Scalar> euler_parameters_of<Scalar>(const scenes::Orientation&);
+TRIVIUM_INSTANTIATE(float)
+TRIVIUM_INSTANTIATE(double)
+TRIVIUM_INSTANTIATE(long double)
+TRIVIUM_INSTANTIATE(Quad)
+TRIVIUM_INSTANTIATE(Real50)
+TRIVIUM_INSTANTIATE(Real100)
+#undef TRIVIUM_INSTANTIATE
+
+}  // namespace trivium

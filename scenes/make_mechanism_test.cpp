@@ -1,0 +1,369 @@
+#include "scenes/make_mechanism.hpp"
+
+#include <functional>
+
+#include "bodies/inertia.hpp"
+#include "bodies/testing/properties.hpp"
+#include "scenes/testing/scene_builders.hpp"
+
+namespace trivium {
+namespace {
+
+using ConstraintType;
+using test::distance;
+
+TEST(Mechanism, GroundIsTheLastBody) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("a", 1), test::body("b", 2)};
+  scene.constraints = {test::joint(ConstraintType::spherical, "s", {}, test::side(1))};
+  const auto mechanism = make_mechanism<double>(scene);
+  EXPECT_EQ(mechanism.body_names, (std::vector<std::string>{"a", "b", "ground"}));
+  EXPECT_EQ(mechanism.nb(), 2);
+  EXPECT_EQ(mechanism.joints[0].i, mechanism.ground());
+  EXPECT_EQ(mechanism.joints[0].j, 1);
+  for (const auto& row : mechanism.rows) {
+    EXPECT_EQ(bodies_of(row).i, 2);
+    EXPECT_EQ(bodies_of(row).j, 1);
+  }
+}
+
+TEST(Mechanism, RowsStandInFileOrderUnderTheNamesOfTheirJoints) {
+  const scenes::Vector3 z{0, 0, 1}, x{1, 0, 0};
+  scenes::Scene scene;
+  scene.bodies = {test::body("a", 1)};
+  scenes::Side ground = test::side(scenes::ground, {}, z, x), a = test::side(0, {}, z, x);
+  ground.vector = x;
+  a.vector = z;
+  const std::vector<std::pair<ConstraintType, int>> rows{
+      {ConstraintType::dp1, 1},      {ConstraintType::dp2, 1},         {ConstraintType::d, 1},
+      {ConstraintType::cd, 1},       {ConstraintType::spherical, 3},   {ConstraintType::universal, 4},
+      {ConstraintType::revolute, 5}, {ConstraintType::cylindrical, 4}, {ConstraintType::translational, 5},
+      {ConstraintType::fixed, 6},    {ConstraintType::planar, 3},      {ConstraintType::in_line, 2},
+      {ConstraintType::in_plane, 1}, {ConstraintType::distance, 1},    {ConstraintType::rotation_driver, 1}};
+  for (const auto& [type, count] : rows)
+    scene.constraints.push_back(test::joint(type, fmt::format("c{}", scene.constraints.size()), ground, a));
+  const auto mechanism = make_mechanism<double>(scene);
+  ASSERT_EQ(mechanism.joints.size(), rows.size());
+  int next = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    EXPECT_EQ(mechanism.joints[k].type, rows[k].first);
+    EXPECT_EQ(mechanism.joints[k].first_row, next);
+    EXPECT_EQ(mechanism.joints[k].rows, rows[k].second) << k;
+    next += rows[k].second;
+  }
+  EXPECT_EQ(mechanism.nc(), next);
+  // a basic constraint has one row, of its own name; a joint's rows add their labels
+  EXPECT_EQ(mechanism.row_names[0], "c0");
+  EXPECT_EQ(mechanism.row_names[4], "c4.cd(e_x)");
+  EXPECT_EQ(mechanism.row_names[mechanism.joints[6].first_row + 4], "c6.dp1(v_i, z_j)");
+  EXPECT_EQ(mechanism.row_names.back(), "c14.dp1(w_i, u_j)");
+}
+
+TEST(Mechanism, JointFramesComeFromTheScenesAxes) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("a", 1)};
+  scene.constraints = {
+      test::joint(ConstraintType::revolute, "r",
+                  test::side(scenes::ground, scenes::Vector3{1, 2, 3}, scenes::Vector3{0, 2, 0}),
+                  test::side(0, {}, scenes::Vector3{0, 0, -3}, scenes::Vector3{0, 5, 4}))};
+  const auto joint = make_mechanism<double>(scene).joints[0];
+  EXPECT_EQ(joint.frame_i.point, (Vector3<double>(1, 2, 3)));
+  EXPECT_EQ(joint.frame_i.z, (Vector3<double>(0, 1, 0)));
+  EXPECT_EQ(joint.frame_i.u, (Vector3<double>(1, 0, 0)));
+  EXPECT_EQ(joint.frame_j.point, (Vector3<double>(0, 0, 0)));
+  EXPECT_EQ(joint.frame_j.z, (Vector3<double>(0, 0, -1)));
+  EXPECT_EQ(joint.frame_j.u, (Vector3<double>(0, 1, 0)));
+  EXPECT_EQ(joint.frame_j.v, (Vector3<double>(1, 0, 0)));
+}
+
+TEST(Mechanism, JointFramesAreTheSameInEveryScalar) {
+  const auto u = []<class Scalar>(Scalar) {
+    scenes::Scene scene;
+    scene.bodies = {test::body("a", 1)};
+    const scenes::Vector3 axis{1, 1 - 1e-12, 5};  // a tie of x and y once rounded to float
+    scene.constraints = {test::joint(ConstraintType::revolute, "r", test::side(scenes::ground, {}, axis),
+                                     test::side(0, {}, axis))};
+    return scalar_cast<double>(make_mechanism<Scalar>(scene).joints[0].frame_i.u);
+  };
+  EXPECT_LE(distance(u(1.0f), u(1.0)), test::roundings<float>(8));
+  EXPECT_LE(distance(u(Quad(1)), u(1.0)), test::roundings<double>(8));
+}
+
+TEST(Mechanism, VectorsOfBasicConstraintsAreTakenAsWritten) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("a", 1)};
+  auto dp1 = test::joint(ConstraintType::dp1, "dp1", test::vector_side(scenes::ground, {2, 0, 0}),
+                         test::vector_side(0, {3, 4, 0}));
+  dp1.f = 5.0;
+  scene.constraints = {dp1};
+  const auto mechanism = make_mechanism<double>(scene);
+  const auto& row = std::get<DP1<double>>(mechanism.rows[0]);
+  EXPECT_EQ(row.a_bar_i, (Vector3<double>(2, 0, 0)));
+  EXPECT_EQ(row.a_bar_j, (Vector3<double>(3, 4, 0)));
+  EXPECT_EQ(row.f, TimeFunction(5.0));
+}
+
+TEST(Mechanism, InertiaIsDiagonalOrFull) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("diagonal", 1), test::body("full", 1)};
+  scene.bodies[0].inertia = scenes::Vector3{1, 2, 3};
+  scene.bodies[1].inertia = scenes::Matrix3{{{2, 0.1, 0.2}, {0.1, 3, 0.3}, {0.2, 0.3, 4}}};
+  const auto mechanism = make_mechanism<double>(scene);
+  EXPECT_EQ(mechanism.bodies[0].inertia, (Matrix3<double>(Vector3<double>(1, 2, 3).asDiagonal())));
+  const Matrix3<double> full = (Matrix3<double>() << 2, 0.1, 0.2, 0.1, 3, 0.3, 0.2, 0.3, 4).finished();
+  EXPECT_EQ(mechanism.bodies[1].inertia, full);
+}
+
+/// What the reader takes within its tolerance is no moment below zero in the equations.
+TEST(Mechanism, AMomentJustBelowZeroCountsAsZero) {
+  const scenes::Vector3 moments{2, 2, -1e-12};
+  scenes::Scene scene;
+  scene.bodies = {test::body("diagonal", 1, moments), test::body("full", 1), test::body("singular", 1)};
+  test::Random random(7);
+  const Matrix3<double> A = rotation_matrix(random.euler_parameters<double>());
+  const Matrix3<double> J = A * Vector3<double>(moments.data()).asDiagonal() * A.transpose();
+  const scenes::Matrix3 exactly_singular{{{1, 1, 0}, {1, 1, 0}, {0, 0, 2}}};
+  scenes::Matrix3 rows;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) rows[r][c] = J(r, c);
+  scene.bodies[1].inertia = rows;
+  scene.bodies[2].inertia = exactly_singular;
+  const auto mechanism = make_mechanism<double>(scene);
+  EXPECT_EQ(mechanism.bodies[0].inertia, (Matrix3<double>(Vector3<double>(2, 2, 0).asDiagonal())));
+  const auto lifted = check_inertia(mechanism.bodies[1].inertia).principal_moments;
+  EXPECT_LE(std::abs(lifted[0]), 4e-15);  // the rounding of a trace of 4
+  EXPECT_LE(distance(mechanism.bodies[1].inertia, J), 1.1e-12);
+  for (int r = 0; r < 3; ++r)  // and what is singular as written stays as written
+    EXPECT_EQ(mechanism.bodies[2].inertia.row(r), Vector3<double>(exactly_singular[r].data()).transpose());
+}
+
+TEST(Orientation, IsTheSameInAllFourForms) {
+  const EulerSequence sequence = *parse_euler_sequence("312");
+  const Vector3<Quad> angles(Quad(0.3), Quad(-0.4), Quad(1.2));
+  const Matrix3<Quad> A = euler_rotation(sequence, angles);
+  const auto rotation = [](const scenes::Orientation& o) {
+    return rotation_matrix(euler_parameters_of<Quad>(o));
+  };
+  EXPECT_LE(distance(rotation(scenes::EulerAngles{{0.3, -0.4, 1.2}, sequence}), A), 1e-32);
+
+  scenes::RotationMatrix matrix;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) matrix.A[r][c] = static_cast<double>(A(r, c));
+  EXPECT_LE(distance(rotation(matrix), A), 1e-15);
+
+  const Vector4<double> p = scalar_cast<double>(euler_parameters(A));
+  EXPECT_LE(distance(rotation(scenes::EulerParameters{{3 * p[0], 3 * p[1], 3 * p[2], 3 * p[3]}}), A), 1e-15);
+
+  const Vector3<double> e = p.tail<3>();
+  const double angle = 2 * std::atan2(e.norm(), p[0]);
+  EXPECT_LE(distance(rotation(scenes::AxisAngle{{5 * e[0], 5 * e[1], 5 * e[2]}, angle}), A), 1e-15);
+}
+
+TEST(Orientation, IsUnitToTheLastBitOfEveryScalar) {
+  const scenes::EulerParameters written{{0.7, 0.1, -0.3, 0.2}};
+  EXPECT_NEAR(euler_parameters_of<double>(written).norm(), 1, 2e-16);
+  EXPECT_LE(std::abs(static_cast<double>(Quad(euler_parameters_of<Quad>(written).norm() - 1))), 2e-34);
+  EXPECT_LE(std::abs(static_cast<double>(Real50(euler_parameters_of<Real50>(written).norm() - 1))), 1e-49);
+}
+
+/// Whatever a scene normalises has the same direction at every size that the format takes, in float as well.
+template <class Scalar>
+class EverySize : public testing::Test {
+ public:
+  static constexpr double sizes[] = {1e-99, 1e-50, 3, 1e50, 1e99};
+  /// A few roundings, and those of the doubles in which the sizes are written.
+  const double tolerance = std::max(test::roundings<Scalar>(8), test::roundings<double>(8));
+};
+using Scalars = testing::Types<float, double, Quad>;
+TYPED_TEST_SUITE(EverySize, Scalars);
+
+TYPED_TEST(EverySize, OfEulerParametersIsTheSameOrientation) {
+  const Vector4<TypeParam> expected =
+      euler_parameters_of<TypeParam>(scenes::EulerParameters{{0.7, 0.1, -0.3, 0.2}});
+  for (double s : this->sizes)
+    EXPECT_LE(distance(euler_parameters_of<TypeParam>(
+                           scenes::EulerParameters{{0.7 * s, 0.1 * s, -0.3 * s, 0.2 * s}}),
+                       expected),
+              this->tolerance)
+        << s;
+}
+
+TYPED_TEST(EverySize, OfAnAxisIsTheSameTurn) {
+  const Vector4<TypeParam> expected = euler_parameters_of<TypeParam>(scenes::AxisAngle{{2, -3, 6}, 0.8});
+  for (double s : this->sizes)
+    EXPECT_LE(
+        distance(euler_parameters_of<TypeParam>(scenes::AxisAngle{{2 * s, -3 * s, 6 * s}, 0.8}), expected),
+        this->tolerance)
+        << s;
+}
+
+TYPED_TEST(EverySize, OfAJointsAxesIsTheSameFrame) {
+  const auto frame = [](double s) {
+    scenes::Scene scene;
+    scene.bodies = {test::body("a", 1)};
+    scene.constraints = {test::joint(
+        ConstraintType::fixed, "f",
+        test::side(scenes::ground, {}, scenes::Vector3{2 * s, -3 * s, 6 * s}, scenes::Vector3{s, 0, s}),
+        test::side(0, {}, scenes::Vector3{2 / s, -3 / s, 6 / s}, scenes::Vector3{1 / s, 0, 1 / s}))};
+    return make_mechanism<TypeParam>(scene).joints[0];
+  };
+  const auto expected = frame(1);
+  for (double s : this->sizes) {
+    const auto joint = frame(s);
+    EXPECT_LE(distance(joint.frame_i.z, expected.frame_i.z), this->tolerance) << s;
+    EXPECT_LE(distance(joint.frame_i.u, expected.frame_i.u), this->tolerance) << s;
+    EXPECT_LE(distance(joint.frame_j.z, expected.frame_j.z), this->tolerance) << s;
+    EXPECT_LE(distance(joint.frame_j.u, expected.frame_j.u), this->tolerance) << s;
+  }
+}
+
+/// A scene with one number of every kind that float cannot hold, and what the message about it says.
+struct Beyond {
+  const char* says;
+  std::function<void(scenes::Scene&)> write;
+};
+
+scenes::Scene two_bodies() {
+  scenes::Scene scene;
+  scene.bodies = {test::body("a", 1), test::body("b", 2)};
+  return scene;
+}
+
+const std::vector<Beyond>& beyond_float() {
+  using scenes::Scene;
+  const auto constraint = [](ConstraintType type, const std::function<void(scenes::Constraint&)>& write) {
+    return [=](Scene& s) {
+      s.constraints = {test::joint(type, "c", test::side(scenes::ground), test::side(0))};
+      write(s.constraints[0]);
+    };
+  };
+  using F = TimeFunction;
+  static const std::vector<Beyond> all{
+      {"body \"b\": mass 1e-60", [](Scene& s) { s.bodies[1].mass = 1e-60; }},
+      {"body \"b\": mass 1e-40", [](Scene& s) { s.bodies[1].mass = 1e-40; }},  // subnormal
+      {"body \"b\": mass 1e+39", [](Scene& s) { s.bodies[1].mass = 1e39; }},
+      {"body \"a\": inertia 1e-60",
+       [](Scene& s) {
+         s.bodies[0].inertia = scenes::Vector3{1, 1, 1e-60};
+       }},
+      {"body \"a\": inertia 1e-60",
+       [](Scene& s) {
+         s.bodies[0].inertia = scenes::Matrix3{{{1e-60, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+       }},
+      {"body \"a\": position 1e+39",
+       [](Scene& s) {
+         s.bodies[0].position = {0, 1e39, 1};
+       }},
+      {"body \"a\": velocity -1e+39",
+       [](Scene& s) {
+         s.bodies[0].velocity = {0, -1e39, 0};
+       }},
+      {"body \"a\": angular_velocity 1e+39",
+       [](Scene& s) {
+         s.bodies[0].angular_velocity = {1e39, 0, 0};
+       }},
+      {"body \"a\": angle 1e+39",
+       [](Scene& s) {
+         s.bodies[0].orientation = scenes::AxisAngle{{0, 0, 1}, 1e39};
+       }},
+      {"constraint \"c\": j/point 1e+39", constraint(ConstraintType::spherical,
+                                                     [](auto& c) {
+                                                       c.j.point = {0, 0, 1e39};
+                                                     })},
+      {"constraint \"c\": i/vector 1e-60", constraint(ConstraintType::dp1,
+                                                      [](auto& c) {
+                                                        c.i.vector = {1e-60, 0, 0};
+                                                      })},
+      {"constraint \"c\": direction 1e-60", constraint(ConstraintType::cd,
+                                                       [](auto& c) {
+                                                         c.direction = {1e-60, 0, 0};
+                                                       })},
+      {"constraint \"c\": f 1e-60", constraint(ConstraintType::cd, [](auto& c) { c.f = 1e-60; })},
+      {"constraint \"c\": squared distance 1e+40",
+       constraint(ConstraintType::distance, [](auto& c) { c.distance = 1e20; })},
+      {"constraint \"c\": angle 1e+39",
+       constraint(ConstraintType::rotation_driver,
+                  [](auto& c) {
+                    c.angle = F(F::Sum{{F(1), F(F::Sin{{F(F::Polynomial{{0, 1e39}})}})}});
+                  })},
+      {"effect \"/effects/0\": acceleration 1e-60",
+       [](Scene& s) {
+         s.effects = {scenes::Gravity{"", {0, 0, 1e-60}}};
+       }},
+      {"effect \"pull\": force 1e+39",
+       [](Scene& s) {
+         s.effects = {scenes::Force{"pull", 0, {}, {1, 2, 1e39}}};
+       }},
+      {"effect \"turn\": torque 1e-60",
+       [](Scene& s) {
+         s.effects = {scenes::Torque{"turn", 0, {F(F::Harmonic{0, 1e-60, 1, 0})}}};
+       }},
+      {"effect \"spring\": stiffness 1e+39", [](Scene& s) {
+         s.effects = {scenes::SpringDamper{"spring", test::side(0), test::side(1), 1e39, 0, 0, {}}};
+       }}};
+  return all;
+}
+
+template <class Scalar>
+void build(const scenes::Scene& scene) {
+  make_mechanism<Scalar>(scene);
+  make_state<Scalar>(scene);
+}
+
+TEST(Narrowing, RefusesByNameWhatTheScalarCannotHold) {
+  for (const auto& [says, write] : beyond_float()) {
+    scenes::Scene scene = two_bodies();
+    write(scene);
+    try {
+      build<float>(scene);
+      ADD_FAILURE() << says;
+    } catch (const ModelError& error) {
+      EXPECT_EQ(error.what(), std::string(says) + " is beyond the range of float; use --scalar double");
+    }
+  }
+}
+
+TEST(Narrowing, TakesEveryDoubleWhereTheScalarHoldsIt) {
+  for (const auto& [says, write] : beyond_float()) {
+    scenes::Scene scene = two_bodies();
+    write(scene);
+    EXPECT_NO_THROW(build<double>(scene)) << says;
+    EXPECT_NO_THROW(build<Quad>(scene)) << says;
+  }
+}
+
+TEST(Narrowing, RefusesATimeThatTheScalarCannotHold) {
+  EXPECT_THROW(make_state<float>(two_bodies(), static_cast<float>(1e39)), ModelError);
+  EXPECT_NO_THROW(make_state<double>(two_bodies(), 1e39));
+}
+
+/// What rounding leaves of a zero beside numbers of ordinary size keeps nobody from solving in float.
+TEST(Narrowing, RoundsAComponentAwayBesideLargerOnes) {
+  scenes::Scene scene = two_bodies();
+  scene.bodies[0].velocity = {1e-48, 1, 0};
+  scene.bodies[0].orientation = scenes::AxisAngle{{1e-48, 0, 1}, 1e-48};
+  EXPECT_NO_THROW(build<float>(scene));
+}
+
+TEST(MechanismState, SurvivesBeingWrittenBack) {
+  test::Random random(81);
+  scenes::Scene scene;
+  scene.bodies = {test::body("a", 1), test::body("b", 2)};
+  MechanismState<double> state;
+  for (int b = 0; b < 2; ++b) {
+    state.pose.push_back({random.vector<double, 3>(), random.euler_parameters<double>()});
+    state.twist.push_back({random.vector<double, 3>(), random.vector<double, 3>()});
+  }
+  set_state(scene, state);
+  const auto back = make_state<double>(scene, 2.5);
+  EXPECT_EQ(back.t, 2.5);
+  for (int b = 0; b < 2; ++b) {
+    EXPECT_EQ(back.pose[b].r, state.pose[b].r);
+    EXPECT_LE(distance(back.pose[b].p, state.pose[b].p), 4e-16);
+    EXPECT_EQ(back.twist[b].r_dot, state.twist[b].r_dot);
+    EXPECT_EQ(back.twist[b].omega_bar, state.twist[b].omega_bar);
+  }
+}
+
+}  // namespace
+}  // namespace trivium

@@ -1,0 +1,10 @@
+#include "formulations/r_epsilon_omega_first.hpp"
+#include "simulation/simulate_impl.hpp"
+
+namespace trivium {
+
+template SimulationReport simulate_in<REpsilonOmegaFirst<double>>(const Model<double>&,
+                                                                  const SimulationOptions&,
+                                                                  SimulationObserver&);
+
+}  // namespace trivium

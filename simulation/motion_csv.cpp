@@ -1,0 +1,75 @@
+#include "simulation/motion_csv.hpp"
+
+#include "base/csv.hpp"
+
+#include <fmt/format.h>
+
+namespace trivium {
+
+namespace {
+
+std::vector<std::string> header(const Mechanism<double>& mechanism, bool has_raw_lambda) {
+  std::vector<std::string> names{"t"};
+  for (int b = 0; b < mechanism.nb(); ++b)
+    for (const char* part : {"x", "y", "z", "e0", "e1", "e2", "e3", "vx", "vy", "vz", "wx", "wy", "wz"})
+      names.push_back(mechanism.body_names[b] + "." + part);
+  for (const Joint<double>& joint : mechanism.joints)
+    for (const char* part : {"fx", "fy", "fz", "tx", "ty", "tz"}) names.push_back(joint.name + "." + part);
+  for (int k = 0; k < mechanism.nc(); ++k) names.push_back(fmt::format("lambda[{}]", k));
+  for (const char* name : {"energy", "phi", "phi_dot"}) names.emplace_back(name);
+  if (has_raw_lambda)
+    for (int k = 0; k < mechanism.nc(); ++k) names.push_back(fmt::format("raw_lambda[{}]", k));
+  return names;
+}
+
+/// The file that the path names, through links.
+std::filesystem::path target_of(const std::string& path) {
+  const auto target = file_to_write(path);
+  if (!target)
+    throw std::filesystem::filesystem_error("not a regular file", path,
+                                            std::make_error_code(std::errc::invalid_argument));
+  return *target;
+}
+
+}  // namespace
+
+MotionCsv::MotionCsv(const Mechanism<double>& mechanism, bool has_raw_lambda, const std::string& file)
+    : name_(file), file_(target_of(file)), has_raw_lambda_(has_raw_lambda) {
+  file_.write(csv_line(header(mechanism, has_raw_lambda)));
+}
+
+void MotionCsv::add(const MotionSample& sample) {
+  std::string line;
+  const auto put = [&](double x) { line += fmt::format("{}{:.17g}", line.empty() ? "" : ",", x); };
+  const auto put_all = [&](const auto& v) {
+    for (const double x : v) put(x);
+  };
+  p_.resize(sample.state.pose.size(), Vector4<double>::Zero());
+  put(sample.state.t);
+  for (std::size_t b = 0; b < p_.size(); ++b) {
+    const auto& [r, p] = sample.state.pose[b];
+    p_[b] = p.dot(p_[b]) < 0 ? Vector4<double>(-p) : p;
+    put_all(r);
+    put_all(p_[b]);
+    put_all(sample.state.twist[b].r_dot);
+    put_all(sample.state.twist[b].omega_bar);
+  }
+  for (const Reaction<double>& reaction : sample.reactions) {
+    put_all(reaction.force);
+    put_all(reaction.torque);
+  }
+  put_all(sample.lambda);
+  put(sample.energy);
+  put(sample.phi);
+  put(sample.phi_dot);
+  // at the start an implicit method has none but those of (q, v)
+  if (has_raw_lambda_) put_all(sample.raw_lambda.size() > 0 ? sample.raw_lambda : sample.lambda);
+  file_.write(line + "\n");
+}
+
+void MotionCsv::keep() {
+  if (const std::error_code reason = file_.keep())
+    throw std::filesystem::filesystem_error("cannot write", name_, reason);
+}
+
+}  // namespace trivium

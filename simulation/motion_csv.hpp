@@ -1,0 +1,32 @@
+#pragma once
+/// A motion as CSV, a line an output: t, then of every body its place, Euler parameters, velocity and
+/// body-frame angular velocity, of every joint its reaction on body j, lambda, energy and the largest
+/// violations; then the method's own lambda, if it has any.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/whole_file.hpp"
+#include "simulation/simulate.hpp"
+
+namespace trivium {
+
+class MotionCsv {
+ public:
+  /// The file stays as it was until `keep`.
+  MotionCsv(const Mechanism<double>& mechanism, bool has_raw_lambda, const std::string& file);
+
+  void add(const MotionSample& sample);
+  /// Throws std::filesystem::filesystem_error.
+  void keep();
+
+ private:
+  std::string name_;
+  GrowingFile file_;
+  bool has_raw_lambda_;
+  std::vector<Vector4<double>>
+      p_;  ///< as written last: p and -p are one orientation, and one of them is near
+};
+
+}  // namespace trivium

@@ -1,0 +1,209 @@
+/// The equations of motion with their constraints, as implicit methods ask for them.
+
+#include "simulation/system/constrained_equations.hpp"
+
+#include "bodies/testing/properties.hpp"
+#include "formulations/testing/printed_and_structured.hpp"
+#include "scenes/format/scene_file.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "scenes/testing/scene_builders.hpp"
+
+namespace trivium {
+namespace {
+
+using test::distance, test::Random;
+using StateVector = VectorX<double>;
+
+template <class F>
+class Constrained : public testing::Test {};
+TYPED_TEST_SUITE(Constrained, test::AllFormulations<double>, test::FormulationNames);
+
+template <class F>
+ConstrainedEquations<F> form_of(const scenes::Scene& scene) {
+  return {make_mechanism<double>(scene), make_state<double>(scene)};
+}
+scenes::Scene catalogue_scene(const std::string& name) {
+  return scenes::read_scene_file(std::string(TRIVIUM_SCENES_DIR) + "/" + name + ".json");
+}
+
+/// What a step's equations are at a state.
+template <class F>
+struct Step {
+  ConstrainedEquations<F>& form;
+  StateVector v_dot, lambda, force;
+
+  explicit Step(ConstrainedEquations<F>& f) : form(f) { form.accelerations(0, form.start(), v_dot, lambda); }
+  double imbalance(const StateVector& y) {
+    form.inertia_force(y, v_dot, force);
+    return form.residual(0, y, force, lambda);
+  }
+};
+
+TYPED_TEST(Constrained, ForcesBalanceWhereTheMotionIs) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    auto form = form_of<TypeParam>(test::varied_scene(seed));
+    Step<TypeParam> step(form);
+    EXPECT_LE(step.imbalance(form.start()), 1e-12) << seed;
+    EXPECT_LE(form.relative_row_violation(), 1e-13) << seed;
+    // states of random scenes need not move as drivers would have it
+    form.velocity_violation(0, form.start());
+    EXPECT_NEAR(form.velocity_rows(), form.relative_violation(), 1e-12) << seed;
+    // and nowhere else
+    step.v_dot[0] += 1e-3 * (1 + step.v_dot.cwiseAbs().maxCoeff());
+    EXPECT_GT(step.imbalance(form.start()), 1e-7) << seed;
+  }
+}
+
+// the equations are linear in v' and lambda, and where q and v hardly move with them, that is all
+TYPED_TEST(Constrained, NewtonFindsAccelerationsAndLambdaInOneIteration) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    auto form = form_of<TypeParam>(test::varied_scene(seed));
+    Step<TypeParam> step(form);
+    const StateVector v_dot = step.v_dot, lambda = step.lambda;
+    Random random(seed);
+    // off by what keeps the rows, so that Phi = 0 asks nothing: lambda alone, of rows that are not redundant
+    for (double& x : step.lambda) x += x == 0 ? 0 : random.uniform();
+    step.imbalance(form.start());
+    form.factor(1e-12, 1e-12);
+    form.newton(1e30, step.v_dot, step.lambda);
+    EXPECT_LE(step.imbalance(form.start()), 1e-11) << seed;
+    EXPECT_LE(distance(step.v_dot, v_dot), 1e-9 * (1 + v_dot.norm())) << seed;
+  }
+}
+
+TYPED_TEST(Constrained, NewtonMeetsPositionsByTheirShare) {
+  constexpr double h = 1e-4;
+  for (const char* name : {"spatial_slider_crank", "heavy_top", "stewart_platform", "triple_pendulum"}) {
+    auto form = form_of<TypeParam>(catalogue_scene(name));
+    Step<TypeParam> step(form);
+    const StateVector from = form.start(), v = from.segment(form.position_size(), form.velocity_size());
+    StateVector y = from;
+    const auto place = [&] {
+      form.displace(from, StateVector(h * v + h * h / 2 * step.v_dot), y);
+      if (form.normalise_step(h * h / 2, y, step.v_dot))
+        form.displace(from, StateVector(h * v + h * h / 2 * step.v_dot), y);
+    };
+    step.v_dot.setZero();
+    place();
+    step.imbalance(y);
+    const double before = form.relative_row_violation();
+    EXPECT_GT(before, 1e-10) << name;
+    form.factor(h, h * h / 2);
+    form.newton(h * h / 2, step.v_dot, step.lambda);
+    place();
+    step.imbalance(y);
+    // what is left is of the square of that, or of the angle that bodies turn in the step
+    double turned = 0;
+    for (const Twist<double>& twist : form.to_mechanism_state(0, from).twist)
+      turned = std::max(turned, h * twist.omega_bar.norm());
+    EXPECT_LE(form.relative_row_violation(), (5e-3 + turned) * before) << name;
+  }
+}
+
+// v' and lambda of a step that a stiff spring rules: by the matrix of M alone this would go up by h^2 k / m
+TYPED_TEST(Constrained, SpringsAreInNewtonsMatrix) {
+  auto form = form_of<TypeParam>(catalogue_scene("flyball_governor"));
+  Step<TypeParam> step(form);
+  const double h = 0.01, share = h * h / 2;
+  const StateVector from = form.start(), v = from.segment(form.position_size(), form.velocity_size());
+  StateVector y = from;
+  double before = 0;
+  for (int k = 0; k < 12; ++k) {
+    form.displace(from, StateVector(h * v + share * step.v_dot), y);
+    if (form.normalise_step(share, y, step.v_dot))
+      form.displace(from, StateVector(h * v + share * step.v_dot), y);
+    y.segment(form.position_size(), form.velocity_size()) = v + h * step.v_dot;
+    before = step.imbalance(y);
+    form.factor(h, share);
+    form.newton(share, step.v_dot, step.lambda);
+  }
+  EXPECT_LE(before, 1e-6);
+  EXPECT_LE(form.relative_row_violation(), 1e-6);
+}
+
+TYPED_TEST(Constrained, DisplacementsLeadFromStateToState) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    auto form = form_of<TypeParam>(test::varied_scene(seed));
+    const StateVector from = form.start();
+    Random random(seed);
+    const StateVector by = StateVector::NullaryExpr(form.velocity_size(),
+                                                    [&](Eigen::Index) { return random.uniform(-0.1, 0.1); });
+    StateVector to = from, found;
+    form.displace(from, by, to);
+    form.displacement(from, to, found);
+    EXPECT_LE(distance(found, by), 1e-13) << seed;
+  }
+}
+
+TYPED_TEST(Constrained, PositionsGrowAsTheFirstOrderFormSays) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    auto form = form_of<TypeParam>(test::varied_scene(seed));
+    const StateVector y = form.start();
+    StateVector y_dot, rate;
+    form.derivative(0, y, y_dot);
+    form.position_rate(y, y.segment(form.position_size(), form.velocity_size()), rate);
+    EXPECT_LE(distance(rate, y_dot.head(form.position_size())), 1e-14 * (1 + rate.norm())) << seed;
+  }
+}
+
+TYPED_TEST(Constrained, APlaceIsAsLargeAsItIsFarFromTheOriginAndATurnIsOne) {
+  auto form = form_of<TypeParam>(test::varied_scene(0));
+  const StateVector y = form.start();
+  StateVector sizes;
+  form.position_sizes(y, sizes);
+  const int positions = form.position_size() / form.nb(), velocities = form.velocity_size() / form.nb();
+  for (int b = 0; b < form.nb(); ++b)
+    for (int k = 0; k < velocities; ++k)
+      EXPECT_EQ(sizes[velocities * b + k], k < 3 ? y.segment<3>(positions * b).norm() : 1.0) << b << " " << k;
+}
+
+TYPED_TEST(Constrained, AccelerationsLeaveNothingOfInternalRowsAndWhatIsLeftIsSolvedFor) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    auto form = form_of<TypeParam>(test::varied_scene(seed));
+    Step<TypeParam> step(form);
+    step.imbalance(form.start());
+    StateVector left = StateVector::Zero(form.velocity_size());
+    form.take_internal_rows(step.v_dot, left);
+    const double size = 1 + step.v_dot.norm() + form.start().squaredNorm();
+    EXPECT_LE(left.norm(), 1e-13 * size) << seed;
+    Random random(seed);
+    for (double& x : step.v_dot) x += random.uniform();
+    form.take_internal_rows(step.v_dot, left);
+    EXPECT_EQ(left.norm() > 1e-3, TypeParam::internal_constraints > 0) << seed;
+    form.solve_internal_rows(form.start(), left, step.v_dot);
+    left.setZero();
+    form.take_internal_rows(step.v_dot, left);
+    EXPECT_LE(left.norm(), 1e-13 * size) << seed;
+  }
+}
+
+TYPED_TEST(Constrained, WorkRateIsThatOfTheFirstOrderForm) {
+  for (const char* name : {"flyball_governor", "driven_crank", "basic_drivers", "open_arm_7"}) {
+    auto form = form_of<TypeParam>(catalogue_scene(name));
+    Step<TypeParam> step(form);
+    StateVector y_dot;
+    form.derivative(0, form.start(), y_dot);
+    step.imbalance(form.start());
+    EXPECT_NEAR(form.work_rate(step.lambda), y_dot[form.motion_size()],
+                1e-9 * (1 + std::abs(y_dot[form.motion_size()])))
+        << name;
+  }
+}
+
+TYPED_TEST(Constrained, RedundantRowsAreLeftOutAsTheMotionHasThem) {
+  for (const char* name : {"bricard", "parallelogram", "four_bar", "door"}) {
+    auto form = form_of<TypeParam>(catalogue_scene(name));
+    Step<TypeParam> step(form);
+    const StateVector v_dot = step.v_dot;
+    step.v_dot.setZero();
+    step.lambda.setZero();
+    step.imbalance(form.start());
+    form.factor(1e-12, 1e-12);
+    form.newton(1e30, step.v_dot, step.lambda);  // Phi_q v' = 0: no accelerations but those across the rows
+    EXPECT_TRUE(step.v_dot.allFinite()) << name;
+    EXPECT_LE(step.lambda.cwiseAbs().maxCoeff(), 1e6) << name;
+  }
+}
+
+}  // namespace
+}  // namespace trivium

@@ -1,0 +1,94 @@
+#pragma once
+/// The least change, in the mass metric, that takes a state to its constraints:
+///
+///   M x + Phi_q^T mu = 0,   Phi_q x = -Phi  (positions)   or   Phi_q x = -(Phi_q q' - nu)  (velocities)
+///
+/// which is the acceleration solver's own matrix.
+
+#include "formulations/structured/acceleration_solver.hpp"
+#include "simulation/system/constraint_violation.hpp"
+
+namespace trivium {
+
+template <Formulation F>
+class ConstraintProjection {
+ public:
+  using S = typename F::Scalar;
+
+  /// Shares the solver's factors; redundant rows are those that it found last. The solver must outlive this.
+  ConstraintProjection(AccelerationSolver<F>& solver, const S& t)
+      : solver_(solver),
+        measure_(solver.mechanism(), solver.plan().graph, t),
+        violation_(solver.plan().graph),
+        change_(violation_) {}
+
+  /// To a state; what follows speaks of it.
+  void move(std::span<const BodyState<F>> state, const S& t) {
+    t_ = t;
+    for (int b = 0; b < solver_.mechanism().nb(); ++b) solver_.assembly().move_body(b, state[b]);
+    measure_.move(solver_.assembly().body());
+  }
+  /// The motion has reached the state that the solver's bodies are in.
+  void accept_state() {
+    measure_.move(solver_.assembly().body());
+    measure_.accept_state();
+  }
+
+  /// The largest |Phi_k| and |Phi_k'|, in metres or radians (per second) whatever a row's scale.
+  S measure_positions() {
+    solver_.assembly().positions(t_, violation_);
+    return measure_.measure_positions(violation_);
+  }
+  S measure_velocities() {
+    solver_.assembly().velocities(t_, violation_);
+    return measure_.measure_velocities(violation_);
+  }
+  /// How far Phi_q q' - nu at the state's time is from what it was at a time just before, in the place of the
+  /// velocities' violation: what jumps of nu leave.
+  void measure_jump(const S& before) {
+    solver_.assembly().velocities(before, change_);
+    solver_.assembly().velocities(t_, violation_);
+    for (std::size_t e = 0; e < violation_.edge.size(); ++e) violation_.edge[e] -= change_.edge[e];
+    measure_.measure_velocities(violation_);
+  }
+  const ConstraintViolation<S>& measure() const { return measure_; }
+
+  /// Factors the matrix at the state.
+  void factor() {
+    GraphAssembly<F>& assembly = solver_.assembly();
+    for (const auto& link : assembly.links()) assembly.assemble_link(link, t_, change_);
+    assembly.assemble_closings(t_, change_);
+    solver_.factors().find_ranks(Ranks::kept);
+    ++factorisations_;
+    try {
+      solver_.factors().factor(assembly.matrix());
+    } catch (const SingularLink& link) {
+      throw solver_.named(link, t_);
+    }
+  }
+  long factorisations() const { return factorisations_; }
+  /// The change that undoes what was measured last, by the factors at hand.
+  void solve() {
+    for (Vector6<S>& row : violation_.edge) row = -row;
+    solver_.factors().solve(violation_, change_);
+  }
+  /// mu of the change, by the mechanism's rows.
+  void copy_multipliers(VectorX<S>& mu) const {
+    const auto& edges = solver_.plan().graph.edges;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      for (int k = 0; k < edges[e].size(); ++k) mu[edges[e].rows[k]] = change_.edge[e][k];
+  }
+  Vector3<S> r_change(int b) const { return unpadded<S>(change_.body[b].r); }
+  typename F::Unknown q_change(int b) const {
+    return F::increment(solver_.assembly().body()[b], unpadded<S>(change_.body[b].x));
+  }
+
+ private:
+  AccelerationSolver<F>& solver_;
+  ConstraintViolation<S> measure_;
+  GraphVector<S> violation_, change_;
+  S t_{0};
+  long factorisations_ = 0;
+};
+
+}  // namespace trivium

@@ -1,0 +1,138 @@
+#pragma once
+/// How far a state is from its constraints, row by row, in metres or radians (per second) whatever a row's
+/// scale; and beside the numbers of what moves together, lengths beside lengths and turns beside turns, so
+/// that rounding is some u whatever the size of a mechanism.
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "formulations/structured/connected_bodies.hpp"
+#include "formulations/structured/graph_solver.hpp"
+
+namespace trivium {
+
+template <class S>
+class ConstraintViolation {
+ public:
+  /// Both must outlive this.
+  ConstraintViolation(const Mechanism<S>& mechanism, const BodyJointGraph& graph, const S& t)
+      : mechanism_(mechanism),
+        graph_(graph),
+        scale_(graph.edges.size()),
+        turns_(graph.edges.size()),
+        assembly_(assemblies_of(graph)),
+        extent_(assembly_.size()) {
+    measure_reaches();
+    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+      scale_[e].setOnes();
+      if (graph.edges[e].is_soft) continue;
+      for (int k = 0; k < graph.edges[e].size(); ++k) {
+        const BasicConstraint<S>& row = mechanism.rows[graph.edges[e].rows[k]];
+        scale_[e][k] = row_scale(row, t);
+        turns_[e][k] = is_of_angle(row);
+      }
+    }
+  }
+
+  /// To where the bodies are.
+  template <class Body>
+  void move(const std::vector<Body>& body) {
+    for (Extent& extent : extent_) {
+      extent.length = S(0);
+      // at rest for a moment, velocities are the rounding of what they were
+      extent.speed = extent.fastest / 1000;
+      extent.spin = extent.fastest_spin / 1000;
+    }
+    for (int b = 0; b < mechanism_.nb(); ++b) {
+      Extent& extent = extent_[assembly_[b]];
+      extent.length = larger(extent.length, S(body[b].r.norm() + extent.reach));
+      const S v = body[b].r_dot.norm(), omega = body[b].omega_bar.norm();
+      extent.speed = larger(extent.speed, S(v + omega * extent.reach));
+      // what is at rest turns by the rounding of how its joints' points move
+      extent.spin = larger(extent.spin, extent.arm > S(0) ? S(omega + v / extent.arm) : S(omega + v));
+    }
+  }
+  /// The motion has reached the bodies' state.
+  void accept_state() {
+    for (Extent& extent : extent_) {
+      extent.fastest = larger(extent.fastest, extent.speed);
+      extent.fastest_spin = larger(extent.fastest_spin, extent.spin);
+    }
+  }
+
+  /// The largest |Phi_k| or |Phi_k'| of values as assembled.
+  S measure_positions(const GraphVector<S>& phi) {
+    return largest(phi, [](const Extent& of, bool is_turn) { return is_turn ? S(1) : of.length; });
+  }
+  S measure_velocities(const GraphVector<S>& phi_dot) {
+    return largest(phi_dot, [](const Extent& of, bool is_turn) { return is_turn ? of.spin : of.speed; });
+  }
+  /// Of the last measure, the largest beside the lengths, turns or speeds of the row's own assembly.
+  const S& relative() const { return relative_; }
+  /// The row of the last measure; "none" where there are none.
+  const std::string& worst_row() const {
+    static const std::string none = "none";
+    return mechanism_.nc() == 0 ? none : mechanism_.row_names[graph_.edges[worst_.edge].rows[worst_.k]];
+  }
+
+  /// Bodies that rows connect, not through the ground, have the same number, below nb.
+  int component_of(int body) const { return assembly_[body]; }
+  /// The largest distance [m] of a joint's point from the centre of its body, in the body's assembly; the
+  /// ground has no centre.
+  const S& arm_of(int body) const { return extent_[assembly_[body]].arm; }
+  /// How far [m] from the origin the points of the body's assembly are.
+  const S& length_of(int body) const { return extent_[assembly_[body]].length; }
+
+ private:
+  /// How large an assembly's numbers are.
+  struct Extent {
+    S arm{0}, reach{0};  ///< of the points of its joints: on bodies, and on the ground, too
+    S length{0}, speed{0}, fastest{0}, spin{0}, fastest_spin{0};
+  };
+
+  void measure_reaches() {
+    const int nb = mechanism_.nb();
+    for (const Joint<S>& joint : mechanism_.joints) {
+      Extent& extent = extent_[assembly_[joint.i == nb ? joint.j : joint.i]];
+      for (const auto& [body, point] :
+           {std::pair(joint.i, joint.frame_i.point), {joint.j, joint.frame_j.point}}) {
+        extent.reach = larger(extent.reach, S(point.norm()));
+        if (body != nb) extent.arm = larger(extent.arm, S(point.norm()));
+      }
+    }
+  }
+
+  template <class Size>
+  S largest(const GraphVector<S>& values, const Size& size_of) {
+    using std::abs;
+    S largest(0);
+    relative_ = S(0);
+    for (std::size_t e = 0; e < values.edge.size(); ++e) {
+      const GraphEdge& edge = graph_.edges[e];
+      if (edge.is_soft) continue;
+      const Extent& extent = extent_[assembly_[edge.i == mechanism_.nb() ? edge.j : edge.i]];
+      for (int k = 0; k < edge.size(); ++k) {
+        const S size = abs(values.edge[e][k]) / scale_[e][k], made_of = size_of(extent, turns_[e][k]);
+        if (!(size <= relative_ * made_of)) relative_ = made_of > S(0) ? S(size / made_of) : size;
+        if (size <= largest || largest != largest) continue;  // a NaN goes in and stays
+        largest = size;
+        worst_ = {static_cast<int>(e), k};
+      }
+    }
+    return largest;
+  }
+
+  const Mechanism<S>& mechanism_;
+  const BodyJointGraph& graph_;
+  std::vector<Vector6<S>> scale_;
+  std::vector<std::array<bool, 6>> turns_;  ///< whether the row is an angle's
+  std::vector<int> assembly_;               ///< by body, the ground last
+  std::vector<Extent> extent_;
+  S relative_{0};
+  EdgeRow worst_{0, 0};
+};
+
+}  // namespace trivium

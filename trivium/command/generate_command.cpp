@@ -1,0 +1,67 @@
+/// trivium generate: regular scenes of any size, as scene files.
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <memory>
+
+#include "base/error.hpp"
+#include "scenes/catalogue.hpp"
+#include "scenes/format/scene_file.hpp"
+#include "scenes/generators.hpp"
+#include "trivium/command/commands.hpp"
+
+namespace trivium {
+
+namespace {
+
+struct GenerateArguments {
+  std::string kind, out;
+  int n = 1;
+  std::uint64_t seed = 1;
+};
+
+scenes::Scene generate(const GenerateArguments& arguments) {
+  if (arguments.kind == "chain") return scenes::chain(arguments.n);
+  if (arguments.kind == "ladder") return scenes::ladder(arguments.n);
+  if (arguments.kind == "ring") {
+    if (arguments.n < 3)
+      throw Error(ErrorKind::input,
+                  fmt::format("N: found {}; accepted: 3 bars of a ring or more", arguments.n));
+    return scenes::ring(arguments.n);
+  }
+  if (arguments.kind == "hub") return scenes::hub(arguments.n);
+  return scenes::tree(arguments.n, arguments.seed);
+}
+
+int run_generate(const GenerateArguments& arguments) {
+  const scenes::Scene scene = generate(arguments);
+  if (arguments.out.empty())
+    fmt::print("{}", scenes::write_scene(scene));
+  else
+    scenes::write_scene_file(arguments.out, scene);
+  return exit_done;
+}
+
+}  // namespace
+
+Command add_generate_command(CLI::App& app) {
+  auto arguments = std::make_shared<GenerateArguments>();
+  CLI::App* command =
+      app.add_subcommand("generate", "A chain, ladder, tree, ring or hub of N as a scene file");
+  command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
+  command->add_option("KIND", arguments->kind, "chain, ladder, tree, ring or hub")
+      ->required()
+      ->check(CLI::IsMember({"chain", "ladder", "tree", "ring", "hub"}));
+  command->add_option("N", arguments->n, "Bars (3 or more of a ring), or loops of the ladder")
+      ->required()
+      ->check(CLI::Range(1, 100000));
+  command->add_option("--seed", arguments->seed, "Seed of the tree")
+      ->check(whole_number(std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
+  command->add_option("--out", arguments->out, "Write to this file instead of stdout")
+      ->check(writable_file());
+  return [arguments] { return run_generate(*arguments); };
+}
+
+}  // namespace trivium

@@ -1,0 +1,77 @@
+/// trivium list: the catalogue's scenes, the formulations, integrators, joints, basic constraints and
+/// effects.
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "base/json_writer.hpp"
+#include "base/number_text.hpp"
+#include "formulations/side_by_side.hpp"
+#include "integrators/methods.hpp"
+#include "scenes/catalogue.hpp"
+#include "scenes/format/scene_file.hpp"
+#include "scenes/format/scene_keys.hpp"
+#include "trivium/command/commands.hpp"
+
+namespace trivium {
+
+namespace {
+
+std::vector<std::string> constraint_types() {
+  std::vector<std::string> names;
+  for (const scenes::ConstraintShape& known : scenes::constraint_shapes)
+    names.emplace_back(known.shape.name());
+  return names;
+}
+
+std::vector<std::string> effect_types() {
+  std::vector<std::string> names;
+  for (const scenes::Shape& known : scenes::effect_shapes) names.emplace_back(known.name());
+  return names;
+}
+
+int run_list(bool json) {
+  std::vector<scenes::Scene> all;
+  for (const auto& file : catalogue()) all.push_back(scenes::read_scene_file(file));
+  if (json) {
+    JsonWriter out;
+    out.begin_object().begin_array("scenes");
+    for (const scenes::Scene& scene : all)
+      out.begin_object()
+          .text("name", scene.name)
+          .text("description", scene.description)
+          .text("reference", scene.reference)
+          .number("nb", scene.bodies.size())
+          .end_object();
+    out.end_array()
+        .texts("formulations", formulation_names())
+        .texts("integrators", integrators::method_names())
+        .texts("constraints", constraint_types())
+        .texts("effects", effect_types())
+        .end_object();
+    fmt::print("{}", out.str());
+    return exit_done;
+  }
+  fmt::print("scenes ({})\n", catalogue_directory().string());
+  for (const scenes::Scene& scene : all)
+    fmt::print("  {:<28} {:>10}  {}\n", scene.name, counted(scene.bodies.size(), "body", "bodies"),
+               scene.description);
+  fmt::print("\nformulations  {}\n", fmt::join(formulation_names(), ", "));
+  fmt::print("integrators   {}\n", fmt::join(integrators::method_names(), ", "));
+  fmt::print("constraints   {}\n", fmt::join(constraint_types(), ", "));
+  fmt::print("effects       {}\n", fmt::join(effect_types(), ", "));
+  return exit_done;
+}
+
+}  // namespace
+
+Command add_list_command(CLI::App& app) {
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = app.add_subcommand("list", "Scenes, formulations, integrators, joints and effects");
+  command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
+  command->add_flag("--json", *json, "JSON on stdout");
+  return [json] { return run_list(*json); };
+}
+
+}  // namespace trivium

@@ -1,0 +1,52 @@
+#include "validation/harness/consistent_scenes.hpp"
+
+#include <fmt/format.h>
+
+#include "formulations/analysis/assemble.hpp"
+#include "scenes/format/scene_file.hpp"
+#include "scenes/make_mechanism.hpp"
+
+namespace trivium {
+
+InputErrors::InputErrors(const std::vector<std::string>& messages)
+    : Error(ErrorKind::input, fmt::format("{}", fmt::join(messages, "\nerror: "))), messages_(messages) {}
+
+namespace {
+
+/// What of its constraints a scene's state does not satisfy; empty where it satisfies all.
+std::string inconsistency(const NamedScene& named, double t) {
+  try {
+    const auto [mechanism, state] = make_model<double>(named.scene, t);
+    const Consistency consistency = check_consistency(mechanism, state);
+    if (consistency.holds()) return {};
+    std::string report = consistency.report();
+    report.erase(report.find_last_not_of('\n') + 1);
+    return fmt::format("{}: the state at t = {} does not satisfy its constraints:\n{}", named.source, t,
+                       report);
+  } catch (const ModelError&) {
+    return {};  // no equations at this state: the solver says so, and of this scene alone
+  }
+}
+
+}  // namespace
+
+std::vector<NamedScene> load_consistent_scenes(const std::vector<std::string>& paths_or_names, double t) {
+  std::vector<NamedScene> scenes;
+  std::vector<std::string> messages;
+  for (const std::string& source : paths_or_names) {
+    try {
+      NamedScene named{source, load_scene(source, t)};
+      const std::string message = inconsistency(named, t);
+      if (message.empty())
+        scenes.push_back(std::move(named));
+      else
+        messages.push_back(message);
+    } catch (const scenes::SceneError& error) {
+      messages.emplace_back(error.what());
+    }
+  }
+  if (!messages.empty()) throw InputErrors(messages);
+  return scenes;
+}
+
+}  // namespace trivium

@@ -1,0 +1,34 @@
+#pragma once
+/// The scenes that a validation works on: named or of the catalogue, all of them read and found consistent
+/// before any is computed.
+
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "scenes/catalogue.hpp"
+
+namespace trivium {
+
+/// A scene and the path or name that it was asked for by, which messages about it carry.
+struct NamedScene {
+  std::string source;
+  scenes::Scene scene;
+};
+
+/// Scenes that cannot be read, or whose states do not satisfy their constraints: a message for each, one
+/// line "error: ..." after the other where a program prints them.
+class InputErrors : public Error {
+ public:
+  explicit InputErrors(const std::vector<std::string>& messages);
+  const std::vector<std::string>& messages() const { return messages_; }
+
+ private:
+  std::vector<std::string> messages_;
+};
+
+/// All of the scenes, whose states at time t must satisfy their constraints. Nothing can be computed and
+/// lost: throws InputErrors about all that fail.
+std::vector<NamedScene> load_consistent_scenes(const std::vector<std::string>& paths_or_names, double t);
+
+}  // namespace trivium

@@ -1,0 +1,176 @@
+#include "validation/precision/runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "scenes/make_mechanism.hpp"
+#include "validation/harness/interleaved_timing.hpp"
+namespace trivium::precision {
+
+namespace {
+
+constexpr int outputs = 10;
+/// No run is repeated beyond this [s].
+constexpr double enough = 1;
+
+SimulationOptions options_of(const TimedMotion& motion, const Entry& entry) {
+  SimulationOptions options;
+  options.formulation = entry.formulation;
+  options.integrator = entry.method;
+  options.parameters = entry.parameters;
+  options.end = motion.t_end;
+  options.output_step = motion.t_end / outputs;
+  if (entry.rtol) options.tolerances = {*entry.rtol, *entry.rtol / 100};
+  if (entry.step) options.step = *entry.step * motion.t_end;
+  return options;
+}
+
+void raise(double& largest, double now) {
+  if (!(now <= largest)) largest = now;
+}
+
+void add_errors(const MechanismState<double>& found, const MechanismState<double>& exact,
+                MotionErrors& errors) {
+  for (std::size_t b = 0; b < exact.pose.size(); ++b) {
+    raise(errors.position, (found.pose[b].r - exact.pose[b].r).norm());
+    const Vector4<double> between =
+        multiply_parameters<double>(conjugate_parameters<double>(exact.pose[b].p), found.pose[b].p);
+    raise(errors.orientation, rotation_vector<double>(between).norm());
+    raise(errors.velocity, (found.twist[b].r_dot - exact.twist[b].r_dot).norm());
+    raise(errors.velocity, (found.twist[b].omega_bar - exact.twist[b].omega_bar).norm());
+  }
+}
+
+void measure_ours(const TimedMotion& motion, const Reference& reference, Outcome& outcome) {
+  Samples samples;
+  const SimulationReport report =
+      simulate(make_model<double>(motion.scene), options_of(motion, outcome.entry), samples);
+  double reaction = 0;
+  for (std::size_t k = 0; k < reference.samples.size(); ++k) {
+    add_errors(samples.all[k].state, reference.samples[k].state, outcome.errors);
+    for (std::size_t j = 0; j < samples.all[k].reactions.size(); ++j)
+      raise(reaction, (samples.all[k].reactions[j].force - reference.samples[k].reactions[j].force).norm());
+  }
+  outcome.errors.reaction = reaction;
+  outcome.errors.drift = report.phi;
+  outcome.errors.energy = report.unaccounted_energy;
+  outcome.steps = report.counters.steps;
+  outcome.evaluations = report.counters.right_sides;
+  outcome.factorisations = report.factorisations;
+}
+
+void measure_peer(const TimedMotion& motion, const Reference& reference, Outcome& outcome) {
+  const PeerMotion found = peer_motion(motion, outcome.entry);
+  for (std::size_t k = 0; k < found.states.size(); ++k)
+    add_errors(found.states[k], reference.samples[k + 1].state, outcome.errors);
+  outcome.steps = found.steps;
+  outcome.evaluations = found.evaluations;
+}
+
+double time_once(const TimedMotion& motion, const Entry& entry) {
+  if (entry.formulation.empty()) return peer_motion(motion, entry).seconds;
+  SimulationObserver nobody;
+  SimulationOptions options = options_of(motion, entry);
+  options.watches = false;
+  return simulate(make_model<double>(motion.scene), options, nobody).seconds;
+}
+
+Seconds summary(std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  const std::size_t n = seconds.size(), in = n >= 5 ? 1 : 0;
+  return {seconds.front(), median_of(seconds), seconds[in], seconds[n - 1 - in]};
+}
+
+}  // namespace
+
+std::string Entry::setting() const {
+  if (rtol) return fmt::format("rtol {:.0e}", *rtol);
+  return fmt::format("h = T/{:.0f}", 1 / *step);
+}
+
+std::vector<double> output_times(const TimedMotion& motion) {
+  std::vector<double> times;
+  for (int k = 1; k <= outputs; ++k)
+    times.push_back(k == outputs ? motion.t_end : k * (motion.t_end / outputs));
+  return times;
+}
+
+Reference reference_of(const TimedMotion& motion) {
+  Samples first, second;
+  const auto model = make_model<Quad>(motion.scene);
+  SimulationOptions options = options_of(motion, {"trivium", "r-omega", "rkf78", 1e-16, {}});
+  simulate(model, options, first);
+  options.integrator = "bulirsch-stoer";
+  options.tolerances = {1e-17, 1e-19};
+  simulate(model, options, second);
+  MotionErrors apart;
+  for (std::size_t k = 0; k < first.all.size(); ++k)
+    add_errors(first.all[k].state, second.all[k].state, apart);
+  const std::optional<double> trusted = apart_from_trusted(motion.scene.name, second.all);
+  return {second.all, std::max(apart.position, trusted.value_or(0)), trusted.has_value()};
+}
+
+std::vector<double> tolerances(bool quick) {
+  if (quick) return {1e-5, 1e-9};
+  return {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
+}
+
+std::vector<Entry> entries(bool quick) {
+  std::vector<Entry> all;
+  const auto steps = quick ? std::vector<double>{200} : std::vector<double>{200, 800, 3200};
+  for (const char* formulation : {"r-omega", "r-p", "r-epsilon"}) {
+    for (const char* method : {"dopri5", "rkf78", "bulirsch-stoer", "abm", "cvode-adams", "cvode-bdf",
+                               "arkode-erk", "arkode-dirk", "ida", "radau5", "radau9", "hedop5"})
+      for (const double rtol : tolerances(quick)) all.push_back({"trivium", formulation, method, rtol, {}});
+    if (!quick)
+      for (const char* method : {"rkf78", "bulirsch-stoer", "abm", "cvode-adams"})
+        for (const double rtol : finest_tolerances) all.push_back({"trivium", formulation, method, rtol, {}});
+    for (const char* method :
+         {"hem4", "generalized-alpha", "generalized-alpha-gl2", "hht", "rattle", "rattle4", "bdf"}) {
+      if (std::string(method).starts_with("rattle") && !inertia_is_constant(formulation)) continue;
+      integrators::MethodParameters parameters;
+      if (std::string(method) == "bdf") parameters.order = 4;
+      for (const double n : steps) all.push_back({"trivium", formulation, method, {}, 1 / n, parameters});
+    }
+  }
+  const std::vector<Entry> peers = peer_entries(quick);
+  all.insert(all.end(), peers.begin(), peers.end());
+  return all;
+}
+
+std::vector<Outcome> contest(const TimedMotion& motion, const Reference& reference,
+                             const std::vector<Entry>& entries, int repetitions,
+                             const std::function<void()>& step) {
+  std::vector<Outcome> outcomes;
+  for (const Entry& entry : entries) {
+    Outcome& outcome = outcomes.emplace_back(Outcome{entry, {}, {}, {}});
+    try {
+      (entry.formulation.empty() ? measure_peer : measure_ours)(motion, reference, outcome);
+    } catch (const std::runtime_error& error) {
+      outcome.failure = error.what();
+    }
+    step();
+  }
+  std::vector<std::vector<double>> seconds(entries.size());
+  interleave(
+      entries.size(), repetitions,
+      [&](std::size_t n) {
+        const double spent = std::accumulate(seconds[n].begin(), seconds[n].end(), 0.0);
+        if (outcomes[n].solved() && spent < enough) seconds[n].push_back(time_once(motion, entries[n]));
+      },
+      step);
+  for (std::size_t n = 0; n < entries.size(); ++n)
+    if (outcomes[n].solved() && repetitions > 0) outcomes[n].seconds = summary(seconds[n]);
+  return outcomes;
+}
+
+double confidence(int repetitions) {
+  // the median lies outside where all, or all but one, fall on one side of it
+  const double n = repetitions;
+  return 1 - std::pow(0.5, n - 1) * (repetitions >= 5 ? n + 1 : 1);
+}
+
+}  // namespace trivium::precision

@@ -1,0 +1,59 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "scenes/catalogue.hpp"
+#include "validation/harness/trusted_numbers.hpp"
+#include "validation/precision/runs.hpp"
+
+namespace trivium::precision {
+
+namespace {
+
+/// What a sample's state has against the file's row, or against its only values.
+using Apart = std::function<double(const MotionSample&, const trivium::Reference&, std::size_t row)>;
+
+/// In the plane, of one body's centre from a point that the file has.
+Apart place_of(std::size_t body, double x, double y) {
+  return [=](const MotionSample& sample, const trivium::Reference& file, std::size_t row) {
+    const auto& r = sample.state.pose[body].r;
+    return std::hypot(r[0] - x - file["x"][row], r[1] - y - file["y"][row]);
+  };
+}
+
+double andrews(const MotionSample& sample, const trivium::Reference& file, std::size_t) {
+  const auto angles = andrews_angles(file);
+  double most = 0;
+  for (std::size_t b = 0; b < angles.size(); ++b)
+    most = std::max(most, apart_from_angle(sample.state.pose[b].p, angles[b]));
+  return most;
+}
+
+}  // namespace
+
+std::optional<double> apart_from_trusted(const std::string& scene, const std::vector<MotionSample>& samples) {
+  struct Trusted {
+    Apart apart;
+    std::optional<double> only_time;
+  };
+  // the last coupler's centre lies N - 1/2 in x from the first joint of the couplers
+  static const std::map<std::string, Trusted> trusted{{"a01_pendulum", {place_of(0, 0, 0), {}}},
+                                                      {"n_four_bar_1", {place_of(2, 0.5, 0), {}}},
+                                                      {"n_four_bar_2", {place_of(4, 1.5, 0), {}}},
+                                                      {"n_four_bar_40", {place_of(80, 39.5, 0), {}}},
+                                                      {"andrews_squeezer", {andrews, 0.03}}};
+  const auto found = trusted.find(scene);
+  if (found == trusted.end()) return {};
+  const trivium::Reference file(reference_directory(), scene);
+  const auto& [apart, only_time] = found->second;
+  const std::vector<double> times = only_time ? std::vector{*only_time} : file["t"];
+  std::optional<double> most;
+  for (const MotionSample& sample : samples)
+    for (std::size_t row = 0; row < times.size(); ++row)
+      if (std::abs(sample.state.t - times[row]) <= 1e-12 * (1 + times[row]) && sample.state.t > 0)
+        most = std::max(most.value_or(0), apart(sample, file, row));
+  return most;
+}
+
+}  // namespace trivium::precision

@@ -1,0 +1,166 @@
+#include "validation/simbody/translation.hpp"
+
+#include "scenes/make_mechanism.hpp"
+
+namespace trivium {
+
+namespace {
+
+simbody::Vector3 plain(const Vector3<double>& v) { return {v[0], v[1], v[2]}; }
+
+simbody::Vector3 plain(const std::optional<scenes::Vector3>& v) { return v.value_or(scenes::Vector3{}); }
+
+simbody::TimeFunction plain(const TimeFunction& f) {
+  const auto value = [f](double t) {
+    const Jet<double> jet = f(t);
+    return simbody::Vector3{jet.f, jet.f_t, jet.f_tt};
+  };
+  return {value, f.is_number()};
+}
+
+std::array<simbody::TimeFunction, 3> plain(const std::array<TimeFunction, 3>& f) {
+  return {plain(f[0]), plain(f[1]), plain(f[2])};
+}
+
+simbody::JointFrame plain(const JointFrame<double>& f) {
+  return {plain(f.point), plain(f.u), plain(f.v), plain(f.z)};
+}
+
+/// `ground` of a mechanism is its index nb.
+simbody::BodyPair plain(const BodyPair& pair, int nb) {
+  const auto index = [nb](int body) { return body == nb ? simbody::ground : body; };
+  return {index(pair.i), index(pair.j)};
+}
+
+simbody::JointType plain(ConstraintType type) {
+  switch (type) {
+    case ConstraintType::revolute:
+      return simbody::JointType::revolute;
+    case ConstraintType::universal:
+      return simbody::JointType::universal;
+    case ConstraintType::spherical:
+      return simbody::JointType::spherical;
+    case ConstraintType::cylindrical:
+      return simbody::JointType::cylindrical;
+    case ConstraintType::translational:
+      return simbody::JointType::translational;
+    case ConstraintType::planar:
+      return simbody::JointType::planar;
+    case ConstraintType::fixed:
+      return simbody::JointType::fixed;
+    default:
+      return simbody::JointType::other;
+  }
+}
+
+struct RowTranslation {
+  simbody::Row operator()(const DP1<double>& c) const {
+    simbody::Row row;
+    row.type = simbody::RowType::dp1;
+    row.a_i = plain(c.a_bar_i);
+    row.a_j = plain(c.a_bar_j);
+    row.f = plain(c.f);
+    return row;
+  }
+  simbody::Row operator()(const TurningDP1<double>& c) const {
+    simbody::Row row;
+    row.type = simbody::RowType::turning_dp1;
+    row.a_i = plain(c.u_bar_i);
+    row.v_i = plain(c.v_bar_i);
+    row.a_j = plain(c.a_bar_j);
+    row.f = plain(c.alpha);
+    return row;
+  }
+  simbody::Row operator()(const DP2<double>& c) const {
+    simbody::Row row = points(simbody::RowType::dp2, c);
+    row.a_i = plain(c.a_bar_i);
+    return row;
+  }
+  simbody::Row operator()(const D<double>& c) const { return points(simbody::RowType::d, c); }
+  simbody::Row operator()(const CD<double>& c) const {
+    simbody::Row row = points(simbody::RowType::cd, c);
+    row.a_i = plain(c.c);
+    return row;
+  }
+
+  template <class Constraint>
+  static simbody::Row points(simbody::RowType type, const Constraint& c) {
+    simbody::Row row;
+    row.type = type;
+    row.s_i = plain(c.s_bar_i);
+    row.s_j = plain(c.s_bar_j);
+    row.f = plain(c.f);
+    return row;
+  }
+};
+
+struct EffectTranslation {
+  simbody::Model& model;
+
+  void operator()(const scenes::Gravity& e) const { model.gravity.push_back(e.acceleration); }
+  void operator()(const scenes::Force& e) const {
+    model.forces.push_back({e.body, e.point, plain(e.force), e.frame == scenes::Frame::body});
+  }
+  void operator()(const scenes::Torque& e) const {
+    model.torques.push_back({e.body, plain(e.torque), e.frame == scenes::Frame::body});
+  }
+  void operator()(const scenes::SpringDamper& e) const {
+    simbody::SpringDamper spring;
+    spring.i = e.i.body;
+    spring.j = e.j.body;
+    spring.point_i = plain(e.i.point);
+    spring.point_j = plain(e.j.point);
+    spring.stiffness = e.stiffness;
+    spring.damping = e.damping;
+    spring.free_length = e.free_length;
+    spring.actuator = plain(e.actuator);
+    model.springs.push_back(spring);
+  }
+  void operator()(const scenes::TorsionalSpringDamper& e) const {
+    model.torsional_springs.push_back({e.joint, e.stiffness, e.damping, e.free_angle, plain(e.actuator)});
+  }
+};
+
+static_assert(scenes::ground == simbody::ground);
+
+}  // namespace
+
+simbody::Model to_simbody(const scenes::Scene& scene, double t) {
+  const auto mechanism = make_mechanism<double>(scene);
+  const auto state = make_state<double>(scene, t);
+  const int nb = mechanism.nb();
+  simbody::Model model;
+  model.t = t;
+  for (int b = 0; b < nb; ++b) {
+    const Matrix3<double>& J = mechanism.bodies[b].inertia;
+    const Vector4<double>& p = state.pose[b].p;
+    model.bodies.push_back({mechanism.body_names[b],
+                            mechanism.bodies[b].mass,
+                            {plain(Vector3<double>(J.row(0))), plain(Vector3<double>(J.row(1))),
+                             plain(Vector3<double>(J.row(2)))},
+                            plain(state.pose[b].r),
+                            {p[0], p[1], p[2], p[3]},
+                            plain(state.twist[b].r_dot),
+                            plain(state.twist[b].omega_bar)});
+  }
+  for (const auto& constraint : mechanism.rows) {
+    simbody::Row row = std::visit(RowTranslation{}, constraint);
+    static_cast<simbody::BodyPair&>(row) = plain(bodies_of(constraint), nb);
+    model.rows.push_back(row);
+  }
+  for (const Joint<double>& joint : mechanism.joints) {
+    simbody::Joint out;
+    static_cast<simbody::BodyPair&>(out) = plain(joint, nb);
+    out.name = joint.name;
+    out.type = plain(joint.type);
+    out.frame_i = plain(joint.frame_i);
+    out.frame_j = plain(joint.frame_j);
+    out.first_row = joint.first_row;
+    out.rows = joint.rows;
+    model.joints.push_back(out);
+  }
+  for (const scenes::Effect& effect : scene.effects) std::visit(EffectTranslation{model}, effect);
+  return model;
+}
+
+}  // namespace trivium

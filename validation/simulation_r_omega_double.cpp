@@ -1,9 +1,0 @@
-#include "formulations/r_omega.hpp"
-#include "validation/simulation_impl.hpp"
-
-namespace trivium {
-
-template SimulationReport simulate_in<ROmega<double>>(const scenes::Scene&, const SimulationOptions&,
-                                                      SimulationObserver&);
-
-}  // namespace trivium
