@@ -194,8 +194,8 @@ int main(int argc, char** argv) {
   using namespace trivium;
   Program program(
       "What does one evaluation of the accelerations with all constraint forces cost, and how exact is it?\n"
-      "SCENE may also be chain_N, ladder_N, tree_N, ring_N, hub_N and ensemble. The README says what is "
-      "timed.",
+      "SCENE may also be chain_N, ladder_N, tree_N, ring_N, hub_N and ensemble. docs/cost.md says what "
+      "is timed.",
       "acceleration_cost", "chains, ladders, a tree, the Stewart platform, a ring, a hub and the ensemble");
   cost::Options options;
   program.options().add_flag("--quick", options.quick, "Fewer sizes and shorter repetitions");
