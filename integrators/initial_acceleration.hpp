@@ -3,7 +3,8 @@
 
 #include <utility>
 
-#include "integrators/contract/system.hpp"
+#include "integrators/contract/constrained_system.hpp"
+#include "integrators/contract/method.hpp"
 
 namespace trivium::integrators {
 

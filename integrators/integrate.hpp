@@ -8,28 +8,12 @@
 #include <string>
 #include <utility>
 
+#include "integrators/contract/method.hpp"
 #include "integrators/projection.hpp"
 #include "integrators/step_size_control.hpp"
 #include "integrators/time_grid.hpp"
 
 namespace trivium::integrators {
-
-/// One accepted step at a time. `step` moves t and y on by one step, at most to `stop`, which it lands on
-/// exactly where it comes near; `restart` forgets what the method remembers of the solution so far, as where
-/// it is not smooth; `shorten` has it take a shorter step from where it took the last one, and returns
-/// whether it can. One that `interpolates` steps over outputs, and `interpolate` sets y to the state at a
-/// time of the last step, by a formula of the method's own order. Throws an IntegrationError where it gives
-/// up.
-template <class M, class System>
-concept Method = requires(M& method, const M& constant, System& system, typename System::Scalar& t,
-                          StateVector<typename System::Scalar>& y, const typename System::Scalar& stop) {
-  method.step(system, t, y, stop);
-  method.restart();
-  { method.shorten() } -> std::same_as<bool>;
-  { constant.interpolates() } -> std::same_as<bool>;
-  method.interpolate(stop, y);
-  { constant.counters() } -> std::convertible_to<Counters>;
-};
 
 /// A step, at most to `stop`, and its projection if it `projects`. Where that fails or
 /// projection_is_too_large, or the model turned out to move too fast for it, a shorter one is taken, if the

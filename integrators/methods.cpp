@@ -20,7 +20,7 @@ namespace {
 
 template <class S, class M>
 std::unique_ptr<AnyMethod<S>> erase(M method) {
-  return std::make_unique<ErasedMethod<S, M>>(std::move(method));
+  return std::make_unique<MethodAdapter<S, M>>(std::move(method));
 }
 
 template <class S, class Stepper>

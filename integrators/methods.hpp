@@ -1,12 +1,14 @@
 #pragma once
 /// The methods by name.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "integrators/contract/any_system.hpp"
+#include "integrators/contract/any_method.hpp"
+#include "integrators/integrate.hpp"
 
 namespace trivium::integrators {
 

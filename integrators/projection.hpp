@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "integrators/contract/system.hpp"
+#include "integrators/contract/errors.hpp"
+#include "integrators/contract/first_order_system.hpp"
+#include "integrators/contract/tolerances.hpp"
 
 namespace trivium::integrators {
 

@@ -9,7 +9,10 @@
 #include <string>
 #include <string_view>
 
-#include "integrators/contract/system.hpp"
+#include "integrators/contract/errors.hpp"
+#include "integrators/contract/first_order_system.hpp"
+#include "integrators/contract/method.hpp"
+#include "integrators/contract/tolerances.hpp"
 
 namespace trivium::integrators {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "integrators/contract/system.hpp"
+#include "integrators/contract/errors.hpp"
 
 namespace trivium::integrators {
 

@@ -1,12 +1,12 @@
 #pragma once
-/// Systems and methods behind one virtual call for each right side or step: methods are then compiled once,
-/// not once a formulation.
+/// Any system behind virtual calls, one for each right side or solve: methods are then compiled once for each
+/// scalar, not once for each formulation.
 
-#include <memory>
 #include <string>
 #include <utility>
 
-#include "integrators/integrate.hpp"
+#include "integrators/contract/constrained_system.hpp"
+#include "integrators/contract/errors.hpp"
 
 namespace trivium::integrators {
 
@@ -249,44 +249,5 @@ class SystemAdapter final : public AnySystem<typename System::Scalar> {
 };
 
 static_assert(ConstrainedSystem<AnySystem<double>>);
-
-/// Any Method on AnySystem.
-template <class S>
-class AnyMethod {
- public:
-  virtual ~AnyMethod() = default;
-  virtual void step(AnySystem<S>& system, S& t, StateVector<S>& y, const S& stop) = 0;
-  virtual void restart() = 0;
-  virtual bool shorten() = 0;
-  virtual const Counters& counters() const = 0;
-  /// Its own multipliers after the last step; null where it has none, or none there.
-  virtual const StateVector<S>* lambda() const = 0;
-  virtual bool interpolates() const { return false; }
-  /// y and lambda at a time of the last step.
-  virtual void interpolate(const S& /*t*/, StateVector<S>& /*y*/) {}
-};
-
-template <class S, class M>
-class ErasedMethod final : public AnyMethod<S> {
- public:
-  explicit ErasedMethod(M method) : method_(std::move(method)) {}
-  void step(AnySystem<S>& system, S& t, StateVector<S>& y, const S& stop) override {
-    method_.step(system, t, y, stop);
-  }
-  void restart() override { method_.restart(); }
-  bool shorten() override { return method_.shorten(); }
-  const Counters& counters() const override { return method_.counters(); }
-  const StateVector<S>* lambda() const override {
-    if constexpr (requires { method_.lambda(); })
-      return method_.lambda();
-    else
-      return nullptr;
-  }
-
- private:
-  M method_;
-};
-
-static_assert(Method<AnyMethod<double>, AnySystem<double>>);
 
 }  // namespace trivium::integrators

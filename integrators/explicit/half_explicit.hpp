@@ -20,6 +20,7 @@
 #include <optional>
 #include <string>
 
+#include "integrators/contract/constrained_system.hpp"
 #include "integrators/step_size_control.hpp"
 
 namespace trivium::integrators {

@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-#include "integrators/contract/system.hpp"
+#include "integrators/contract/state_vector.hpp"
 
 namespace trivium::integrators {
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "integrators/contract/system.hpp"
+#include "integrators/contract/state_vector.hpp"
 
 namespace trivium::integrators {
 

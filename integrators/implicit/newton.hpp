@@ -7,6 +7,10 @@
 #include <limits>
 #include <string>
 
+#include "integrators/contract/constrained_system.hpp"
+#include "integrators/contract/errors.hpp"
+#include "integrators/contract/method.hpp"
+#include "integrators/contract/tolerances.hpp"
 #include "integrators/implicit/anderson.hpp"
 
 namespace trivium::integrators {

@@ -8,7 +8,8 @@
 #include <memory>
 #include <optional>
 
-#include "integrators/contract/any_system.hpp"
+#include "integrators/contract/any_method.hpp"
+#include "integrators/contract/tolerances.hpp"
 
 namespace trivium::integrators {
 

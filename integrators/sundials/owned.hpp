@@ -9,7 +9,7 @@
 #include <memory>
 #include <type_traits>
 
-#include "integrators/contract/system.hpp"
+#include "integrators/contract/state_vector.hpp"
 
 namespace trivium::integrators::sundials_library {
 

@@ -6,7 +6,8 @@
 #include <exception>
 #include <string>
 
-#include "integrators/contract/any_system.hpp"
+#include "integrators/contract/any_method.hpp"
+#include "integrators/contract/tolerances.hpp"
 #include "integrators/sundials/owned.hpp"
 
 namespace trivium::integrators::sundials_library {

@@ -18,6 +18,8 @@
 #include <cmath>
 #include <limits>
 
+#include "integrators/contract/errors.hpp"
+#include "integrators/contract/tolerances.hpp"
 #include "integrators/initial_acceleration.hpp"
 
 namespace trivium::integrators {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "integrators/contract/system.hpp"
+#include "integrators/contract/first_order_system.hpp"
 
 namespace trivium::integrators::test {
 

@@ -1,0 +1,49 @@
+#pragma once
+/// Any method behind virtual calls, one for each step, on any system: what a method's name leads to.
+
+#include <utility>
+
+#include "integrators/contract/any_system.hpp"
+#include "integrators/contract/method.hpp"
+
+namespace trivium::integrators {
+
+/// Any Method on AnySystem. One that `interpolates` steps over outputs, and `interpolate` sets y to the state
+/// at a time of its last step, by a formula of the method's own order.
+template <class S>
+class AnyMethod {
+ public:
+  virtual ~AnyMethod() = default;
+  virtual void step(AnySystem<S>& system, S& t, StateVector<S>& y, const S& stop) = 0;
+  virtual void restart() = 0;
+  virtual bool shorten() = 0;
+  virtual const Counters& counters() const = 0;
+  /// Its own multipliers after the last step; null where it has none, or none there.
+  virtual const StateVector<S>* lambda() const = 0;
+  virtual bool interpolates() const { return false; }
+  /// y and lambda at a time of the last step.
+  virtual void interpolate(const S& /*t*/, StateVector<S>& /*y*/) {}
+};
+
+template <class S, Method<AnySystem<S>> M>
+class MethodAdapter final : public AnyMethod<S> {
+ public:
+  explicit MethodAdapter(M method) : method_(std::move(method)) {}
+  void step(AnySystem<S>& system, S& t, StateVector<S>& y, const S& stop) override {
+    method_.step(system, t, y, stop);
+  }
+  void restart() override { method_.restart(); }
+  bool shorten() override { return method_.shorten(); }
+  const Counters& counters() const override { return method_.counters(); }
+  const StateVector<S>* lambda() const override {
+    if constexpr (requires { method_.lambda(); })
+      return method_.lambda();
+    else
+      return nullptr;
+  }
+
+ private:
+  M method_;
+};
+
+}  // namespace trivium::integrators

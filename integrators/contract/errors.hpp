@@ -1,0 +1,23 @@
+#pragma once
+/// How an integration ends where it cannot go on: a method gave up, or the request itself cannot be met.
+
+#include <string>
+
+#include "base/error.hpp"
+
+namespace trivium::integrators {
+
+/// A method gave up: says at what time, why, and what to try.
+class IntegrationError : public Error {
+ public:
+  explicit IntegrationError(const std::string& what, ErrorKind kind = ErrorKind::integration)
+      : Error(kind, what) {}
+};
+
+/// What was asked for cannot be: times that do not fit together, a method with steps that it does not take.
+class UsageError : public IntegrationError {
+ public:
+  explicit UsageError(const std::string& what) : IntegrationError(what, ErrorKind::input) {}
+};
+
+}  // namespace trivium::integrators

@@ -1,0 +1,64 @@
+#pragma once
+/// The least that integrators ask of a model: y' = f(t, y), with y on the manifold that constraints leave,
+/// and the way back onto that manifold. Explicit methods need no more. Nothing here knows of formulations or
+/// scenes.
+
+#include <concepts>
+#include <string>
+
+#include "integrators/contract/state_vector.hpp"
+
+namespace trivium::integrators {
+
+/// The equations:
+///
+///   size, start          how many numbers y has, and which it has at the start
+///   derivative           y' at (t, y). Throws a std::runtime_error where y makes no sense; the method then
+///                        takes a smaller step
+///   longest_step         how long a step from (t, y) may be, for reasons of the model
+///
+/// The constraints, whose violation is the largest distance of y from one of them, in units of the model:
+///
+///   position_violation   of the constraints on positions at (t, y)
+///   velocity_violation   of those on velocities
+///   relative_violation   the violation measured last, beside the model's own numbers: rounding is a few
+///                        units of roundoff there
+///   worst_row            the name of the row that was violated most
+///   correct_positions    one Newton correction of the violation measured last, by a matrix that is factored
+///                        there or, unless `factor`, was factored before
+///   correct_velocities   the same of velocities
+///   normalise            meets the rows that a model keeps to itself, such as |p| = 1
+///
+/// What the system decides, and integrate.hpp asks for and acts on:
+///
+///   projection_is_too_large   from (before, stepped, projected): whether the projection of a step went so
+///   far
+///                             that the step may have left its branch. The threshold is the system's;
+///                             checked_step of integrate.hpp has the step shortened
+///   accept_state         is told every state that the motion has reached, projected. Returns whether y is in
+///                        other coordinates since: what a method remembers of y is void then
+///   pass_discontinuity   from (before, t, y): goes over a time t where the model may jump, from just before
+///                        it. Returns whether y jumped
+///   diagnose             what of the model may be why steps fail near (t, y); empty where nothing is
+template <class System>
+concept FirstOrderSystem = requires(System& system, const typename System::Scalar& t,
+                                    const StateVector<typename System::Scalar>& y,
+                                    StateVector<typename System::Scalar>& changed, bool factor) {
+  { system.size() } -> std::convertible_to<int>;
+  { system.start() } -> std::convertible_to<StateVector<typename System::Scalar>>;
+  system.derivative(t, y, changed);
+  { system.position_violation(t, y) } -> std::convertible_to<typename System::Scalar>;
+  { system.velocity_violation(t, y) } -> std::convertible_to<typename System::Scalar>;
+  { system.relative_violation() } -> std::convertible_to<typename System::Scalar>;
+  { system.projection_is_too_large(y, y, y) } -> std::same_as<bool>;
+  { system.longest_step(t, y) } -> std::convertible_to<typename System::Scalar>;
+  system.correct_positions(changed, factor);
+  system.correct_velocities(changed, factor);
+  system.normalise(changed);
+  { system.worst_row() } -> std::convertible_to<std::string>;
+  { system.accept_state(t, changed) } -> std::same_as<bool>;
+  { system.pass_discontinuity(t, t, changed) } -> std::same_as<bool>;
+  { system.diagnose(t, y) } -> std::convertible_to<std::string>;
+};
+
+}  // namespace trivium::integrators
