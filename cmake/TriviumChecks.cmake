@@ -1,4 +1,5 @@
-# Tests of the project as a whole: its layers, its format, and a project of its own that uses the installed package.
+# Tests of the project as a whole: its layers, headers, documentation and format, and a project of its own that uses the
+# installed package.
 if(NOT TRIVIUM_BUILD_TESTS OR TRIVIUM_SANITIZE)
   return()
 endif()
@@ -7,6 +8,10 @@ add_test(NAME layers.hold COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE
 add_test(NAME layers.violations_are_found
          COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DWORK=${CMAKE_BINARY_DIR}/layers
                  -P ${PROJECT_SOURCE_DIR}/cmake/test_layers.cmake)
+add_test(NAME headers.say_what_they_are_for COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
+                                                    -P ${PROJECT_SOURCE_DIR}/cmake/check_headers.cmake)
+add_test(NAME docs.name_what_exists COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
+                                            -P ${PROJECT_SOURCE_DIR}/cmake/check_docs.cmake)
 add_test(NAME sources.are_formatted COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
                                             -P ${PROJECT_SOURCE_DIR}/cmake/check_format.cmake)
 set_tests_properties(sources.are_formatted PROPERTIES SKIP_REGULAR_EXPRESSION "clang-format is not installed")
@@ -14,5 +19,6 @@ add_test(NAME package.serves_a_consumer
          COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DBUILD_DIR=${CMAKE_BINARY_DIR}
                  -DWORK_DIR=${CMAKE_BINARY_DIR}/consumer -DCXX=${CMAKE_CXX_COMPILER}
                  -P ${PROJECT_SOURCE_DIR}/cmake/test_consumer.cmake)
-set_tests_properties(layers.hold layers.violations_are_found sources.are_formatted PROPERTIES LABELS unit)
+set_tests_properties(layers.hold layers.violations_are_found headers.say_what_they_are_for docs.name_what_exists
+                     sources.are_formatted PROPERTIES LABELS unit)
 set_tests_properties(package.serves_a_consumer PROPERTIES LABELS validation)

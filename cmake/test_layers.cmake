@@ -1,16 +1,16 @@
 cmake_minimum_required(VERSION 3.25)
-# Copies the sources, adds to the lowest layer an include that the layers do not allow, in each of its spellings, and
-# expects check_layers.cmake to fail on that line.
+# Copies the sources, plants includes that the rooms do not allow, and expects check_layers.cmake to fail on that line:
+# one include in each of its spellings, and one include across each edge that matters.
 #   SOURCE_DIR   the sources          WORK   a folder to write in
-function(check outcome what)
+function(check outcome file what)
   execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${WORK} -P ${SOURCE_DIR}/cmake/check_layers.cmake
                   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(outcome STREQUAL "holds" AND NOT result EQUAL 0)
-    message(FATAL_ERROR "${what}: refused\n${output}")
-  elseif(outcome STREQUAL "fails" AND (result EQUAL 0 OR NOT output MATCHES "bodies/rotations/so3.hpp (includes|has) "))
-    message(FATAL_ERROR "${what}: exit code ${result}, and not for this line\n${output}")
+    message(FATAL_ERROR "${file}, ${what}: refused\n${output}")
+  elseif(outcome STREQUAL "fails" AND (result EQUAL 0 OR NOT output MATCHES "${file} (includes|has) "))
+    message(FATAL_ERROR "${file}, ${what}: exit code ${result}, and not for this line\n${output}")
   endif()
-  message(STATUS "${what}: ${outcome}, as it should be")
+  message(STATUS "${file}, ${what}: ${outcome}, as it should be")
 endfunction()
 
 file(REMOVE_RECURSE ${WORK})
@@ -18,14 +18,37 @@ foreach(layer IN ITEMS base bodies constraints effects mechanism scenes formulat
                        validation paper)
   file(COPY ${SOURCE_DIR}/${layer} DESTINATION ${WORK} FILES_MATCHING PATTERN "*.hpp" PATTERN "*.cpp")
 endforeach()
-file(READ ${WORK}/bodies/rotations/so3.hpp text)
-check(holds "the sources as they are")
+set(so3 bodies/rotations/so3.hpp)
+file(READ ${WORK}/${so3} text)
+check(holds ${so3} "the sources as they are")
 foreach(include IN ITEMS [[#include "formulations/r_p.hpp"]] [[#include <formulations/r_p.hpp>]]
                          [[# include "formulations/r_p.hpp"]] [[  #	include<formulations/r_p.hpp>]]
                          [[#include "../formulations/r_p.hpp"]] [[#include "bodies/../formulations/r_p.hpp"]]
                          [[#include "./so3.hpp"]] [[#include "/trivium/formulations/r_p.hpp"]] [[#include R_P_HEADER]])
-  file(WRITE ${WORK}/bodies/rotations/so3.hpp "${text}${include}\n")
-  check(fails "${include}")
+  file(WRITE ${WORK}/${so3} "${text}${include}\n")
+  check(fails ${so3} "${include}")
 endforeach()
-file(WRITE ${WORK}/bodies/rotations/so3.hpp "${text}#include <vector>\n# include \"base/error.hpp\"\n")
-check(holds "what the layers allow, in another spelling")
+file(WRITE ${WORK}/${so3} "${text}#include <vector>\n# include \"base/error.hpp\"\n")
+check(holds ${so3} "what the layers allow, in another spelling")
+
+# plant(<outcome> <file> <include>): a file of its own with one include
+function(plant outcome file include)
+  file(WRITE ${WORK}/${file} "#include \"${include}\"\n")
+  check(${outcome} ${file} "${include}")
+  file(REMOVE ${WORK}/${file})
+endfunction()
+plant(fails base/planted.hpp bodies/inertia.hpp)
+plant(fails mechanism/planted.hpp scenes/scene.hpp)
+plant(fails scenes/planted.hpp formulations/r_p.hpp)
+plant(fails formulations/planted.hpp scenes/scene.hpp)
+plant(fails formulations/structured/planted.cpp simulation/simulate.hpp)
+plant(fails integrators/planted.hpp formulations/r_p.hpp)
+plant(fails simulation/planted.cpp scenes/scene.hpp)
+plant(fails trivium/command/planted.cpp results/tools/results_table.hpp)
+plant(fails validation/planted.cpp trivium/command/commands.hpp)
+plant(fails paper/generator/planted.cpp validation/harness/program.hpp)
+plant(fails bodies/planted.hpp bodies/testing/properties.hpp)
+# tests and their helpers may include scenes besides
+plant(holds formulations/planted_test.cpp scenes/make_mechanism.hpp)
+plant(holds formulations/testing/planted.hpp scenes/scene.hpp)
+plant(fails formulations/testing/planted.hpp simulation/simulate.hpp)
