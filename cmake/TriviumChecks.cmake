@@ -17,7 +17,7 @@ add_test(NAME sources.are_formatted COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJ
 set_tests_properties(sources.are_formatted PROPERTIES SKIP_REGULAR_EXPRESSION "clang-format is not installed")
 add_test(NAME package.serves_a_consumer
          COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DBUILD_DIR=${CMAKE_BINARY_DIR}
-                 -DWORK_DIR=${CMAKE_BINARY_DIR}/consumer -DCXX=${CMAKE_CXX_COMPILER}
+                 -DWORK_DIR=${CMAKE_BINARY_DIR}/consumer -DCXX=${CMAKE_CXX_COMPILER} "-DROOMS=${rooms}"
                  -P ${PROJECT_SOURCE_DIR}/cmake/test_consumer.cmake)
 set_tests_properties(layers.hold layers.violations_are_found headers.say_what_they_are_for docs.name_what_exists
                      sources.are_formatted PROPERTIES LABELS unit)
