@@ -3,7 +3,8 @@
 ///
 /// To add one:
 ///   1. results/schema.json: describe the results file that it reads, if it is a new one; ./run accept
-///   2. paper/NAME_table.cpp: a function NAME_table() of the shape below, named in paper/CMakeLists.txt
+///   2. paper/generator/NAME_table.cpp: a function NAME_table() of the shape below, named in
+///   paper/CMakeLists.txt
 ///   3. here: declare it and add a line to paper_tables
 ///   4. paper.tex: \input{tables/NAME}, and the numbers that the function defined
 /// The tests of label `paper` then cover it: nothing else is to be written.

@@ -56,7 +56,7 @@ struct BodyPair {
 
 enum class RowType { dp1, turning_dp1, dp2, d, cd };
 
-/// A basic constraint of one row (constraints/basic.hpp has the equations).
+/// A basic constraint of one row (constraints/basic_constraint.hpp has the equations).
 struct Row : BodyPair {
   RowType type = RowType::dp1;
   Vector3 a_i{}, a_j{};  ///< body vectors; a_i is u_i of a turning DP1, and c of a CD (global)

@@ -1,6 +1,6 @@
 #pragma once
 /// Rows as Simbody constraints: one custom constraint a row, or Simbody's own where it has one. Internal to
-/// the Simbody library; simbody_model.hpp documents sign and scale.
+/// the Simbody library; validation/simbody/model.hpp documents sign and scale.
 
 #include <Simbody.h>
 
