@@ -135,7 +135,7 @@ TYPED_TEST(Constrained, DisplacementsLeadFromStateToState) {
   }
 }
 
-TYPED_TEST(Constrained, PositionsGrowAsTheFirstOrderEquationsSay) {
+TYPED_TEST(Constrained, PositionsGrowAsTheFirstOrderFormSays) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     auto form = form_of<TypeParam>(test::varied_scene(seed));
     const StateVector y = form.start();
@@ -177,7 +177,7 @@ TYPED_TEST(Constrained, AccelerationsLeaveNothingOfInternalRowsAndWhatIsLeftIsSo
   }
 }
 
-TYPED_TEST(Constrained, WorkRateIsThatOfTheFirstOrderEquations) {
+TYPED_TEST(Constrained, WorkRateIsThatOfTheFirstOrderForm) {
   for (const char* name : {"flyball_governor", "driven_crank", "basic_drivers", "open_arm_7"}) {
     auto form = form_of<TypeParam>(catalogue_scene(name));
     Step<TypeParam> step(form);

@@ -26,10 +26,9 @@ struct SimbodyComparison {
   simbody::Way way = simbody::Way::mobilizers;
   bool possible = true;  ///< false in the way of mobilizers where no joint becomes one: the bodies are free
   bool twin = false;     ///< the physical twin is compared, because
-  std::string
-      refusal;  ///< Simbody said this of the scene, or is not asked (validation/simbody/massless_motion.hpp)
-  std::string failure;  ///< Simbody said this of the twin: nothing is compared
-  std::string error;    ///< why no formulation has an answer: nothing is compared
+  std::string refusal;   ///< Simbody said this of the scene, or is not asked (massless_motion.hpp)
+  std::string failure;   ///< Simbody said this of the twin: nothing is compared
+  std::string error;     ///< why no formulation has an answer: nothing is compared
   int nb = 0, nc = 0, rank = 0;
   double kappa = 1;
   int mobilizers = 0, constraint_rows = 0, idle_rows = 0;
