@@ -55,42 +55,42 @@ class StepSizeControl {
   /// The length to try next, at most to `stop`.
   S length(const S& t, const S& stop) {
     const S room = stop - t;
-    lands_ = wanted_ >= room * S(1 - 1e-10);
-    cut_ = wanted_ > room / 2;
-    tried_ = lands_ ? room : cut_ ? S(room / 2) : wanted_;  // half of the way: leaves no crumb
+    lands_ = proposed_ >= room * S(1 - 1e-10);
+    cut_ = proposed_ > room / 2;
+    tried_ = lands_ ? room : cut_ ? S(room / 2) : proposed_;  // half of the way: leaves no crumb
     return tried_;
   }
   /// The step was taken; the method says what it would take next.
   void accept(S& t, const S& moved, const S& stop, const S& next) {
     t = lands_ ? stop : moved;
     // a step cut short says little of the next
-    wanted_ = cut_ && wanted_ > next ? wanted_ : next;
-    if (!(wanted_ > passable_)) return;
-    wanted_ = passable_;
-    passable_ = relief_ * passable_;
-    relief_ = std::min(S(8), S(relief_ * relief_));
+    proposed_ = cut_ && proposed_ > next ? proposed_ : next;
+    if (!(proposed_ > limit_)) return;
+    proposed_ = limit_;
+    limit_ = limit_growth_ * limit_;
+    limit_growth_ = std::min(S(8), S(limit_growth_ * limit_growth_));
   }
-  void reject(const S& next) { wanted_ = next; }
+  void reject(const S& next) { proposed_ = next; }
   /// The step could not be solved: those after it come back to its length slowly at first.
   void fail() {
-    wanted_ = tried_ / 4;
-    passable_ = tried_ / 2;
-    relief_ = S(1.1);
+    proposed_ = tried_ / 4;
+    limit_ = tried_ / 2;
+    limit_growth_ = S(1.1);
   }
   /// Of the step accepted last.
-  void shorten() { wanted_ = tried_ / 4; }
+  void shorten() { proposed_ = tried_ / 4; }
 
-  bool has_begun() const { return wanted_ > S(0); }
-  void begin(const S& h) { wanted_ = h; }
+  bool has_begun() const { return proposed_ > S(0); }
+  void begin(const S& h) { proposed_ = h; }
   void restart() { *this = {}; }
   /// Beside the rounding of the times between.
   bool is_too_small(const S& t, const S& stop) const {
     using std::abs, std::max;
-    return !(wanted_ > 4 * std::numeric_limits<S>::epsilon() * max(S(abs(t)), S(abs(stop))));
+    return !(proposed_ > 4 * std::numeric_limits<S>::epsilon() * max(S(abs(t)), S(abs(stop))));
   }
 
  private:
-  S wanted_{0}, tried_{0}, passable_{std::numeric_limits<S>::max()}, relief_{1};
+  S proposed_{0}, tried_{0}, limit_{std::numeric_limits<S>::max()}, limit_growth_{1};
   bool lands_ = false, cut_ = false;
 };
 
@@ -130,27 +130,27 @@ struct StepRule {
 /// Tries lengths until `attempt(h)` estimates an error of at most 1; `accept(h)` then takes the step. Where
 /// an attempt throws a runtime_error, a quarter is tried. Gives up where none is left to try.
 template <FirstOrderSystem System, class Attempt, class Accept>
-void take_chosen_step(System& system, StepSizeControl<typename System::Scalar>& choice,
+void take_chosen_step(System& system, StepSizeControl<typename System::Scalar>& step_size,
                       const StepRule<typename System::Scalar>& rule, Counters& counters,
                       typename System::Scalar& t, const StateVector<typename System::Scalar>& y,
                       const typename System::Scalar& stop, const Attempt& attempt, const Accept& accept) {
   using S = typename System::Scalar;
   for (std::string trouble;;) {
-    if (choice.is_too_small(t, stop)) give_up(system, t, y, trouble);
-    const S h = choice.length(t, stop);
+    if (step_size.is_too_small(t, stop)) give_up(system, t, y, trouble);
+    const S h = step_size.length(t, stop);
     try {
       const S error = attempt(h);
       const S next = h * rule(error);
       if (error <= S(1)) {
         accept(h);
-        choice.accept(t, S(t + h), stop, next);
+        step_size.accept(t, S(t + h), stop, next);
         return;
       }
       trouble.clear();
-      choice.reject(next);
+      step_size.reject(next);
     } catch (const std::runtime_error& failure) {
       trouble = failure.what();
-      choice.fail();
+      step_size.fail();
     }
     ++counters.rejected_steps;
   }

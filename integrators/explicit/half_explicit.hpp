@@ -21,59 +21,12 @@
 #include <string>
 
 #include "integrators/contract/constrained_system.hpp"
+#include "integrators/explicit/half_explicit_coefficients.hpp"
 #include "integrators/step_size_control.hpp"
 
 namespace trivium::integrators {
 
-/// HEM4's coefficients: the last row is that of the step.
-template <class S>
-struct Hem4Coefficients {
-  static constexpr int stages = 5, end = 5;  ///< the row that is the step's
-  static constexpr bool first_is_known = false;
-  std::array<S, 6> c;
-  std::array<std::array<S, 5>, 6> a;
-
-  Hem4Coefficients() {
-    using std::sqrt;
-    const S r = sqrt(S(6)), o(0);
-    c = {o, S(3) / 10, (4 - r) / 10, (4 + r) / 10, S(1), S(1)};
-    a = {{{o, o, o, o, o},
-          {S(3) / 10, o, o, o, o},
-          {(1 + r) / 30, (11 - 4 * r) / 30, o, o, o},
-          {(-79 - 31 * r) / 150, (-1 - 4 * r) / 30, (24 + 11 * r) / 25, o, o},
-          {(14 + 5 * r) / 6, (-8 + 7 * r) / 6, (-9 - 7 * r) / 4, (9 - r) / 4, o},
-          {o, o, (16 - r) / 36, (16 + r) / 36, S(1) / 9}}};
-  }
-};
-
-/// HEDOP5's: the last row is where the seventh stage's multipliers have their rows.
-template <class S>
-struct Hedop5Coefficients {
-  static constexpr int stages = 7, end = 6;
-  static constexpr bool first_is_known = true;
-  std::array<S, 8> c;
-  std::array<std::array<S, 7>, 8> a;
-  std::array<S, 7> embedded;  ///< of order 4
-
-  Hedop5Coefficients() {
-    const S o(0);
-    const auto of = [](long long n, long long d) { return S(S(n) / S(d)); };
-    c = {o, of(1, 5), of(3, 10), of(4, 5), of(8, 9), S(1), S(1), of(19, 20)};
-    a = {{{o, o, o, o, o, o, o},
-          {of(1, 5), o, o, o, o, o, o},
-          {of(3, 40), of(9, 40), o, o, o, o, o},
-          {of(44, 45), of(-56, 15), of(32, 9), o, o, o, o},
-          {of(19372, 6561), of(-25360, 2187), of(64448, 6561), of(-212, 729), o, o, o},
-          {of(9017, 3168), of(-355, 33), of(46732, 5247), of(49, 176), of(-5103, 18656), o, o},
-          {of(35, 384), o, of(500, 1113), of(125, 192), of(-2187, 6784), of(11, 84), o},
-          {of(-18611506045861, 19738176307200), of(59332529, 14479296), of(-2509441598627, 893904224850),
-           of(2763523204159, 3289696051200), of(-41262869588913, 116235927142400),
-           of(46310205821, 287848404480), of(-3280, 75413)}}};
-    embedded = {of(5179, 57600), o,        of(7571, 16695), of(393, 640), of(-92097, 339200),
-                of(187, 2100),   of(1, 40)};
-  }
-};
-
+/// `Coefficients` are HEM4's or HEDOP5's (half_explicit_coefficients.hpp).
 template <ConstrainedSystem System, class Coefficients>
 class HalfExplicit {
  public:
@@ -92,7 +45,7 @@ class HalfExplicit {
       return;
     }
     take_chosen_step(
-        system, choice_, {S(-0.2), S(5)}, counters_, t, y, stop,
+        system, step_size_, {S(-0.2), S(5)}, counters_, t, y, stop,
         [&](const S& h) {
           advance(system, t, h, y);
           return error_of(h, y);
@@ -101,13 +54,13 @@ class HalfExplicit {
   }
   void restart() {
     has_begun_ = has_stepped_ = false;
-    choice_.restart();
+    step_size_.restart();
     ++counters_.restarts;
   }
   bool shorten() {
     if (!tolerances_) return false;
     has_begun_ = has_stepped_ = false;
-    choice_.shorten();
+    step_size_.shorten();
     --counters_.steps;
     ++counters_.rejected_steps;
     return true;
@@ -135,8 +88,8 @@ class HalfExplicit {
       if (y.size() > nq_ + nv_) stage_[0].work_rate = y_dot[nq_ + nv_];
       counters_.right_sides += 2;
     }
-    if (tolerances_ && !choice_.has_begun())
-      choice_.begin(first_step(system, t, y, 5, *tolerances_, counters_.right_sides));
+    if (tolerances_ && !step_size_.has_begun())
+      step_size_.begin(first_step(system, t, y, 5, *tolerances_, counters_.right_sides));
     has_begun_ = true;
   }
 
@@ -239,7 +192,7 @@ class HalfExplicit {
 
   const Coefficients of_;
   const std::optional<Tolerances> tolerances_;
-  StepSizeControl<S> choice_;
+  StepSizeControl<S> step_size_;
   std::array<Stage, stages> stage_;
   StateVector<S> at_, next_, reached_, lambda_, last_lambda_, left_, rows_, change_;
   int nq_ = 0, nv_ = 0;

@@ -81,17 +81,17 @@ class ChosenSteps {
   template <FirstOrderSystem System>
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
     RightSide<System> f{system, counters_.right_sides};
-    if (!choice_.has_begun())
-      choice_.begin(first_step(system, t, y, order_, tolerances_, counters_.right_sides));
+    if (!step_size_.has_begun())
+      step_size_.begin(first_step(system, t, y, order_, tolerances_, counters_.right_sides));
     y_dot_.resize(y.size());
     f(y, y_dot_, t);
     for (std::string trouble;;) {
-      if (choice_.is_too_small(t, stop)) give_up(system, t, y, trouble);
-      const S tried = choice_.length(t, stop);
+      if (step_size_.is_too_small(t, stop)) give_up(system, t, y, trouble);
+      const S tried = step_size_.length(t, stop);
       S h = tried, moved = t;
       try {
         if (attempt(f, y, moved, h) == odeint::success) {
-          choice_.accept(t, moved, stop, h);
+          step_size_.accept(t, moved, stop, h);
           ++counters_.steps;
           return;
         }
@@ -101,19 +101,19 @@ class ChosenSteps {
         h = tried / 4;
         forget();
       }
-      choice_.reject(h < tried ? h : S(tried / 2));
+      step_size_.reject(h < tried ? h : S(tried / 2));
       ++counters_.rejected_steps;
     }
   }
   void restart() {
     forget();
-    choice_.restart();
+    step_size_.restart();
     ++counters_.restarts;
   }
   /// A step to shorten was not taken after all.
   bool shorten() {
     forget();
-    choice_.shorten();
+    step_size_.shorten();
     --counters_.steps;
     ++counters_.rejected_steps;
     return true;
@@ -137,7 +137,7 @@ class ChosenSteps {
   Controlled controlled_;
   int order_;
   Tolerances tolerances_;
-  StepSizeControl<S> choice_;
+  StepSizeControl<S> step_size_;
   StateVector<S> y_dot_;
   Counters counters_;
 };

@@ -17,6 +17,8 @@
 
 #include "integrators/implicit/newton.hpp"
 #include "integrators/initial_acceleration.hpp"
+#include "integrators/linear_extrapolation.hpp"
+#include "integrators/work_quadrature.hpp"
 
 namespace trivium::integrators {
 
@@ -71,7 +73,7 @@ class GeneralizedAlpha {
 
  private:
   void begin(System& system, const S& t, const StateVector<S>& y, const S& h) {
-    const Start<S> start(system, t, y, h, counters_);
+    const InitialAcceleration<S> start(system, t, y, h, counters_);
     v_dot_.begin(start.v_dot, start.v_ddot, h);
     lambda_.begin(start.lambda, start.lambda_dot, h);
     a_ = start.v_dot + (alpha_m_ - alpha_f_) * h * start.v_ddot;
@@ -82,9 +84,9 @@ class GeneralizedAlpha {
   const bool is_stabilised_;
   const S alpha_m_, alpha_f_, gamma_, beta_;
   Newton<System> newton_;
-  Line<S> v_dot_, lambda_;
+  LinearExtrapolation<S> v_dot_, lambda_;
   StateVector<S> a_, next_a_, displacement_;
-  WorkByTrapezoids<S> work_;
+  WorkQuadrature<S> work_;
   std::optional<S> last_h_;
   Counters counters_;
 };

@@ -13,6 +13,8 @@
 
 #include "integrators/implicit/newton.hpp"
 #include "integrators/initial_acceleration.hpp"
+#include "integrators/linear_extrapolation.hpp"
+#include "integrators/work_quadrature.hpp"
 
 namespace trivium::integrators {
 
@@ -61,7 +63,7 @@ class HHT {
 
  private:
   void begin(System& system, const S& t, const StateVector<S>& y, const S& h) {
-    const Start<S> start(system, t, y, h, counters_);
+    const InitialAcceleration<S> start(system, t, y, h, counters_);
     a_.begin(start.v_dot, start.v_ddot, h);
     lambda_.begin(start.lambda, start.lambda_dot, h);
     system.inertia_force(y, start.v_dot, inertia_);
@@ -72,9 +74,9 @@ class HHT {
 
   const S alpha_, gamma_, beta_;
   Newton<System> newton_;
-  Line<S> a_, lambda_;
+  LinearExtrapolation<S> a_, lambda_;
   StateVector<S> g_, displacement_, inertia_;
-  WorkByTrapezoids<S> work_;
+  WorkQuadrature<S> work_;
   std::optional<S> last_h_;
   Counters counters_;
 };

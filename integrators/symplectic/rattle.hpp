@@ -21,6 +21,7 @@
 #include "integrators/contract/errors.hpp"
 #include "integrators/contract/tolerances.hpp"
 #include "integrators/initial_acceleration.hpp"
+#include "integrators/work_quadrature.hpp"
 
 namespace trivium::integrators {
 
@@ -63,7 +64,7 @@ class Rattle {
 
  private:
   void begin(System& system, const S& t, const StateVector<S>& y, const S& h) {
-    const Start<S> start(system, t, y, h, counters_);
+    const InitialAcceleration<S> start(system, t, y, h, counters_);
     none_.setZero(system.velocity_size());
     lambda_ = last_mu_ = start.lambda;
     last_h_ = S(0);
@@ -165,7 +166,7 @@ class Rattle {
   StateVector<S> lambda_, mu_, force_, momentum_, rate_, left_, change_, none_, y_dot_;
   StateVector<S> held_, last_mu_;  ///< what constraints do at the last state
   S last_h_{0};
-  WorkByTrapezoids<S> work_;
+  WorkQuadrature<S> work_;
   Counters counters_;
 };
 

@@ -1,0 +1,80 @@
+#pragma once
+/// The sizes of Radau's corrections and of its estimated error, in tolerances. Here the two are measured;
+/// Radau decides by the one when to end an iteration, and take_chosen_step by the other whether a step is
+/// taken. Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.8.
+
+#include <algorithm>
+#include <cmath>
+
+#include "integrators/contract/tolerances.hpp"
+#include "integrators/implicit/radau_stages.hpp"
+
+namespace trivium::integrators {
+
+template <ConstrainedSystem System, int s>
+class RadauError {
+ public:
+  using S = typename System::Scalar;
+  using Stages = RadauStages<System, s>;
+
+  explicit RadauError(const Tolerances& tolerances) : tolerances_(tolerances) {}
+  const Tolerances& tolerances() const { return tolerances_; }
+
+  /// Of steps from y.
+  void begin(const System& system, const StateVector<S>& y) { system.position_sizes(y, sizes_); }
+
+  /// How far a correction moves the stages.
+  S of_correction(const Stages& stages, const StateVector<S>& step, const S& h, const StateVector<S>& y) {
+    const auto& coefficients = stages.coefficients();
+    const int nv = stages.nv(), nc = stages.nc();
+    const auto of_v_dot = [&](int j) { return step.segment(j * nv, nv); },
+               of_shift = [&](int j) { return step.segment(s * (nv + nc) + j * nv, nv); };
+    S largest(0);
+    for (int i = 0; i < s; ++i) {
+      of_v_ = h * Stages::mix(coefficients.a[i], of_v_dot);
+      of_q_ = h * h * Stages::mix(coefficients.square[i], of_v_dot) +
+              h * Stages::mix(coefficients.a[i], of_shift);
+      largest = std::max(largest, in_tolerances(stages, y, of_q_, of_v_));
+    }
+    return largest;
+  }
+
+  /// The estimated error of the step from y, of order s, filtered by the matrix of springs: what it would
+  /// damp is no error.
+  S of_step(System& system, const Stages& stages, const S& h, const StateVector<S>& y) {
+    const auto& coefficients = stages.coefficients();
+    const StateVector<S> v = y.segment(stages.nq(), stages.nv());
+    const auto& e = coefficients.error;
+    const S& gamma = coefficients.gamma;
+    StateVector<S> off_v = gamma * h * stages.known().v_dot;
+    for (int i = 0; i < s; ++i) off_v += e[i] * (stages[i].v - v);
+    const StateVector<S> off_q = gamma * h * v + stages.mixed(e, &Stages::Stage::theta);
+    system.inertia_force(y, off_v, force_);
+    of_v_.setZero(stages.nv());
+    mu_.setZero(stages.nc());
+    system.solve_force(force_, of_v_, mu_);
+    return in_tolerances(stages, y, off_q, of_v_);
+  }
+
+ private:
+  /// A displacement with a change of velocities.
+  S in_tolerances(const Stages& stages, const StateVector<S>& y, const StateVector<S>& of_q,
+                  const StateVector<S>& of_v) const {
+    using std::abs, std::sqrt;
+    const S atol(tolerances_.atol), rtol(tolerances_.rtol);
+    const int nq = stages.nq(), nv = stages.nv();
+    S sum(0);
+    for (int k = 0; k < nv; ++k) {
+      const S v = of_v[k] / (atol + rtol * std::max(S(abs(y[nq + k])), S(abs(stages.last().v[k])))),
+              q = of_q[k] / (atol + rtol * sizes_[k]);
+      sum += v * v + q * q;
+    }
+    return sqrt(sum / (2 * nv));
+  }
+
+  Tolerances tolerances_;
+  StateVector<S> sizes_;  ///< of what displacements move
+  StateVector<S> of_q_, of_v_, force_, mu_;
+};
+
+}  // namespace trivium::integrators

@@ -1,0 +1,212 @@
+#pragma once
+/// The stages of one step of Radau IIA: what they begin with, where their unknowns lead, and the rows that a
+/// model keeps to itself. With the unknowns V'_i, lambda_i and the shift s_i of each stage,
+///
+///   V_i = v_n + h sum a_ij V'_j,   Q_i = q_n o exp(theta_i),   theta_i = h sum a_ij T(theta_j)^-1 (V_j +
+///   s_j)
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "integrators/contract/constrained_system.hpp"
+#include "integrators/implicit/radau_coefficients.hpp"
+
+namespace trivium::integrators {
+
+template <ConstrainedSystem System, int s>
+class RadauStages {
+ public:
+  using S = typename System::Scalar;
+
+  /// What the next step goes on from.
+  struct Known {
+    StateVector<S> v_dot, lambda;
+  };
+  struct Stage : Known {
+    StateVector<S> shift;                ///< the third unknown
+    StateVector<S> internal_correction;  ///< the share in it that internal rows have
+    StateVector<S> v, theta, rate, y;    ///< where they lead
+    StateVector<S> chart_correction;     ///< by how much theta's rate is not v + shift + internal_correction
+    StateVector<S> left, phi, phi_dot;   ///< what is left to solve
+    StateVector<S> linearised_at;        ///< the state that the matrix is of
+    StateVector<S> rows;                 ///< asked of it
+    StateVector<S> slack, stretch;       ///< of springs, with the last change
+    StateVector<S> stretched;            ///< by the shift
+  };
+
+  /// Stages are placed to `placed_within`, of displacements beside their own size.
+  explicit RadauStages(const S& placed_within) : placed_within_(placed_within) {}
+
+  /// At a state with this v' and lambda, of a system with so many springs.
+  void begin(System& system, Eigen::Index springs, const StateVector<S>& v_dot,
+             const StateVector<S>& lambda) {
+    nq_ = system.position_size();
+    nv_ = system.velocity_size();
+    nc_ = system.multipliers();
+    springs_ = springs;
+    known_.fill({v_dot, lambda});
+    known_h_.reset();
+  }
+
+  int nq() const { return nq_; }
+  int nv() const { return nv_; }
+  int nc() const { return nc_; }
+  const RadauCoefficients<S, s>& coefficients() const { return coefficients_; }
+  Stage& operator[](int i) { return stage_[i]; }
+  const Stage& operator[](int i) const { return stage_[i]; }
+  /// At the end of the step.
+  Stage& last() { return stage_.back(); }
+  const Stage& last() const { return stage_.back(); }
+  auto begin() { return stage_.begin(); }
+  auto end() { return stage_.end(); }
+  /// The last stage of the step before.
+  const Known& known() const { return known_.back(); }
+
+  /// On from the last step's stages, by the polynomial through them; false where there are none.
+  bool predict(const S& h) {
+    if (!known_h_) return false;
+    const auto& c = coefficients_.c;
+    for (int i = 0; i < s; ++i) {
+      const S x = 1 + c[i] * h / *known_h_;
+      std::array<S, s> weight;
+      weight.fill(S(1));
+      for (int j = 0; j < s; ++j)
+        for (int k = 0; k < s; ++k)
+          if (k != j) weight[j] *= (x - c[k]) / (c[j] - c[k]);
+      begin_stage(i, mixed(weight, known_, &Known::v_dot), mixed(weight, known_, &Known::lambda));
+    }
+    return true;
+  }
+  /// All with the same.
+  void begin_with(const StateVector<S>& v_dot, const StateVector<S>& lambda) {
+    for (int i = 0; i < s; ++i) begin_stage(i, v_dot, lambda);
+  }
+  /// The step was taken.
+  void accept(const S& h) {
+    std::copy(stage_.begin(), stage_.end(), known_.begin());
+    known_h_ = h;
+  }
+
+  // Mixtures by a row of A, A^-1 or A^2: expressions, of the stages as they are when it is taken
+  template <class Of>
+  static auto mix(const std::array<S, s>& row, const Of& of) {
+    return [&]<int... j>(std::integer_sequence<int, j...>) { return (... + (row[j] * of(j))); }
+    (std::make_integer_sequence<int, s>{});
+  }
+  template <class Part>
+  auto mixed(const std::array<S, s>& row, StateVector<S> Part::*of) const {
+    return mixed(row, stage_, of);
+  }
+
+  /// Q_i and V_i from the unknowns.
+  void place(System& system, const S& h, const StateVector<S>& y, const StateVector<S>& v) {
+    for (int i = 0; i < s; ++i) {
+      stage_[i].v = v + h * mixed(coefficients_.a[i], &Stage::v_dot);
+      stage_[i].rate =
+          stage_[i].v + stage_[i].shift + stage_[i].internal_correction + stage_[i].chart_correction;
+    }
+    // theta depends on its own rate where positions are a group
+    S before = std::numeric_limits<S>::max();
+    for (int k = 0; k < 50; ++k) {
+      S moved(0), size(0);
+      for (int i = 0; i < s; ++i) {
+        x_ = h * mixed(coefficients_.a[i], &Stage::rate);
+        moved = k == 0 ? before : std::max(moved, S((x_ - stage_[i].theta).norm()));
+        size = std::max(size, S(x_.norm()));
+        std::swap(stage_[i].theta, x_);
+      }
+      if (k > 0 && (moved <= placed_within_ * size || !(moved < before))) break;
+      before = moved;
+      for (Stage& stage : stage_) {
+        x_ = stage.v + stage.shift + stage.internal_correction;
+        system.displacement_rate(stage.theta, x_, stage.rate);
+        stage.chart_correction = stage.rate - x_;
+      }
+    }
+    for (Stage& stage : stage_) {
+      stage.y = y;
+      system.displace(y, stage.theta, stage.y);
+      stage.y.segment(nq_, nv_) = stage.v;
+    }
+  }
+  /// Rows that a model keeps to itself, through A^-1 as the others; at each stage by what is normal to them,
+  /// as what is along them would be a shift that nobody asks for.
+  void normalise(System& system, const S& h, const StateVector<S>& y, const StateVector<S>& v) {
+    S before = std::numeric_limits<S>::max();
+    for (int k = 0; k < 20; ++k) {
+      S off(0), way(0);
+      for (int i = 0; i < s; ++i) {
+        Stage& stage = stage_[i];
+        moved_[i].setZero(nv_);
+        turned_[i].setZero(nv_);
+        if (!system.normalise_step(S(1), stage.y, moved_[i])) return;
+        system.normalise_step_velocity(S(1), stage.y, turned_[i]);
+        off += moved_[i].norm() + h * turned_[i].norm();
+        way += h * stage.v.norm();
+      }
+      if (off <= placed_within_ * way + 2 * s * std::numeric_limits<S>::epsilon() || !(off < before)) return;
+      before = off;
+      for (int i = 0; i < s; ++i) {
+        Stage& stage = stage_[i];
+        stage.internal_correction = normal_part(
+            system, stage.internal_correction + mixed(coefficients_.inverse[i], moved_) / h - turned_[i],
+            stage.y);
+        stage.v_dot += normal_part(system, mixed(coefficients_.inverse[i], turned_) / h, stage.y);
+      }
+      place(system, h, y, v);
+    }
+  }
+  /// By each stage's own matrix, for its rows and slacks, with the right side left(i); take(i, x, mu) has
+  /// what solves them.
+  template <class Left, class Take>
+  void solve_each(System& system, const Left& left, const Take& take) {
+    for (int i = 0; i < s; ++i) {
+      x_.setZero(nv_);
+      mu_.setZero(nc_);
+      system.select(i);
+      system.solve(left(i), stage_[i].rows, stage_[i].slack, x_, mu_, stage_[i].stretch);
+      take(i, x_, mu_);
+    }
+  }
+
+ private:
+  void begin_stage(int i, const StateVector<S>& v_dot, const StateVector<S>& lambda) {
+    stage_[i].v_dot = v_dot;
+    stage_[i].lambda = lambda;
+    stage_[i].shift.setZero(nv_);
+    stage_[i].stretched.setZero(springs_);
+    stage_[i].internal_correction.setZero(nv_);
+    stage_[i].chart_correction.setZero(nv_);
+  }
+  template <class T, class Part>
+  static auto mixed(const std::array<S, s>& row, const std::array<T, s>& stages, StateVector<S> Part::*of) {
+    return mix(row, [&](int j) -> const StateVector<S>& { return stages[j].*of; });
+  }
+  static auto mixed(const std::array<S, s>& row, const std::array<StateVector<S>, s>& stages) {
+    return mix(row, [&](int j) -> const StateVector<S>& { return stages[j]; });
+  }
+  /// Of a displacement, to the internal rows at y, whose velocities are lost.
+  template <class Displacement>
+  const StateVector<S>& normal_part(System& system, const Displacement& displacement, StateVector<S>& y) {
+    y.segment(nq_, nv_) = displacement;
+    x_.setZero(nv_);
+    system.normalise_step_velocity(S(1), y, x_);
+    x_ = -x_;
+    return x_;
+  }
+
+  const RadauCoefficients<S, s> coefficients_;
+  const S placed_within_;
+  std::array<Stage, s> stage_;
+  std::array<Known, s> known_;
+  std::optional<S> known_h_;  ///< the length of the step that known_ is of
+  std::array<StateVector<S>, s> moved_, turned_;
+  StateVector<S> x_, mu_;
+  int nq_ = 0, nv_ = 0, nc_ = 0;
+  Eigen::Index springs_ = 0;
+};
+
+}  // namespace trivium::integrators

@@ -1,0 +1,27 @@
+#pragma once
+/// What an implicit step begins its iteration with: the line through a quantity's last two values.
+
+#include <utility>
+
+#include "integrators/contract/state_vector.hpp"
+
+namespace trivium::integrators {
+
+/// A quantity at the ends of the last two steps, and on along the line through them.
+template <class S>
+class LinearExtrapolation {
+ public:
+  void begin(const StateVector<S>& value, const StateVector<S>& rate, const S& h) {
+    now_ = value;
+    before_ = value - h * rate;
+  }
+  const StateVector<S>& now() const { return now_; }
+  /// So many of the last step's lengths ahead.
+  StateVector<S> ahead(const S& steps) const { return now_ + steps * (now_ - before_); }
+  void push(StateVector<S> value) { before_ = std::exchange(now_, std::move(value)); }
+
+ private:
+  StateVector<S> now_, before_;
+};
+
+}  // namespace trivium::integrators

@@ -1,0 +1,31 @@
+#pragma once
+/// The work that methods of order 2 add up beside the motion.
+
+#include <utility>
+
+#include "integrators/contract/constrained_system.hpp"
+
+namespace trivium::integrators {
+
+/// The work behind q and v in y, where a system has it: by trapezoids, of order 2.
+template <class S>
+class WorkQuadrature {
+ public:
+  void begin(const S& rate) { rate_ = rate; }
+  /// Over a step of h to where the system was evaluated last.
+  template <ConstrainedSystem System>
+  void add(System& system, const StateVector<S>& lambda, const S& h, StateVector<S>& y) {
+    const int motion = system.position_size() + system.velocity_size();
+    if (y.size() > motion) add(S(system.work_rate(lambda)), h, y[motion]);
+  }
+  /// Over a step of h to where this is its rate.
+  void add(const S& rate, const S& h, S& work) {
+    const S before = std::exchange(rate_, rate);
+    work += h * (before + rate_) / 2;
+  }
+
+ private:
+  S rate_{0};
+};
+
+}  // namespace trivium::integrators
