@@ -182,7 +182,7 @@ class Simulation {
   /// The choice of least |E lambda| where rows are redundant; beside a singular position it may not exist.
   VectorX<S> lambda_at(const S& t, const StateVector& y) {
     auto& solver = form_.solved(t, y);
-    if (solver.factors().left_out() == 0) return solver.lambda();
+    if (solver.factors().dependent_row_count() == 0) return solver.lambda();
     try {
       return solver.minimum_norm_lambda();
     } catch (const ModelError&) {

@@ -237,7 +237,7 @@ void find_contradictions(const TangentSystem& s, const ScaledJacobian& scaled, R
   const double largest = std::max(gamma.cwiseAbs().maxCoeff(), acceleration.cwiseQuotient(columns).norm());
   for (int k : out.redundant)
     if (std::abs(row_scale[k] * s.Phi.row(k).dot(acceleration) - gamma[k]) >
-        contradiction_tolerance * largest + 1e-12)
+        contradiction_tolerance * largest + contradiction_floor)
       out.contradictory.push_back(k);
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "formulations/analysis/rank_tolerance.hpp"
 #include "formulations/equations_of_motion.hpp"
 #include "formulations/r_omega.hpp"
 
@@ -118,19 +119,10 @@ struct RowAnalysis {
   double acceleration_bound = 0;  ///< the size of accelerations that Q and gamma could cause, in the metric
 };
 
-/// The singular values of the geometrically scaled Jacobian below which a row counts as dependent. It sits
-/// between the defect that rounded or nearly consistent positions leave in a redundant row (1e-16 to 1e-9)
-/// and the smallest singular value of a real mechanism.
-inline constexpr double rank_tolerance = 1e-8;
-
 /// Where all that could cause lambda cancels, b is at least this share of what it would be if it did not:
 /// what is left then is rounding, and no unit to measure lambda in.
 inline constexpr double cancellation_floor = 1e-8;
 
 RowAnalysis analyse_rows(const TangentSystem& system);
-
-/// A redundant row contradicts the others where its right side misses theirs by more than this, relative to
-/// the terms of gamma: well above what inconsistent positions within their tolerance can leave.
-inline constexpr double contradiction_tolerance = 1e-6;
 
 }  // namespace trivium

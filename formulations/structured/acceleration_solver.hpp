@@ -54,31 +54,32 @@ class AccelerationSolver {
         wrenches_(mechanism.nb() + 1),
         motion_(mechanism.nb() + 1) {
     for (int e = 0; e < static_cast<int>(plan().graph.edges.size()); ++e)
-      if (plan().rows_slot[e] >= 0) ranked_.push_back(e);
+      if (plan().rows_slot[e] >= 0) candidate_edges_.push_back(e);
   }
   AccelerationSolver(const AccelerationSolver&) = delete;  // its solver knows where its matrix is
 
   /// Solves at a state. Throws a ModelError that names the body where a link is singular, and the row where
   /// redundant rows contradict each other; all answers are NaN then.
   void solve(std::span<const BodyState<F>> state, const S& t, Refinement refinement = Refinement::as_needed,
-             Ranks ranks = Ranks::found) {
+             DependentRows how = DependentRows::detect) {
     try {
-      rows_are_settled_ = ranks != Ranks::found;
-      solver_.find_ranks(ranks);
+      rows_are_decided_ = how != DependentRows::detect;
+      solver_.set_dependent_rows(how);
       t_ = t;
       refinement_ = refinement;
       move_bodies(state);
-      if (ranks == Ranks::seen)
-        assembly_.find_vanishing_rows(S(1e-5), [&](int edge, int k) { solver_.leave_out(edge, k); });
+      if (how == DependentRows::detect_near_singular)
+        assembly_.find_vanishing_rows(S(vanishing_row_tolerance),
+                                      [&](int edge, int k) { solver_.mark_dependent(edge, k); });
       if (baumgarte_) measure_violations();
       assembly_.assemble_closings(t_, right_side_);
       if (baumgarte_)
-        for (const int e : ranked_) stabilise(e);
+        for (const int e : candidate_edges_) stabilise(e);
       solver_.start(assembly_.matrix(), right_side_);
       eliminate();
       solver_.substitute(solution_);
       if (refinement == Refinement::as_needed) refine_as_needed();
-      if (ranks == Ranks::found) check_dependent_rows();
+      if (how == DependentRows::detect) check_dependent_rows();
     } catch (...) {
       forget();
       throw;
@@ -122,7 +123,7 @@ class AccelerationSolver {
     return F::from_reduced(assembly_.body()[b], unpadded<S>(solution_.body[b].x));
   }
   Vector3<S> omega_bar_dot(int b) const { return F::to_angular_acceleration(assembly_.body()[b], q_ddot(b)); }
-  /// One multiplier per row of the mechanism; 0 in rows that were left out because they depend on others.
+  /// One multiplier per row of the mechanism; 0 in dependent rows.
   VectorX<S> lambda() const {
     VectorX<S> all(mechanism_.nc());
     copy_lambda(all);
@@ -132,20 +133,20 @@ class AccelerationSolver {
   void copy_lambda(VectorX<S>& all) const {
     for_each_row([&](int edge, int k, int row) { all[row] = solution_.edge[edge][k]; });
   }
-  /// Which rows depend on others is settled here where the solution left it open; multipliers of rows that do
+  /// Which rows depend on others is decided here where the solution left it open; multipliers of rows that do
   /// not may then change from 0, within what rounding leaves of them.
-  std::vector<int> dropped_rows() {
+  std::vector<int> dependent_rows() {
     decide_dependent_rows();
     std::vector<int> rows;
     for_each_row([&](int edge, int k, int row) {
-      if (solver_.is_dropped(edge, k)) rows.push_back(row);
+      if (solver_.is_dependent(edge, k)) rows.push_back(row);
     });
     std::sort(rows.begin(), rows.end());
     return rows;
   }
-  int rank() { return mechanism_.nc() - static_cast<int>(dropped_rows().size()); }
+  int rank() { return mechanism_.nc() - static_cast<int>(dependent_rows().size()); }
 
-  // on demand, one solve per dropped row; not for the timed path
+  // on demand, one solve per dependent row; not for the timed path
 
   /// Which multipliers are unique: those that no combination that acts on nothing contains.
   std::vector<bool> unique();
@@ -181,9 +182,9 @@ class AccelerationSolver {
     right_side_.edge[edge] -= S(2 * alpha) * phi_dot_->edge[edge] + S(beta * beta) * phi_->edge[edge];
   }
 
-  // rows that were left out (left_out_rows_met_impl.hpp)
+  // dependent rows (dependent_rows_check_impl.hpp)
 
-  /// Rows that were left out are combinations of the others, so that their right sides must be the same
+  /// Dependent rows are combinations of the others, so that their right sides must be the same
   /// combinations; or they are none, and are solved for then.
   void check_dependent_rows();
   template <class SizeOfBody>
@@ -201,7 +202,7 @@ class AccelerationSolver {
   const std::string& row_name(const EdgeRow& row) const {
     return mechanism_.row_names[plan().graph.edges[row.edge].rows[row.k]];
   }
-  [[noreturn]] void throw_unmet(const EdgeRow& row) const;
+  [[noreturn]] void throw_violated(const EdgeRow& row) const;
 
   /// Throws a ModelError that names the body whose state is not a number.
   void require_numbers() const {
@@ -284,7 +285,7 @@ class AccelerationSolver {
       lambda_size.add(rows, solution_.edge[e], orientations);
       ++joint;
     }
-    for (const int e : ranked_) {
+    for (const int e : candidate_edges_) {
       const GraphEdge& edge = plan.graph.edges[e];
       const EdgeRows<S>& rows = matrix.rows[plan.rows_slot[e]];
       const BodyColumns<S>& C = edge.j == plan.graph.bodies ? rows.C_i : rows.C_j;
@@ -322,7 +323,7 @@ class AccelerationSolver {
     }
   };
 
-  /// Null space of Phi^T, a column per dropped row.
+  /// Null space of Phi^T, a column per dependent row.
   MatrixX<S> left_null_space();
   /// Per row the sum over its bodies of norm2(body, r, x) of what the row does there.
   template <class Norm2>
@@ -341,11 +342,12 @@ class AccelerationSolver {
   GraphVector<S> right_side_, solution_, defect_, step_;
   std::vector<Wrench<S>> wrenches_;  ///< nb + 1, the ground's last, and so
   std::vector<BodyMotion<S>> motion_;
-  std::vector<int> ranked_;  ///< edges whose rows may be left out: all but the point joints of the tree
+  std::vector<int>
+      candidate_edges_;  ///< edges whose rows may be dependent: all but the point joints of the tree
   // of the last state
   S t_{0};
   Refinement refinement_ = Refinement::as_needed;
-  bool rows_are_settled_ = false;  ///< those left out all depend on others
+  bool rows_are_decided_ = false;  ///< the dependent ones all depend on others
   Corrections corrections_;
   // where rows are stabilised
   std::optional<Baumgarte> baumgarte_;

@@ -166,10 +166,10 @@ TEST(Batch, ARowThatStandsInEachLaneByAnotherColumnDoesNotPassForDependent) {
   C.r(0, 0) = x;
   C.r(1, 0) = y;
   const PointRows<Four> none;
-  std::array<bool, 6> dropped{};
+  std::array<bool, 6> dependent{};
   GeneralLink<Four> link;
   const BodyColumns<Four> parent;
-  EXPECT_THROW(link.factor(H, {none, C, parent, 1}, nullptr, Ranks::found, dropped), MixedLanes);
+  EXPECT_THROW(link.factor(H, {none, C, parent, 1}, nullptr, DependentRows::detect, dependent), MixedLanes);
 }
 
 TEST(Batch, TheWorstLaneIsTheOneThatIsNotANumber) {

@@ -1,5 +1,5 @@
 #pragma once
-/// AccelerationSolver: whether its solution meets the rows that were left out. A part of
+/// AccelerationSolver: whether its solution satisfies the dependent rows. A part of
 /// acceleration_solver.hpp.
 
 #include <utility>
@@ -10,14 +10,14 @@ namespace trivium {
 
 template <Formulation F>
 void AccelerationSolver<F>::check_dependent_rows() {
-  if (ranked_.empty()) return;
+  if (candidate_edges_.empty()) return;
   const auto size_here = [&](int b) { return size_of_causes(b); };
   // what refinement leaves of rows that depend on others stays below
   const S rounding = S(8 * unit_roundoff<S>());
-  if (!solver_.has_doubtful_rows() && !find_violated_row(solution_, rounding, S(0), size_here)) return;
+  if (!solver_.has_nearly_dependent_rows() && !find_violated_row(solution_, rounding, S(0), size_here))
+    return;
   decide_dependent_rows();
-  // least: what velocities of rounding size leave
-  const S tolerance = larger(S(1e-6), S(30 * direction_tolerance<S>())), least = S(1e-12);
+  const S tolerance = contradiction_tolerance_in<S>(), least = S(contradiction_floor);
   if (!find_violated_row(solution_, S(1e-3 * tolerance), least, size_here)) return;
   AccelerationSize<S> whole, turning;
   for (int b = 0; b < mechanism_.nb(); ++b) {
@@ -25,7 +25,7 @@ void AccelerationSolver<F>::check_dependent_rows() {
     turning.take(size_of_turning(b));
   }
   if (const auto row = find_violated_row(solution_, tolerance, least, [&](int) { return whole; }))
-    throw_unmet(*row);
+    throw_violated(*row);
   // how much of it is rounding of the forces shows without them
   for (BodyPart<S>& force : right_side_.body) force = {};
   solver_.solve(right_side_, step_);
@@ -37,7 +37,7 @@ void AccelerationSolver<F>::check_dependent_rows() {
     whole.take(AccelerationSize<S>::of(step_.body[b]));
   }
   if (const auto row = find_violated_row(step_, tolerance, least, [&](int) { return whole; }))
-    throw_unmet(*row);
+    throw_violated(*row);
 }
 
 template <Formulation F>
@@ -45,8 +45,8 @@ template <class SizeOfBody>
 std::optional<EdgeRow> AccelerationSolver<F>::find_violated_row(const GraphVector<S>& solution,
                                                                 const S& tolerance, const S& least,
                                                                 const SizeOfBody& size_of_body) const {
-  return trivium::find_violated_row<S>(solver_, ranked_, assembly_.matrix(), right_side_, solution, tolerance,
-                                       least, size_of_body);
+  return trivium::find_violated_row<S>(solver_, candidate_edges_, assembly_.matrix(), right_side_, solution,
+                                       tolerance, least, size_of_body);
 }
 
 template <Formulation F>
@@ -61,7 +61,7 @@ AccelerationSize<typename F::Scalar> AccelerationSolver<F>::size_of_causes(int b
 
 template <Formulation F>
 void AccelerationSolver<F>::decide_dependent_rows() {
-  if (std::exchange(rows_are_settled_, true)) return;
+  if (std::exchange(rows_are_decided_, true)) return;
   try {
     if (!solver_.restore_independent_rows()) return;
   } catch (const NearlyDependentRows& e) {
@@ -69,14 +69,14 @@ void AccelerationSolver<F>::decide_dependent_rows() {
         "row \"{}\" at t = {}: it is one of more than {} that depend on others nearly, but not quite, as "
         "where positions miss their constraints by a little: assemble them first, or solve the printed "
         "system",
-        row_name(e.first_too_many), static_cast<double>(t_), solver_.most_reinstated));
+        row_name(e.first_too_many), static_cast<double>(t_), solver_.most_restored));
   }
   solver_.solve(right_side_, solution_);
   if (refinement_ == Refinement::as_needed) refine_as_needed();
 }
 
 template <Formulation F>
-[[noreturn]] void AccelerationSolver<F>::throw_unmet(const EdgeRow& row) const {
+[[noreturn]] void AccelerationSolver<F>::throw_violated(const EdgeRow& row) const {
   require_numbers();
   throw ModelError(
       fmt::format("row \"{}\" at t = {}: it depends on other rows and asks for another acceleration than "

@@ -1,6 +1,6 @@
 #pragma once
-/// GraphSolver: rows that the elimination left out told apart, and those that are independent after all
-/// bordered to the factors. A part of graph_solver_impl.hpp.
+/// GraphSolver: decides which of the rows that the elimination calls dependent are independent after all, and
+/// borders these to the factors. A part of graph_solver_impl.hpp.
 ///
 /// A pivot is the square of a row's sine to the rows before it, so rounding hides every sine below the root
 /// of it. What is left of the row itself is not a square: the response a to a force along the row has
@@ -21,24 +21,24 @@ namespace trivium {
 
 template <class S>
 bool GraphSolver<S>::restore_independent_rows() {
-  left_out_.clear();
-  for (int e = 0; e < static_cast<int>(dropped_.size()); ++e)
+  candidates_.clear();
+  for (int e = 0; e < static_cast<int>(is_dependent_.size()); ++e)
     for (int k = 0; k < plan_.graph.edges[e].size(); ++k)
-      if (dropped_[e][k]) left_out_.push_back({e, k});
-  if (left_out_.empty()) return false;
-  if (!geometry_) geometry_ = std::make_unique<Geometry>(plan_);
-  geometry_->factor(*matrix_);
+      if (is_dependent_[e][k]) candidates_.push_back({e, k});
+  if (candidates_.empty()) return false;
+  if (!unit_inertia_solver_) unit_inertia_solver_ = std::make_unique<UnitInertiaSolver>(plan_);
+  unit_inertia_solver_->factor(*matrix_);
   const int before = bordered_;
-  for (const EdgeRow& row : geometry_->independent(left_out_)) border(row);
+  for (const EdgeRow& row : unit_inertia_solver_->independent(candidates_)) border(row);
   return bordered_ > before;
 }
 
 /// The same rows with shifts and turns for H, where turns count by the mean lever of the rows that hold
 /// points of the same assembly: bodies that rows connect, not through the ground.
 template <class S>
-class GraphSolver<S>::Geometry {
+class GraphSolver<S>::UnitInertiaSolver {
  public:
-  explicit Geometry(const EliminationPlan& plan)
+  explicit UnitInertiaSolver(const EliminationPlan& plan)
       : matrix_(plan),
         solver_(plan),
         assembly_(assemblies_of(plan.graph)),
@@ -60,11 +60,12 @@ class GraphSolver<S>::Geometry {
 
   /// Those of the rows of which more than direction_tolerance is left beside the others.
   const std::vector<EdgeRow>& independent(const std::vector<EdgeRow>& rows) {
-    doubtful_.clear();
-    found_.clear();
-    for (const EdgeRow& row : rows) (solver_.is_dropped(row.edge, row.k) ? doubtful_ : found_).push_back(row);
-    if (!doubtful_.empty()) search(doubtful_);
-    return found_;
+    candidates_.clear();
+    independent_.clear();
+    for (const EdgeRow& row : rows)
+      (solver_.is_dependent(row.edge, row.k) ? candidates_ : independent_).push_back(row);
+    if (!candidates_.empty()) search(candidates_);
+    return independent_;
   }
   const S& lever2(int body) const { return lever2_[assembly_[body]]; }
 
@@ -73,7 +74,7 @@ class GraphSolver<S>::Geometry {
   void search(std::span<const EdgeRow> rows) {
     if (rows.size() == 1) {
       if (left_of(rows, 0) > square(direction_tolerance<S>()) && solver_.border(rows.front()))
-        found_.push_back(rows.front());
+        independent_.push_back(rows.front());
       return;
     }
     // in a combination rows may cancel by accident, so that little of it may be left, and of two
@@ -145,12 +146,12 @@ class GraphSolver<S>::Geometry {
   GraphSolver solver_;
   std::vector<int> assembly_;        ///< by body: the first body of its assembly
   std::vector<S> lever2_, holding_;  ///< by assembly: the mean, and how many rows hold points
-  std::vector<EdgeRow> doubtful_, found_;
+  std::vector<EdgeRow> candidates_, independent_;
 };
 
 template <class S>
 S GraphSolver<S>::lever2(int body) const {
-  return geometry_->lever2(body);
+  return unit_inertia_solver_->lever2(body);
 }
 
 template <class S>
@@ -163,7 +164,7 @@ bool GraphSolver<S>::border(const EdgeRow& row) {
   // rounding does not last: another refinement makes other rounding of it
   correct(*matrix_, probe.load, probe.response, probe.rest, probe.rest);
   if (!(stiffness > S(100) * energy(probe.rest))) return false;
-  if (bordered_ == most_reinstated) throw NearlyDependentRows(row);
+  if (bordered_ == most_restored) throw NearlyDependentRows(row);
   if (bordered_ == static_cast<int>(borders_.size()))
     borders_.push_back({row, S(0), GraphVector<S>(plan_.graph), S(0)});
   Border& border = borders_[bordered_++];
@@ -171,7 +172,7 @@ bool GraphSolver<S>::border(const EdgeRow& row) {
   border.stiffness = stiffness;
   std::swap(border.response, probe.response);
   border.response.edge[row.edge][row.k] = S(-1);
-  dropped_[row.edge][row.k] = false;
+  is_dependent_[row.edge][row.k] = false;
   return true;
 }
 

@@ -14,15 +14,15 @@ template <class S>
 class GeneralLink {
  public:
   /// Rows that on this body depend on the ones before them, or nearly so, have multiplier 0 and are marked in
-  /// `dropped`; those marked before are left out whatever they are.
-  Elimination factor(const BodyBlock<S>& block, const LinkRows<S>& link, BodyBlock<S>* parent, Ranks ranks,
-                     std::array<bool, 6>& dropped) {
+  /// `dependent`; those marked before are dependent whatever they are.
+  Elimination factor(const BodyBlock<S>& block, const LinkRows<S>& link, BodyBlock<S>* parent,
+                     DependentRows how, std::array<bool, 6>& dependent) {
     Matrix6<S> M;
     M.template topLeftCorner<3, 3>() = block.rr.template topRows<3>();
     M.template topRightCorner<3, 3>() = block.rx.template topRows<3>();
     M.template bottomLeftCorner<3, 3>() = block.rx.template topRows<3>().transpose();
     M.template bottomRightCorner<3, 3>() = block.xx.template topRows<3>();
-    solve_rows(M, link, ranks, dropped);
+    solve_rows(M, link, how, dependent);
     const Vector6<S> size = M.diagonal();
     // what is rounding beside the other moments has no size
     const S least = S(1e-8) * largest_of(size.template tail<3>());
@@ -39,8 +39,8 @@ class GeneralLink {
     return Elimination::done;
   }
 
-  /// Whether more than rounding is left of a row that was left out.
-  bool left_thin_rows() const { return left_thin_rows_; }
+  /// Whether more than rounding is left of a dependent row.
+  bool has_nearly_dependent_rows() const { return has_nearly_dependent_rows_; }
 
   void factor(const BodyColumns<S>& columns, int n, const LinkRows<S>&, LinkColumn<S>& out,
               ColumnSizes<S>& size, BodyColumns<S>* parent) const {
@@ -107,16 +107,10 @@ class GeneralLink {
   /// Lane by lane, unlike Eigen's own.
   static S largest_of(const Vector3<S>& v) { return larger(larger(v[0], v[1]), v[2]); }
 
-  /// The share of a row beside those before it up to which it is left out: what it does to the parent is the
-  /// square of its inverse, which above this leaves the parent's other motions half of their digits.
-  static S thin_row() {
-    using std::sqrt;
-    return sqrt(sqrt(larger(unit_roundoff<S>(), S(1e-32))));
-  }
-
   /// Gauss-Jordan on [Phi | P | I] with the largest pivot, columns weighed by the body's own inertia: a
   /// motion without inertia is solved for first.
-  void solve_rows(const Matrix6<S>& M, const LinkRows<S>& link, Ranks ranks, std::array<bool, 6>& dropped) {
+  void solve_rows(const Matrix6<S>& M, const LinkRows<S>& link, DependentRows how,
+                  std::array<bool, 6>& dependent) {
     using std::abs, std::sqrt;
     const int rows = link.count;
     const Matrix6<S> C = link.C.six(), C_parent = link.C_parent.six();
@@ -142,10 +136,10 @@ class GeneralLink {
     Matrix6<S> made_of = C.transpose().cwiseAbs();
     std::array<int, 6> pivot_of_row;
     std::array<bool, 6> is_basic{};
-    const S tolerance = ranks == Ranks::kept ? S(100 * unit_roundoff<S>()) : thin_row();
-    const std::array<bool, 6> out = dropped;
-    left_thin_rows_ = false;
-    // row by row, so that the row left out is the one that depends on those before it
+    const S tolerance = how == DependentRows::keep ? joint_row_rounding<S>() : joint_row_tolerance<S>();
+    const std::array<bool, 6> marked = dependent;
+    has_nearly_dependent_rows_ = false;
+    // row by row, so that the dependent row is the one that depends on those before it
     for (int r = 0; r < rows; ++r) {
       int best = -1;
       S best_pull(0), largest(0), size(0);
@@ -160,9 +154,10 @@ class GeneralLink {
         }
       }
       const S least_pull = tolerance * size;
-      dropped[r] = best < 0 || out[r] || largest <= least_pull;
-      if (dropped[r]) {
-        left_thin_rows_ = left_thin_rows_ || any(largest > S(100 * unit_roundoff<S>()) * size);
+      dependent[r] = best < 0 || marked[r] || largest <= least_pull;
+      if (dependent[r]) {
+        has_nearly_dependent_rows_ =
+            has_nearly_dependent_rows_ || any(largest > joint_row_rounding<S>() * size);
         G.row(r).setZero();
         continue;
       }
@@ -173,7 +168,7 @@ class GeneralLink {
       G.row(r) *= inverse;
       made_of.row(r) *= abs(inverse);
       for (int other = 0; other < rows; ++other) {
-        if (other == r || (other < r && dropped[other])) continue;
+        if (other == r || (other < r && dependent[other])) continue;
         const S factor = G(other, best);
         G.row(other) -= factor * G.row(r);
         made_of.row(other) += abs(factor) * made_of.row(r);
@@ -185,7 +180,7 @@ class GeneralLink {
     for (int k = 0; k < 6; ++k) free += is_basic[k] ? 0 : 1;
     H_.setZero(6, free);
     for (int r = 0; r < rows; ++r) {
-      if (dropped[r]) continue;
+      if (dependent[r]) continue;
       Y_.row(pivot_of_row[r]) = G.row(r).template tail<6>();
       V_.row(pivot_of_row[r]) = -G.row(r).template segment<6>(6);
     }
@@ -193,7 +188,7 @@ class GeneralLink {
       if (is_basic[k]) continue;
       H_(k, n) = S(1);
       for (int r = 0; r < rows; ++r)
-        if (!dropped[r]) H_(pivot_of_row[r], n) = -G(r, k);
+        if (!dependent[r]) H_(pivot_of_row[r], n) = -G(r, k);
       ++n;
     }
   }
@@ -223,7 +218,7 @@ class GeneralLink {
     return good;
   }
 
-  bool left_thin_rows_ = false;
+  bool has_nearly_dependent_rows_ = false;
   Matrix6<S> Y_, V_, rest_;
   Vector6<S> inverse_size_;  ///< of the block's diagonal; 0 where that is
   Motion H_, U_;

@@ -107,16 +107,16 @@ class GraphAssembly {
     for (const int e : others_) rows_of(e, row_velocity<Body>, t, phi_dot);
   }
 
-  /// Calls leave_out(edge, k) for rows that do next to nothing here, less than `share` of what their vectors
+  /// Calls mark(edge, k) for rows that do next to nothing here, less than `share` of what their vectors
   /// could: a dp1 whose vectors are nearly parallel, as where the angle that it drives turns back.
-  template <class LeaveOut>
-  void find_vanishing_rows(const S& share, const LeaveOut& leave_out) const {
+  template <class Mark>
+  void find_vanishing_rows(const S& share, const Mark& mark) const {
     for (const int e : others_) {
       const GraphEdge& edge = plan_.graph.edges[e];
       for (int k = 0; k < edge.size(); ++k)
         if (const auto* row = std::get_if<DP1<S>>(&mechanism_.rows[edge.rows[k]])) {
           const Vector3<S> a = body_[row->i].A * row->a_bar_i, b = body_[row->j].A * row->a_bar_j;
-          if (a.cross(b).squaredNorm() < share * share * a.squaredNorm() * b.squaredNorm()) leave_out(e, k);
+          if (a.cross(b).squaredNorm() < share * share * a.squaredNorm() * b.squaredNorm()) mark(e, k);
         }
     }
   }

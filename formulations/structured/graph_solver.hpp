@@ -54,12 +54,13 @@ class GraphSolver {
 
   int steps() const { return static_cast<int>(plan_.steps.size()); }
 
-  /// Rows left out are reinstated where more than rounding is left of some, or a joint of the tree has any.
+  /// Dependent rows are asked one by one, and restored where they are independent after all, where more than
+  /// rounding is left of some, or a joint of the tree has any.
   /// Throws SingularLink and NearlyDependentRows.
   void factor(const GraphMatrix<S>& matrix);
 
-  /// The solution for a right side. Rows that were left out have multiplier 0; what their right sides say is
-  /// not asked.
+  /// The solution for a right side. Dependent rows have multiplier 0; what their right sides say is not
+  /// asked.
   void solve(const GraphVector<S>& right_side, GraphVector<S>& solution);
 
   // factor and solve at once: start, every step in turn, substitute. Before its step, a link's own rows may
@@ -70,52 +71,55 @@ class GraphSolver {
   void eliminate(int step, const GraphVector<S>& right_side);
   void substitute(GraphVector<S>& solution);
 
-  /// How the factorisations that follow find the rows to leave out.
-  void find_ranks(Ranks ranks) {
-    const auto goes_by_before = [](Ranks r) { return r == Ranks::kept || r == Ranks::counted; };
-    if (goes_by_before(ranks) && !goes_by_before(ranks_)) out_ = dropped_;
-    if (ranks == Ranks::seen)
-      for (auto& rows : out_) rows.fill(false);
-    ranks_ = ranks;
+  /// How the factorisations that follow decide which rows are dependent.
+  void set_dependent_rows(DependentRows how) {
+    const auto keeps = [](DependentRows decision) {
+      return decision == DependentRows::keep || decision == DependentRows::keep_count;
+    };
+    if (keeps(how) && !keeps(how_)) is_marked_ = is_dependent_;
+    if (how == DependentRows::detect_near_singular)
+      for (auto& rows : is_marked_) rows.fill(false);
+    how_ = how;
   }
-  /// Of ranks that are seen: leaves row k of an edge out, whatever the elimination sees of it.
-  void leave_out(int edge, int k) { out_[edge][k] = true; }
+  /// Under DependentRows::detect_near_singular: row k of an edge is dependent, whatever the elimination sees.
+  void mark_dependent(int edge, int k) { is_marked_[edge][k] = true; }
 
-  /// The factorisations that follow leave out the same rows as another solver's last one, of the edges that
-  /// both have.
-  void leave_out_as(const GraphSolver& other) {
-    ranks_ = Ranks::kept;
-    std::copy_n(other.dropped_.begin(), std::min(out_.size(), other.dropped_.size()), out_.begin());
+  /// In the factorisations that follow the same rows are dependent as in another solver's last one, of the
+  /// edges that both have.
+  void keep_dependent_rows_of(const GraphSolver& other) {
+    how_ = DependentRows::keep;
+    std::copy_n(other.is_dependent_.begin(), std::min(is_marked_.size(), other.is_dependent_.size()),
+                is_marked_.begin());
   }
 
-  /// Whether row k of an edge was left out.
-  bool is_dropped(int edge, int k) const { return dropped_[edge][k]; }
-  /// How many rows were.
-  int left_out() const {
+  /// Whether row k of an edge is dependent in the last factorisation.
+  bool is_dependent(int edge, int k) const { return is_dependent_[edge][k]; }
+  /// How many rows are.
+  int dependent_row_count() const {
     int count = 0;
-    for (std::size_t e = 0; e < dropped_.size(); ++e)
+    for (std::size_t e = 0; e < is_dependent_.size(); ++e)
       count += static_cast<int>(
-          std::count(dropped_[e].begin(), dropped_[e].begin() + plan_.graph.edges[e].size(), true));
+          std::count(is_dependent_[e].begin(), is_dependent_[e].begin() + plan_.graph.edges[e].size(), true));
     return count;
   }
-  /// Whether any row of it was.
-  bool leaves_out(int edge) const {
-    const auto& rows = dropped_[edge];
+  /// Whether any row of the edge is.
+  bool has_dependent_rows(int edge) const {
+    const auto& rows = is_dependent_[edge];
     return std::find(rows.begin(), rows.end(), true) != rows.end();
   }
-  /// The elimination sees squares of sines between rows, and leaves out every row that may depend on others
-  /// to rounding. Here those of which more than direction_tolerance is left beside the others, in shifts and
-  /// turns, are found and bordered to the factors: they count from then on. Returns whether there are any.
-  /// Costs as much as the factors and a solution where there is none, and some solutions more times the
-  /// logarithm of the rows left out for each; room is allocated at the first call and where they are more
-  /// than ever before. Throws NearlyDependentRows beyond most_reinstated.
+  /// The elimination sees squares of sines between rows, and every row that may depend on others to rounding
+  /// is dependent at first. Here those of which more than direction_tolerance is left beside the others, in
+  /// shifts and turns, are found and bordered to the factors: they count from then on. Returns whether there
+  /// are any. Costs as much as the factors and a solution where there is none, and some solutions more times
+  /// the logarithm of the dependent rows for each; room is allocated at the first call and where they are
+  /// more than ever before. Throws NearlyDependentRows beyond most_restored.
   bool restore_independent_rows();
   /// The square of the lever by which turns of a body compare with shifts: known after
-  /// restore_independent_rows where rows were left out.
+  /// restore_independent_rows where there are dependent rows.
   S lever2(int body) const;
-  /// Whether rows were left out of which, as far as the elimination sees it, more than rounding is left.
-  bool has_doubtful_rows() const { return has_thin_rows_; }
-  static constexpr int most_reinstated = 100;
+  /// Whether rows are dependent of which, as far as the elimination sees it, more than rounding is left.
+  bool has_nearly_dependent_rows() const { return has_nearly_dependent_rows_; }
+  static constexpr int most_restored = 100;
   /// Adds what this multiplier of a row does to its bodies; of an edge that is no point joint of the tree.
   void add_row(const EdgeRow& row, const S& multiplier, GraphVector<S>& force) const;
 
@@ -151,11 +155,11 @@ class GraphSolver {
   struct Probe {
     GraphVector<S> load, response, rest;
   };
-  class Geometry;
+  class UnitInertiaSolver;
   struct ClosingFactor {
     int rows;
-    Matrix6<S> L;         ///< unit lower triangle of its pivoted block; columns of dropped rows are zero
-    Vector6<S> inverse;   ///< of the pivots; 0 for dropped rows
+    Matrix6<S> L;         ///< unit lower triangle of its pivoted block; columns of dependent rows are zero
+    Vector6<S> inverse;   ///< of the pivots; 0 for dependent rows
     BodyColumns<S> C;     ///< of L^-1 C^T, on the body where it is eliminated
     Vector6<S> own;       ///< the diagonal before other closings go
     ColumnSizes<S> size;  ///< of what that was made of
@@ -174,11 +178,11 @@ class GraphSolver {
   void forward_step(const EliminationPlan::Step& step, const GraphVector<S>& right_side);
 
   void factor_link(int index);
-  /// The closing's block is positive semidefinite: rows in their order, those that depend on the ones before
-  /// them left out.
+  /// The closing's block is positive semidefinite: rows in their order, dependent where they depend on the
+  /// ones before them.
   void factor_closing(int c, BodyBlock<S>* body);
-  /// Of ranks that are seen: takes the rows of most effect first, so that those left out depend on rows that
-  /// determine their motion well, wherever a motion goes.
+  /// Takes the rows of most effect first, so that the dependent ones depend on rows that determine their
+  /// motion well, wherever a motion goes.
   void choose_rows(int c);
   void forward_link(int index, const GraphVector<S>& right_side);
   /// The right side of a link, its body's forces with what its children passed up: to its parent, and to the
@@ -200,14 +204,8 @@ class GraphSolver {
   S energy(const GraphVector<S>& a) const;
   [[noreturn]] static void throw_singular(const EliminationPlan::Link& link, Elimination result);
 
-  /// The pivot, as a share of what it was before other rows went, up to which a row is left out. Above it one
-  /// refinement makes up for the pivot's own rounding; and no row that misplaced points alone make
-  /// independent comes near it, unless its motion has next to no inertia.
-  const S doubtful_pivot_;
-  /// The same for Ranks::seen, and as a share of what it was made of. A motion passes a singular position on
-  /// a row whose sine is the root of this, so that what the row then is not asked is its square.
-  const S passing_pivot_;
-  bool has_thin_rows_ = false;
+  const S dependent_pivot_, near_singular_pivot_;  ///< see rank_tolerance.hpp
+  bool has_nearly_dependent_rows_ = false;
 
   EliminationPlan plan_;
   std::vector<Place> place_;
@@ -220,15 +218,15 @@ class GraphSolver {
   std::vector<LinkColumn<S>> link_column_;
   std::vector<ClosingFactor> closing_;
   std::vector<BodyPart<S>> force_sum_;
-  std::vector<std::array<bool, 6>> dropped_, out_;
-  Ranks ranks_ = Ranks::found;
+  std::vector<std::array<bool, 6>> is_dependent_, is_marked_;  ///< marked: dependent, whatever is seen
+  DependentRows how_ = DependentRows::detect;
   // rows told apart
   std::vector<Border> borders_;  ///< the first `bordered_`
   int bordered_ = 0;
-  std::vector<EdgeRow> left_out_;
+  std::vector<EdgeRow> candidates_;
   // made when first needed
   std::optional<Probe> probe_;
-  std::unique_ptr<Geometry> geometry_;
+  std::unique_ptr<UnitInertiaSolver> unit_inertia_solver_;
   BodyColumns<S> no_columns_;
   // the rows of a body that hangs on nothing
   const Vector6<S> none_ = Vector6<S>::Zero();

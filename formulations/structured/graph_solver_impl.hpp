@@ -11,16 +11,16 @@ namespace trivium {
 
 template <class S>
 GraphSolver<S>::GraphSolver(EliminationPlan plan)
-    : doubtful_pivot_(larger(S(1000 * unit_roundoff<S>()), S(1e-8))),
-      passing_pivot_(static_cast<S>(std::pow(largest_lane(unit_roundoff<S>()), 0.6))),
+    : dependent_pivot_(trivium::dependent_pivot<S>()),
+      near_singular_pivot_(trivium::near_singular_pivot<S>()),
       plan_(std::move(plan)),
       block_sum_(plan_.sum_slots),
       column_(plan_.column_slots),
       coupling_(plan_.coupling_slots),
       closing_(plan_.closings.size()),
       force_sum_(plan_.sum_slots) {
-  dropped_.resize(plan_.graph.edges.size());
-  out_ = dropped_;
+  is_dependent_.resize(plan_.graph.edges.size());
+  is_marked_ = is_dependent_;
   int columns = 0;
   std::array<int, 5> count{};
   for (const EliminationPlan::Link& link : plan_.links) {
@@ -73,11 +73,11 @@ template <class S>
 void GraphSolver<S>::factor(const GraphMatrix<S>& matrix) {
   start_factors(matrix);
   for (const EliminationPlan::Step& step : plan_.steps) factor_step(step);
-  const auto joint_leaves_out = [&](const EliminationPlan::Link& link) {
-    return link.edge >= 0 && !plan_.is_point_link(link) && leaves_out(link.edge);
+  const auto joint_is_dependent = [&](const EliminationPlan::Link& link) {
+    return link.edge >= 0 && !plan_.is_point_link(link) && has_dependent_rows(link.edge);
   };
-  if (ranks_ != Ranks::found) return;
-  if (has_thin_rows_ || std::any_of(plan_.links.begin(), plan_.links.end(), joint_leaves_out))
+  if (how_ != DependentRows::detect) return;
+  if (has_nearly_dependent_rows_ || std::any_of(plan_.links.begin(), plan_.links.end(), joint_is_dependent))
     restore_independent_rows();
 }
 
@@ -176,7 +176,7 @@ template <class S>
 void GraphSolver<S>::start_factors(const GraphMatrix<S>& matrix) {
   matrix_ = &matrix;
   bordered_ = 0;
-  has_thin_rows_ = false;
+  has_nearly_dependent_rows_ = false;
   for (const EliminationPlan::Link& link : plan_.links)
     for (const EliminationPlan::Column& column : link.columns) column_[column.slot] = {};
   for (Matrix6<S>& block : coupling_) block.setZero();
@@ -218,16 +218,16 @@ inline void GraphSolver<S>::factor_link(int index) {
   const EliminationPlan::Link& link = plan_.links[index];
   const LinkRows<S> rows = rows_of(index);
   with_link(place_[index], [&](auto& factors) {
-    std::array<bool, 6> dropped{};
-    if (ranks_ != Ranks::found && link.edge >= 0) dropped = out_[link.edge];
+    std::array<bool, 6> dependent{};
+    if (how_ != DependentRows::detect && link.edge >= 0) dependent = is_marked_[link.edge];
     BodyBlock<S>* const parent = has_parent(link) ? &block_sum_[link.parent_sum_slot] : nullptr;
     if (link.is_first) *parent = matrix_->H[link.parent];
     const Elimination result = factors.factor(
-        link.sum_slot < 0 ? matrix_->H[link.body] : block_sum_[link.sum_slot], rows, parent, ranks_, dropped);
+        link.sum_slot < 0 ? matrix_->H[link.body] : block_sum_[link.sum_slot], rows, parent, how_, dependent);
     if (result != Elimination::done) throw_singular(link, result);
-    if (link.edge >= 0) dropped_[link.edge] = dropped;
+    if (link.edge >= 0) is_dependent_[link.edge] = dependent;
     if constexpr (std::is_same_v<std::decay_t<decltype(factors)>, GeneralLink<S>>)
-      has_thin_rows_ = has_thin_rows_ || factors.left_thin_rows();
+      has_nearly_dependent_rows_ = has_nearly_dependent_rows_ || factors.has_nearly_dependent_rows();
     LinkColumn<S>* const columns = link_column_.data() + place_[index].first_column;
     for (std::size_t n = 0; n < link.columns.size(); ++n) {
       const EliminationPlan::Column& column = link.columns[n];
@@ -251,30 +251,30 @@ void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
   ClosingFactor& f = closing_[c];
   Matrix6<S>& block = coupling_[plan_.diagonal_slot[c]];
   const int n = rows_of_closing(c);
-  std::array<bool, 6>& dropped = dropped_[closing.edge];
+  std::array<bool, 6>& dependent = is_dependent_[closing.edge];
   const bool on_body = closing.column_slot >= 0;
   if (on_body) f.C = column_[closing.column_slot];
-  if (ranks_ == Ranks::seen || ranks_ == Ranks::counted) choose_rows(c);
+  if (how_ == DependentRows::detect_near_singular || how_ == DependentRows::keep_count) choose_rows(c);
   const S defect = direction_tolerance<S>() * direction_tolerance<S>();
   for (int k = 0; k < n; ++k) {
     const S pivot = block(k, k);
     const S cancelled = defect * f.size.product[k];
-    const S rounding = S(30 * unit_roundoff<S>()) * (f.own[k] + f.size.product[k]);
-    switch (ranks_) {
-      case Ranks::found:
-        dropped[k] = pivot <= doubtful_pivot_ * f.own[k] + cancelled;
+    const S rounding = pivot_rounding<S>() * (f.own[k] + f.size.product[k]);
+    switch (how_) {
+      case DependentRows::detect:
+        dependent[k] = pivot <= dependent_pivot_ * f.own[k] + cancelled;
         break;
-      case Ranks::seen:
-      case Ranks::kept:
-      case Ranks::counted:
-        dropped[k] = out_[closing.edge][k] || pivot <= rounding;
+      case DependentRows::detect_near_singular:
+      case DependentRows::keep:
+      case DependentRows::keep_count:
+        dependent[k] = is_marked_[closing.edge][k] || pivot <= rounding;
     }
-    has_thin_rows_ = has_thin_rows_ || (dropped[k] && any(pivot > rounding));
-    f.inverse[k] = dropped[k] ? S(0) : S(1 / pivot);
+    has_nearly_dependent_rows_ = has_nearly_dependent_rows_ || (dependent[k] && any(pivot > rounding));
+    f.inverse[k] = dependent[k] ? S(0) : S(1 / pivot);
     for (int r = k + 1; r < n; ++r) {
       const S l = block(k, r) * f.inverse[k];
       f.L(r, k) = l;
-      if (dropped[k]) continue;
+      if (dependent[k]) continue;
       for (int s = r; s < n; ++s) block(r, s) -= l * block(k, s);
       if (on_body) {
         f.C.r.col(r) -= l * f.C.r.col(k);
@@ -285,7 +285,7 @@ void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
     }
   }
   for (int k = 0; k < n; ++k) {
-    if (dropped[k]) continue;
+    if (dependent[k]) continue;
     if (on_body) {
       const Padded<S> r = f.C.r.col(k), x = f.C.x.col(k);
       const Padded<S> scaled_r = f.inverse[k] * r, scaled_x = f.inverse[k] * x;
@@ -315,15 +315,15 @@ void GraphSolver<S>::choose_rows(int c) {
   const ClosingFactor& f = closing_[c];
   Matrix6<S> block = coupling_[plan_.diagonal_slot[c]];
   const int n = rows_of_closing(c);
-  std::array<bool, 6>& out = out_[plan_.closings[c].edge];
+  std::array<bool, 6>& out = is_marked_[plan_.closings[c].edge];
   std::array<bool, 6> is_done{};
   int most = n;
   S least = S(0);
-  if (ranks_ == Ranks::counted) {
+  if (how_ == DependentRows::keep_count) {
     most -= static_cast<int>(std::count(out.begin(), out.begin() + n, true));
   } else {
     is_done = out;
-    least = passing_pivot_;
+    least = near_singular_pivot_;
   }
   for (int chosen = 0; chosen < most; ++chosen) {
     int best = -1;
@@ -339,7 +339,7 @@ void GraphSolver<S>::choose_rows(int c) {
     const Vector6<S> column = block.col(best);
     block -= column * column.transpose() / column[best];
   }
-  for (int k = 0; k < n; ++k) out[k] = !is_done[k] || (ranks_ == Ranks::seen && out[k]);
+  for (int k = 0; k < n; ++k) out[k] = !is_done[k] || (how_ == DependentRows::detect_near_singular && out[k]);
 }
 
 template <class S>
@@ -404,7 +404,7 @@ void GraphSolver<S>::backward_closing(int c, GraphVector<S>& solution) {
   }
   for (int k = n - 1; k >= 0; --k)
     for (int r = k + 1; r < n; ++r)
-      if (!dropped_[closing.edge][k]) lambda[k] -= f.L(r, k) * lambda[r];
+      if (!is_dependent_[closing.edge][k]) lambda[k] -= f.L(r, k) * lambda[r];
 }
 
 template <class S>

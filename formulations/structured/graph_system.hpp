@@ -13,6 +13,7 @@
 #include "bodies/numbers/lanewise.hpp"
 #include "bodies/numbers/register_vectors.hpp"
 #include "bodies/numbers/scalar.hpp"
+#include "formulations/analysis/rank_tolerance.hpp"
 #include "formulations/structured/elimination_plan.hpp"
 
 namespace trivium {
@@ -121,21 +122,19 @@ struct LinkRows {
   int count;
 };
 
-/// Which rows depend on others. Found: those of which nothing is left beside the others. Seen: also those of
-/// which so little is left that the elimination alone does not tell it from nothing, as where a motion passes
-/// a singular position; none are reinstated, and what is asked of them is not looked at. Kept: as found or
-/// seen last; states that leave their constraints by a little, as those within a step of an integrator, make
-/// redundant rows seem independent. Counted: as many of each closing as then, whichever are of most effect
-/// now; for motions that drift.
-enum class Ranks { found, seen, kept, counted };
+/// How a factorisation decides which rows are dependent (tolerances: rank_tolerance.hpp).
+enum class DependentRows {
+  detect,  ///< those of which nothing is left beside the others
+  /// Also those of which so little is left that the elimination alone does not tell it from nothing, as where
+  /// a motion passes a singular position; none are restored, and what their right sides say is not asked.
+  detect_near_singular,
+  /// As decided last. States that leave their constraints by a little, as those within a step of an
+  /// integrator, make dependent rows seem independent.
+  keep,
+  keep_count  ///< as many of each closing as last, whichever are of least effect now; for motions that drift
+};
 
 enum class Elimination { done, no_inertia, dependent_rows };
-
-/// Rows of a joint whose directions are dependent to within this sine count as dependent.
-template <class S>
-S direction_tolerance() {
-  return larger(S(100 * unit_roundoff<S>()), S(1e-8));
-}
 
 /// What the columns of a closing were made of on their way up, row by row. One that cancelled is its own
 /// rounding, and does not show that itself.

@@ -102,7 +102,7 @@ class PointLink {
 
   /// Eliminates the body's block H; adds what is left of it to the parent's, if there is one.
   [[gnu::flatten]] Elimination factor(const BodyBlock<S>& H, const LinkRows<S>& link, BodyBlock<S>* parent,
-                                      Ranks, std::array<bool, 6>&) {
+                                      DependentRows, std::array<bool, 6>&) {
     const PointRows<S>& rows = link.point;
     if (!solve_orientation<S, m>(rows.W_child, N_, Y_)) return Elimination::dependent_rows;
     // about the point: H_rx - H_rr L^T, and H_xx - L X - (L X)^T with X half of the way there

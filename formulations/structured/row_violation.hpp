@@ -1,5 +1,6 @@
 #pragma once
-/// Whether a solution meets the rows that its factorisation left out.
+/// Whether a solution satisfies the dependent rows, which its factorisation left out; the first that it
+/// violates.
 
 #include <optional>
 #include <span>
@@ -25,8 +26,8 @@ struct AccelerationSize {
   }
 };
 
-/// Of the given edges, which are no point joints of the tree, the first row that was left out and that the
-/// solution misses by more than this share of what it is made of: its right side, and numbers of a size by
+/// Of the given edges, which are no point joints of the tree, the first dependent row that the solution
+/// misses by more than this share of what it is made of: its right side, and numbers of a size by
 /// body, AccelerationSize size_of_body(int). What is not above `least` is none. Of a batch, one that any lane
 /// misses.
 template <class S, class SizeOfBody>
@@ -37,7 +38,7 @@ std::optional<EdgeRow> find_violated_row(const GraphSolver<S>& solver, std::span
   using std::abs;
   const EliminationPlan& plan = solver.plan();
   for (const int e : edges) {
-    if (!solver.leaves_out(e)) continue;
+    if (!solver.has_dependent_rows(e)) continue;
     const GraphEdge& edge = plan.graph.edges[e];
     const EdgeRows<S>& rows = matrix.rows[plan.rows_slot[e]];
     const auto size_of = [&](int b) {
@@ -45,7 +46,7 @@ std::optional<EdgeRow> find_violated_row(const GraphSolver<S>& solver, std::span
     };
     const AccelerationSize<S> size_i = size_of(edge.i), size_j = size_of(edge.j);
     for (int k = 0; k < edge.size(); ++k) {
-      if (!solver.is_dropped(e, k)) continue;
+      if (!solver.is_dependent(e, k)) continue;
       S missing = right_side.edge[e][k], made_of = abs(missing);
       const auto take = [&](const BodyColumns<S>& C, int b, const AccelerationSize<S>& size) {
         if (b == plan.graph.bodies) return;

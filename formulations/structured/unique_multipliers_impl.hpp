@@ -12,12 +12,12 @@ namespace trivium {
 
 template <Formulation F>
 MatrixX<typename F::Scalar> AccelerationSolver<F>::left_null_space() {
-  const std::vector<int> dropped = dropped_rows();
-  MatrixX<S> N = MatrixX<S>::Zero(mechanism_.nc(), static_cast<Eigen::Index>(dropped.size()));
+  const std::vector<int> dependent = dependent_rows();
+  MatrixX<S> N = MatrixX<S>::Zero(mechanism_.nc(), static_cast<Eigen::Index>(dependent.size()));
   GraphVector<S> unit(solver_.plan().graph), combination(unit);
   for_each_row([&](int edge, int k, int row) {
-    if (!solver_.is_dropped(edge, k)) return;
-    const auto n = std::lower_bound(dropped.begin(), dropped.end(), row) - dropped.begin();
+    if (!solver_.is_dependent(edge, k)) return;
+    const auto n = std::lower_bound(dependent.begin(), dependent.end(), row) - dependent.begin();
     // what the row does to its bodies, done by the others
     std::fill(unit.body.begin(), unit.body.end(), BodyPart<S>{});
     solver_.add_row({edge, k}, S(-1), unit);

@@ -211,7 +211,7 @@ class ConstrainedEquations : public FirstOrderEquations<F> {
   void factor(const S& velocity_share, const S& position_share) {
     GraphAssembly<F>& assembly = selected_->evaluated();
     let_springs_resist(assembly, velocity_share, position_share);
-    selected_->solver.leave_out_as(solver_.factors());
+    selected_->solver.keep_dependent_rows_of(solver_.factors());
     ++newton_matrices_;
     try {
       selected_->solver.factor(assembly.matrix());

@@ -58,7 +58,7 @@ class ConstraintProjection {
     GraphAssembly<F>& assembly = solver_.assembly();
     for (const auto& link : assembly.links()) assembly.assemble_link(link, t_, change_);
     assembly.assemble_closings(t_, change_);
-    solver_.factors().find_ranks(Ranks::kept);
+    solver_.factors().set_dependent_rows(DependentRows::keep);
     ++factorisations_;
     try {
       solver_.factors().factor(assembly.matrix());

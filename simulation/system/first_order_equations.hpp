@@ -77,12 +77,12 @@ class FirstOrderEquations {
     }
     accept_state(start.t, start_);
     // a motion may pass positions where rows are nearly dependent; one that starts there lives with them
-    const int found = solver_.factors().left_out();
-    settles_by_ = options.is_projected ? Ranks::seen : Ranks::counted;
+    const int found = solver_.factors().dependent_row_count();
+    settles_by_ = options.is_projected ? DependentRows::detect_near_singular : DependentRows::keep_count;
     left_out_ = -1;
     accept_state(start.t, start_);
-    if (solver_.factors().left_out() == found) return;
-    settles_by_ = Ranks::found;
+    if (solver_.factors().dependent_row_count() == found) return;
+    settles_by_ = DependentRows::detect;
     left_out_ = -1;
     accept_state(start.t, start_);
   }
@@ -220,7 +220,7 @@ class FirstOrderEquations {
 
   /// The solver, solved and refined at (t, y).
   AccelerationSolver<F>& solved(const S& t, const StateVector& y) {
-    if (!is_settled(t, y)) solve_as(t, y, Refinement::as_needed, Ranks::kept);
+    if (!is_settled(t, y)) solve_as(t, y, Refinement::as_needed, DependentRows::keep);
     return solver_;
   }
   MechanismState<S> to_mechanism_state(const S& t, const StateVector& y) {
@@ -318,13 +318,14 @@ class FirstOrderEquations {
     return settled_t_ && *settled_t_ == t && settled_ == y;
   }
   void solve(const S& t, const StateVector& y) {
-    if (!is_settled(t, y)) solve_as(t, y, refines_ ? Refinement::as_needed : Refinement::none, Ranks::kept);
+    if (!is_settled(t, y))
+      solve_as(t, y, refines_ ? Refinement::as_needed : Refinement::none, DependentRows::keep);
   }
-  void solve_as(const S& t, const StateVector& y, Refinement refinement, Ranks ranks) {
+  void solve_as(const S& t, const StateVector& y, Refinement refinement, DependentRows how) {
     settled_t_.reset();
     load(y);
     ++factorisations_;
-    solver_.solve(state_, t, refinement, ranks);
+    solver_.solve(state_, t, refinement, how);
   }
 
   template <class Body>
@@ -338,7 +339,7 @@ class FirstOrderEquations {
   }
 
   void note_passage(const S& t) {
-    const int left_out = solver_.factors().left_out();
+    const int left_out = solver_.factors().dependent_row_count();
     if (left_out > left_out_ && left_out_ >= 0 && passages_.size() < most_passages)
       passages_.push_back({static_cast<double>(t), left_out - left_out_});
     left_out_ = left_out;
@@ -382,7 +383,7 @@ class FirstOrderEquations {
   std::optional<S> settled_t_;
   StateVector settled_;
   bool refines_ = false;
-  Ranks settles_by_ = Ranks::found;
+  DependentRows settles_by_ = DependentRows::detect;
   int left_out_ = -1;  ///< rows
   static constexpr std::size_t most_passages = 1000;
   std::vector<SingularPassage> passages_;
