@@ -184,7 +184,7 @@ TEST(Identities, PDdotIsHalfGTransposedOmegaBarDotLessACentripetalTerm) {
   for (int n = 0; n < 100; ++n) {
     const Pair x = random_pair(random);
     const auto body = x.body<RP<S>>(x.r_i, x.v_i, x.p_i, x.w_i);
-    const Vector4<S> p_ddot = RP<S>::from_angular_acceleration(body, x.c);
+    const Vector4<S> p_ddot = RP<S>::from_reduced(body, x.c);
     const Matrix<S, 3, 4> G = G_matrix(x.p_i);
     EXPECT_LE(distance(p_ddot, G.transpose() * x.c / 2 - x.w_i.squaredNorm() / 4 * x.p_i), bound);
     // which is the p'' with omega_bar' = 2 G p'' and p . p'' = -p' . p'

@@ -15,10 +15,10 @@ TYPED_TEST(FormulationForces, AngularAccelerationGoesThereAndBack) {
   using F = TypeParam;
   using S = typename F::Scalar;
   for_all_samples<F>([](const auto& s) {
-    const typename F::Unknown q_ddot = F::from_angular_acceleration(s.body, s.omega_bar_dot);
+    const typename F::Unknown q_ddot = test::unknown_of<F>(s.body, s.omega_bar_dot);
     EXPECT_LE(distance(F::to_angular_acceleration(s.body, q_ddot), s.omega_bar_dot), roundings<S>(1000));
     // q'' is affine in omega_bar' with slope lift, and keeps the internal row
-    const typename F::Unknown at_zero = F::from_angular_acceleration(s.body, Vector3<S>::Zero());
+    const typename F::Unknown at_zero = test::unknown_of<F>(s.body, Vector3<S>::Zero());
     EXPECT_LE(distance(q_ddot - at_zero, F::lift(s.body) * s.omega_bar_dot), roundings<S>(1000));
     EXPECT_LE(distance(F::internal_jacobian(s.body) * q_ddot, F::internal_gamma(s.body)), roundings<S>(1000));
   });
@@ -47,7 +47,7 @@ TYPED_TEST(FormulationForces, EquationsAreEulersInDisguise) {
   for_all_samples<F>([](const auto& s) {
     // lift^T (mass_block q'' - velocity_force - applied_force) is Euler's Jbar omega_bar' + ... - nbar
     const Vector3<S> n_bar = s.a_bar;
-    const typename F::Unknown q_ddot = F::from_angular_acceleration(s.body, s.omega_bar_dot);
+    const typename F::Unknown q_ddot = test::unknown_of<F>(s.body, s.omega_bar_dot);
     const typename F::Unknown native = F::mass_block(s.body, s.J_bar) * q_ddot -
                                        F::velocity_force(s.body, s.J_bar) - F::applied_force(s.body, n_bar);
     const Vector3<S> euler = s.J_bar * s.omega_bar_dot + s.omega_bar.cross(s.J_bar * s.omega_bar) - n_bar;

@@ -19,7 +19,6 @@ struct REpsilon {
   static constexpr int internal_constraints = 0;
   static constexpr int orientation_size = 3;
   using Orientation = Vector3<S>;
-  static constexpr BlockNames block_names{"epsilon''", "J^epsilon", "Phi_epsilon", "tau", "", ""};
 
   using Chart = EulerChart<S>;
 
@@ -94,16 +93,8 @@ struct REpsilon {
   static Vector3<S> to_angular_acceleration(const Kinematics& k, const Unknown& epsilon_ddot) {
     return k.D * epsilon_ddot + k.D_dot_rates;
   }
-  static Unknown from_angular_acceleration(const Kinematics& k, const Vector3<S>& omega_bar_dot) {
-    return k.D.inverse() * (omega_bar_dot - k.D_dot_rates);
-  }
 
-  // retraction: angles add
-  static Coordinates retract_coordinates(const Chart&, const Coordinates& q, const Unknown& increment) {
-    return {q.epsilon + increment, q.epsilon_dot};
-  }
-
-  // flat form: epsilon and epsilon'
+  // orientation as an integrator carries it: epsilon, with the rate epsilon'; retraction: angles add
   static Orientation orientation_of(const Chart& chart, const Vector4<S>& p) {
     return euler_angles<S>(chart.sequence, rotation_matrix(p) * chart.C.transpose());
   }

@@ -21,7 +21,6 @@ struct REpsilonOmegaFirst {
   static constexpr int internal_constraints = 0;
   static constexpr int orientation_size = 3;
   using Orientation = Vector3<S>;
-  static constexpr BlockNames block_names = Rates::block_names;
 
   using Chart = typename Angles::Chart;
   using Coordinates = typename Angles::Coordinates;
@@ -73,16 +72,9 @@ struct REpsilonOmegaFirst {
   static Vector3<S> to_angular_acceleration(const Kinematics&, const Unknown& omega_bar_dot) {
     return omega_bar_dot;
   }
-  static Unknown from_angular_acceleration(const Kinematics&, const Vector3<S>& omega_bar_dot) {
-    return omega_bar_dot;
-  }
 
-  // retraction: angles add, by epsilon increments that turn the body by phi
-  static Coordinates retract_coordinates(const Chart& chart, const Coordinates& q, const Unknown& phi) {
-    return Angles::retract_coordinates(chart, q, orientation_rate(chart, q.epsilon, phi));
-  }
-
-  // flat form: epsilon and omega_bar, epsilon' = D^-1 omega_bar
+  // orientation as an integrator carries it: epsilon, with epsilon' = D^-1 omega_bar; retraction: angles add,
+  // by epsilon increments that turn the body by phi
   static Orientation orientation_of(const Chart& chart, const Vector4<S>& p) {
     return Angles::orientation_of(chart, p);
   }

@@ -17,8 +17,6 @@ struct ROmega {
   static constexpr int internal_constraints = 0;
   static constexpr int orientation_size = 4;
   using Orientation = Vector4<S>;
-  static constexpr BlockNames block_names{
-      "omega_bar'", "J_bar", "Phi_pi_bar", "n_bar - omega~ J_bar omega_bar", "", ""};
 
   using Chart = NoChart;
 
@@ -81,16 +79,9 @@ struct ROmega {
   static Vector3<S> to_angular_acceleration(const Kinematics&, const Unknown& omega_bar_dot) {
     return omega_bar_dot;
   }
-  static Unknown from_angular_acceleration(const Kinematics&, const Vector3<S>& omega_bar_dot) {
-    return omega_bar_dot;
-  }
 
-  // retraction: A exp(tilde(phi))
-  static Coordinates retract_coordinates(const Chart&, const Coordinates& q, const Unknown& phi) {
-    return {q.A * rotation_matrix(exponential_parameters(phi)), q.omega_bar};
-  }
-
-  // flat form: p and omega_bar, p' = 1/2 G^T omega_bar; p counts by its direction alone
+  // orientation as an integrator carries it: p, with p' = 1/2 G^T omega_bar; p counts by its direction alone;
+  // retraction A exp(tilde(phi))
   static Orientation orientation_of(const Chart&, const Vector4<S>& p) { return p; }
   static Unknown velocity_of(const Chart&, const Coordinates& q) { return q.omega_bar; }
   static Coordinates from_orientation(const Chart&, const Orientation& p, const Unknown& omega_bar) {

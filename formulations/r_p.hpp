@@ -22,7 +22,6 @@ struct RP {
   static constexpr int internal_constraints = 1;
   static constexpr int orientation_size = 4;
   using Orientation = Vector4<S>;
-  static constexpr BlockNames block_names{"p''", "J^p", "Phi_p", "tau_hat", "P", "lambda^p"};
 
   using Chart = NoChart;
 
@@ -121,17 +120,8 @@ struct RP {
   static Vector3<S> to_angular_acceleration(const Kinematics& k, const Unknown& p_ddot) {
     return 2 * k.G * p_ddot;
   }
-  static Unknown from_angular_acceleration(const Kinematics& k, const Vector3<S>& omega_bar_dot) {
-    return k.G.transpose() * omega_bar_dot / 2 - k.omega_bar.squaredNorm() / 4 * k.p;
-  }
 
-  // retraction: back to the unit sphere
-  static Coordinates retract_coordinates(const Chart&, const Coordinates& q, const Unknown& increment) {
-    const Vector4<S> p = q.p + increment;
-    return {p / p.norm(), q.p_dot};
-  }
-
-  // flat form: p and p'
+  // orientation as an integrator carries it: p, with the rate p'; retraction back to the unit sphere
   static Orientation orientation_of(const Chart&, const Vector4<S>& p) { return p; }
   static Unknown velocity_of(const Chart&, const Coordinates& q) { return q.p_dot; }
   static Coordinates from_orientation(const Chart&, const Orientation& p, const Unknown& p_dot) {

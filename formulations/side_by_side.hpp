@@ -5,14 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "formulations/formulation_list.hpp"
 #include "formulations/joint_reaction.hpp"
 #include "formulations/printed/augmented_solver.hpp"
 #include "mechanism/model.hpp"
 
 namespace trivium {
-
-/// The names of the formulations, in the order in which they are reported.
-std::vector<std::string> formulation_names();
 
 struct SolveOptions {
   std::vector<std::string> formulations = formulation_names();
@@ -91,25 +89,5 @@ extern template SideBySide<Quad> side_by_side(const Model<Quad>&, const RowAnaly
                                               const Model<NextPrecisionT<Quad>>*);
 extern template SideBySide<Real50> side_by_side(const Model<Real50>&, const RowAnalysis&, const SolveOptions&,
                                                 const Model<NextPrecisionT<Real50>>*);
-
-/// How full a formulation's printed augmented matrix is, all rows of Phi in it.
-struct Sparsity {
-  std::string name;
-  long size = 0, nonzeros = 0;
-  double percent() const {
-    return size == 0 ? 0.0
-                     : 100.0 * static_cast<double>(nonzeros) /
-                           (static_cast<double>(size) * static_cast<double>(size));
-  }
-};
-/// Entries that are not zero, in every formulation; nothing dense is built.
-std::vector<Sparsity> augmented_sparsity(const Model<double>& model);
-
-/// The printed form is dense: beyond this many unknowns (6 nb + nc) it takes minutes and gigabytes, and is
-/// refused.
-inline constexpr int most_dense_unknowns = 6000;
-
-/// The row analysis of a model, in double; throws a ModelError that names mechanism and time.
-RowAnalysis analyse_rows(const Model<double>& model);
 
 }  // namespace trivium

@@ -1,18 +1,17 @@
 #pragma once
 /// The one definition behind the side_by_side instantiations, one translation unit a Scalar.
 
-#include "formulations/r_epsilon_omega_first.hpp"
-#include "formulations/r_p.hpp"
 #include "formulations/side_by_side.hpp"
 
 namespace trivium::detail {
 
 /// Everything of one formulation but what can fail; throws a ModelError if the formulation cannot answer.
-template <Formulation F, Formulation Higher>
+template <Formulation F>
 FormulationResult<typename F::Scalar> solve_one(const Model<typename F::Scalar>& model,
-                                                const Model<typename Higher::Scalar>* judge,
+                                                const Model<NextPrecisionT<typename F::Scalar>>* judge,
                                                 const RowAnalysis& rows, const ChartOptions& charts) {
   using S = typename F::Scalar;
+  using Higher = InScalarT<F, NextPrecisionT<S>>;
   FormulationResult<S> result;
   const AugmentedSolver<F> solver(model.mechanism, model.state, rows, charts);
   const VectorX<S> x = solver.solve_reduced();
@@ -36,22 +35,6 @@ FormulationResult<typename F::Scalar> solve_one(const Model<typename F::Scalar>&
   return result;
 }
 
-template <template <class> class F, class Scalar, class Higher>
-void solve_if_wanted(const SolveOptions& options, const Model<Scalar>& model, const Model<Higher>* judge,
-                     SideBySide<Scalar>& out) {
-  const std::string name(F<Scalar>::name);
-  if (std::find(options.formulations.begin(), options.formulations.end(), name) == options.formulations.end())
-    return;
-  FormulationResult<Scalar> result;
-  try {
-    result = solve_one<F<Scalar>, F<Higher>>(model, judge, out.rows, options.charts);
-  } catch (const ModelError& error) {
-    result.error = error.what();
-  }
-  result.name = name;
-  out.formulations.push_back(std::move(result));
-}
-
 }  // namespace trivium::detail
 
 namespace trivium {
@@ -60,10 +43,19 @@ template <class Scalar>
 SideBySide<Scalar> side_by_side(const Model<Scalar>& model, const RowAnalysis& rows,
                                 const SolveOptions& options, const Model<NextPrecisionT<Scalar>>* judge) {
   SideBySide<Scalar> out{rows, {}};
-  detail::solve_if_wanted<ROmega>(options, model, judge, out);
-  detail::solve_if_wanted<RP>(options, model, judge, out);
-  detail::solve_if_wanted<REpsilon>(options, model, judge, out);
-  detail::solve_if_wanted<REpsilonOmegaFirst>(options, model, judge, out);
+  for (const std::string& name : formulation_names()) {
+    const auto& wanted = options.formulations;
+    if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
+    FormulationResult<Scalar> result;
+    try {
+      result = with_formulation<Scalar>(
+          name, [&]<Formulation F>() { return detail::solve_one<F>(model, judge, rows, options.charts); });
+    } catch (const ModelError& error) {
+      result.error = error.what();
+    }
+    result.name = name;
+    out.formulations.push_back(std::move(result));
+  }
   return out;
 }
 

@@ -11,6 +11,7 @@
 #include "formulations/analysis/rank_tolerance.hpp"
 #include "formulations/equations_of_motion.hpp"
 #include "formulations/r_omega.hpp"
+#include "mechanism/model.hpp"
 
 namespace trivium {
 
@@ -124,5 +125,12 @@ struct RowAnalysis {
 inline constexpr double cancellation_floor = 1e-8;
 
 RowAnalysis analyse_rows(const TangentSystem& system);
+
+/// The row analysis and the printed form are dense: beyond this many unknowns (6 nb + nc) they take minutes
+/// and gigabytes, and are refused.
+inline constexpr int most_dense_unknowns = 6000;
+
+/// The row analysis of a model, in double; throws a ModelError that names mechanism and time.
+RowAnalysis analyse_rows(const Model<double>& model);
 
 }  // namespace trivium

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "formulations/analysis/row_analysis.hpp"
-#include "formulations/equations_of_motion.hpp"
 #include "formulations/printed/dense_solver.hpp"
 #include "formulations/printed/redundant_multipliers.hpp"
+#include "formulations/printed/residual.hpp"
 
 namespace trivium {
 

@@ -16,6 +16,18 @@ struct Sample {
   typename F::Kinematics body;
 };
 
+/// The rotational unknown of an angular acceleration, by way of the reduced ones: A omega_bar' = axes x +
+/// drift.
+template <class F>
+typename F::Unknown unknown_of(const typename F::Kinematics& body,
+                               const Vector3<typename F::Scalar>& omega_bar_dot) {
+  using S = typename F::Scalar;
+  const AngularMotion<S> motion = F::turning(typename F::Reduced{body});
+  const Matrix3<S> axes = transposed<S>(motion.axes_T).template topRows<3>();
+  const Vector3<S> omega_dot = body.A * omega_bar_dot;
+  return F::from_reduced(body, axes.inverse() * (omega_dot - unpadded<S>(motion.drift)));
+}
+
 /// Poses and velocities at home in every formulation, over all sequences.
 template <class F, class Law>
 void for_all_samples(const Law& law) {

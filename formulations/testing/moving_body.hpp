@@ -11,15 +11,8 @@
 
 namespace trivium::test {
 
-/// The same formulation over another Scalar.
-template <class F, class Scalar>
-struct Over;
-template <template <class> class F, class S, class Scalar>
-struct Over<F<S>, Scalar> {
-  using type = F<Scalar>;
-};
 template <class F>
-using AlongT = typename Over<F, Taylor<typename F::Scalar>>::type;
+using AlongT = InScalarT<F, Taylor<typename F::Scalar>>;
 
 template <class F>
 using MovingIn = MovingBody<typename F::Kinematics, typename AlongT<F>::Kinematics>;

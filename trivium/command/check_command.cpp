@@ -7,7 +7,8 @@
 
 #include "base/json_writer.hpp"
 #include "base/table.hpp"
-#include "formulations/side_by_side.hpp"
+#include "formulations/analysis/row_analysis.hpp"
+#include "formulations/printed/sparsity.hpp"
 #include "scenes/format/scene_keys.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "trivium/command/commands.hpp"

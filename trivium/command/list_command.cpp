@@ -7,7 +7,7 @@
 
 #include "base/json_writer.hpp"
 #include "base/number_text.hpp"
-#include "formulations/side_by_side.hpp"
+#include "formulations/formulation_list.hpp"
 #include "integrators/methods.hpp"
 #include "scenes/catalogue.hpp"
 #include "scenes/format/scene_file.hpp"

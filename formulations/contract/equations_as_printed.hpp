@@ -1,0 +1,51 @@
+#pragma once
+/// The first part of a formulation: the equations of motion of one body as the books print them. All that the
+/// augmented system asks for.
+///
+/// Per body, with n = rotational_unknowns and m = internal_constraints (0 except for r-p's normalisation
+/// row):
+///
+///   m r''          + Phi_r^T lambda                        = F
+///   mass_block q'' + Phi_rot^T lambda + P^T lambda_internal = applied_force(n_bar) + velocity_force
+///   Phi_r r'' + Phi_rot q''                                = gamma
+///   P q''                                                  = internal_gamma
+
+#include <concepts>
+#include <string_view>
+
+#include "constraints/feature.hpp"
+#include "formulations/contract/chart_options.hpp"
+
+namespace trivium {
+
+template <class F>
+concept EquationsAsPrinted = BodyKinematics<typename F::Kinematics> &&
+    requires(const typename F::Chart& chart, const ChartOptions& options,
+             const Vector4<typename F::Scalar>& p, const Vector3<typename F::Scalar>& v,
+             const Matrix3<typename F::Scalar>& J_bar, const typename F::Coordinates& q,
+             const typename F::Kinematics& body, const typename F::Unknown& q_ddot) {
+  // constants
+  { F::name } -> std::convertible_to<std::string_view>;
+  { F::rotational_unknowns } -> std::convertible_to<int>;
+  { F::internal_constraints } -> std::convertible_to<int>;
+  // conversion from a pose (p, omega_bar), in a chart that is chosen first, and back
+  { F::choose_chart(options, p) } -> std::same_as<typename F::Chart>;
+  // how far q is from where its chart has no rates: 1 at most, 0 there
+  { F::chart_distance(chart, q) } -> std::convertible_to<typename F::Scalar>;
+  { F::from_pose(chart, p, v) } -> std::same_as<typename F::Coordinates>;
+  { F::to_euler_parameters(chart, q) } -> std::convertible_to<Vector4<typename F::Scalar>>;
+  // orientation, and with it a body vector's value, Jacobian, rate and bias (BodyKinematics)
+  { F::kinematics(chart, v, v, q) } -> std::same_as<typename F::Kinematics>;
+  // mass block, quadratic-velocity force, applied force of a body-frame moment
+  {F::mass_block(body, J_bar)};
+  {F::velocity_force(body, J_bar)};
+  {F::applied_force(body, v)};
+  // internal row
+  {F::internal_jacobian(body)};
+  {F::internal_gamma(body)};
+  // the rotational unknown and omega_bar': q'' = lift omega_bar' + (terms of q, q'), and back
+  {F::lift(body)};
+  { F::to_angular_acceleration(body, q_ddot) } -> std::convertible_to<Vector3<typename F::Scalar>>;
+};
+
+}  // namespace trivium

@@ -1,0 +1,103 @@
+#pragma once
+/// The residual of a solution in the equations of motion, body by body and row by row: no matrix is formed,
+/// so that an error of forming one shows.
+
+#include <cmath>
+#include <vector>
+
+#include "formulations/printed/augmented_system.hpp"
+
+namespace trivium {
+
+/// The matrix-free form: the residual of every body's own equations and of every row, nothing assembled. A
+/// body's is relative to the sum of its terms' magnitudes; a row's to the sum of its own, with accelerations
+/// as large as those terms could make them. Rows listed in `redundant` are measured apart.
+struct MatrixFreeResidual {
+  double bodies = 0, rows = 0, redundant_rows = 0;
+};
+
+template <Formulation F>
+MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar>& mechanism,
+                                        const EquationsOfMotion<F>& eom, const Unknowns<F>& u,
+                                        const std::vector<int>& redundant = {}) {
+  using S = typename F::Scalar;
+  using std::abs;
+  const int nb = eom.nb();
+  struct BodyBalance {
+    Vector3<S> r = Vector3<S>::Zero();
+    typename F::Unknown q = F::Unknown::Zero();
+    S r_scale{0}, q_scale{0};
+    void add_r(const Vector3<S>& term) {
+      r += term;
+      r_scale += term.norm();
+    }
+    void add_q(const typename F::Unknown& term) {
+      q += term;
+      q_scale += term.norm();
+    }
+  };
+  std::vector<BodyBalance> balance(nb + 1);
+  for (int b = 0; b < nb; ++b) {
+    balance[b].add_r(eom.mass[b] * u.body[b].r_ddot);
+    balance[b].add_r(-eom.F_applied[b]);
+    balance[b].add_q(eom.mass_block[b] * u.body[b].q_ddot);
+    balance[b].add_q(-eom.tau[b]);
+    const Matrix<S, F::internal_constraints, F::rotational_unknowns> P = F::internal_jacobian(eom.body[b]);
+    balance[b].add_q(P.transpose() * u.lambda_internal.template segment<F::internal_constraints>(
+                                         F::internal_constraints * b));
+  }
+  MatrixFreeResidual residual;
+  // a body at rest beside others that are not has terms that are their rounding: no scale of its own
+  S largest(0);
+  using std::sqrt;
+  const S negligible = sqrt(unit_roundoff<S>());
+  const auto raise = [&](double& worst, const S& value, const S& own_scale) {
+    if (value == S(0)) return;
+    const S least = negligible * largest, scale = own_scale < least ? least : own_scale;
+    const double ratio = static_cast<double>(S(value / scale));
+    if (std::isnan(ratio) || ratio > worst) worst = ratio;  // a NaN goes in and stays
+  };
+  std::vector<bool> is_redundant(mechanism.rows.size(), false);
+  for (int k : redundant) is_redundant[k] = true;
+  for (int k = 0; k < eom.nc(); ++k) {
+    const auto [i, j] = eom.pair[k];
+    const auto& row = eom.row[k];
+    balance[i].add_r(u.lambda[k] * row.r_i.transpose());
+    balance[i].add_q(u.lambda[k] * row.rot_i.transpose());
+    balance[j].add_r(u.lambda[k] * row.r_j.transpose());
+    balance[j].add_q(u.lambda[k] * row.rot_j.transpose());
+  }
+  // how large a body's accelerations are, or its forces could make them: those of a body at rest are rounding
+  struct Reach {
+    S r{0}, q{0};
+  };
+  std::vector<Reach> reach(nb + 1);
+  for (int b = 0; b < nb; ++b) {
+    reach[b] = {balance[b].r_scale / eom.mass[b], u.body[b].q_ddot.norm()};
+    if (const S J = eom.mass_block[b].norm(); J > S(0)) reach[b].q += balance[b].q_scale / J;
+  }
+  std::vector<S> row_scale(eom.nc()), row_residual(eom.nc());
+  for (int k = 0; k < eom.nc(); ++k) {
+    const auto [i, j] = eom.pair[k];
+    const auto& row = eom.row[k];
+    const S phi_ddot =
+        row_acceleration(mechanism.rows[k], eom.body[i], eom.body[j], eom.t, u.body[i], u.body[j]);
+    row_residual[k] = abs(phi_ddot);
+    row_scale[k] = abs(row.gamma) + row.r_i.norm() * reach[i].r + row.r_j.norm() * reach[j].r +
+                   row.rot_i.norm() * reach[i].q + row.rot_j.norm() * reach[j].q;
+    if (row_scale[k] > largest) largest = row_scale[k];
+  }
+  for (int k = 0; k < eom.nc(); ++k)
+    raise(is_redundant[k] ? residual.redundant_rows : residual.rows, row_residual[k], row_scale[k]);
+  largest = S(0);
+  for (int b = 0; b < nb; ++b)
+    for (const S& scale : {balance[b].r_scale, balance[b].q_scale})
+      if (scale > largest) largest = scale;
+  for (int b = 0; b < nb; ++b) {
+    raise(residual.bodies, balance[b].r.norm(), balance[b].r_scale);
+    raise(residual.bodies, balance[b].q.norm(), balance[b].q_scale);
+  }
+  return residual;
+}
+
+}  // namespace trivium
