@@ -23,15 +23,6 @@ int run_guarded(const std::function<int()>& program) {
   });
 }
 
-int parse_and_run(CLI::App& app, int argc, char** argv, const std::function<int()>& program) {
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return run_and_flush([&]() -> int { return app.exit(error) == 0 ? exit_done : exit_input_error; });
-  }
-  return run_guarded(program);
-}
-
 ExitCode batch_exit(bool all_solved, bool all_passed) {
   return !all_solved ? exit_solver_failed : all_passed ? exit_done : exit_criterion_failed;
 }

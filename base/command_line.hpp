@@ -1,8 +1,6 @@
 #pragma once
-/// How a program starts and ends: its command line parsed, its errors turned into exit codes, its failures
-/// named.
+/// How a program ends: its errors turned into exit codes, its failures named.
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -15,9 +13,6 @@ namespace trivium {
 /// Runs a program and gives its exit code. An error becomes a message on stderr and the exit code of its
 /// kind: input 2, all else 3. What the program printed is written, or said to be lost (run_and_flush).
 int run_guarded(const std::function<int()>& program);
-
-/// Parses the command line, then runs what it asks for; see run_guarded.
-int parse_and_run(CLI::App& app, int argc, char** argv, const std::function<int()>& program);
 
 /// What a solver or a criterion made of a batch; a solver that failed counts more.
 ExitCode batch_exit(bool all_solved, bool all_passed);

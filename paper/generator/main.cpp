@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "base/command_line.hpp"
 #include "base/exit_code.hpp"
+#include "base/program_options.hpp"
 #include "base/whole_file.hpp"
 #include "paper/generator/table.hpp"
 
@@ -56,20 +55,14 @@ int check(const Files& files, const fs::path& directory) {
 
 int main(int argc, char** argv) {
   using namespace trivium;
-  CLI::App app{"Writes the paper's tables from accepted results", "paper_tables"};
+  ProgramOptions options("Writes the paper's tables from accepted results", "paper_tables");
   std::string results, tables;
   bool only_check = false;
-  app.set_version_flag("--version", "trivium " TRIVIUM_VERSION);
-  app.add_option("RESULTS", results, "The folder of accepted results, with their schema")->required();
-  app.add_option("TABLES", tables, "The folder of the tables")->required();
-  app.add_flag("--check", only_check,
-               "Write nothing; exit code 1 unless TABLES holds exactly what RESULTS give");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_done : exit_input_error;
-  }
-  return run_guarded([&] {
+  options.add_option("RESULTS", &results, "The folder of accepted results, with their schema").required();
+  options.add_option("TABLES", &tables, "The folder of the tables").required();
+  options.add_flag("--check", &only_check,
+                   "Write nothing; exit code 1 unless TABLES holds exactly what RESULTS give");
+  return options.run(argc, argv, [&] {
     const auto files = paper::render(results);
     return only_check ? paper::check(files, tables) : paper::write(files, tables);
   });

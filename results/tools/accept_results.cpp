@@ -3,11 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "base/command_line.hpp"
 #include "base/exit_code.hpp"
+#include "base/program_options.hpp"
 #include "results/tools/results_acceptance.hpp"
 #include "results/tools/results_table.hpp"
 
@@ -35,17 +34,11 @@ int run(const std::vector<std::string>& files, const std::string& directory) {
 
 int main(int argc, char** argv) {
   using namespace trivium;
-  CLI::App app{"Takes regenerated results, all of them or none, into the folder of accepted ones",
-               "accept_results"};
+  ProgramOptions options("Takes regenerated results, all of them or none, into the folder of accepted ones",
+                         "accept_results");
   std::vector<std::string> files;
   std::string directory;
-  app.set_version_flag("--version", "trivium " TRIVIUM_VERSION);
-  app.add_option("REGENERATED", files, "CSV files, their manifests beside them")->required();
-  app.add_option("--into", directory, "The folder of accepted results, with their schema")->required();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_done : exit_input_error;
-  }
-  return run_guarded([&] { return run(files, directory); });
+  options.add_option("REGENERATED", &files, "CSV files, their manifests beside them").required();
+  options.add_option("--into", &directory, "The folder of accepted results, with their schema").required();
+  return options.run(argc, argv, [&] { return run(files, directory); });
 }

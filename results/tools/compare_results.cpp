@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "base/command_line.hpp"
 #include "base/exit_code.hpp"
 #include "base/json_writer.hpp"
+#include "base/program_options.hpp"
 #include "base/table.hpp"
 #include "results/tools/results_comparison.hpp"
 
@@ -56,18 +55,13 @@ int run(const std::string& accepted_csv, const std::string& regenerated_csv, con
 
 int main(int argc, char** argv) {
   using namespace trivium;
-  CLI::App app{"Does a results file, made again, say what the accepted one says?", "compare_results"};
+  ProgramOptions options("Does a results file, made again, say what the accepted one says?",
+                         "compare_results");
   std::string accepted, regenerated, schema;
   bool as_json = false;
-  app.set_version_flag("--version", "trivium " TRIVIUM_VERSION);
-  app.add_option("ACCEPTED", accepted, "The accepted CSV, its manifest beside it")->required();
-  app.add_option("REGENERATED", regenerated, "The CSV made again, its manifest beside it")->required();
-  app.add_option("--schema", schema, "The schema (results/schema.json)")->required();
-  app.add_flag("--json", as_json, "JSON on stdout");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_done : exit_input_error;
-  }
-  return run_guarded([&] { return run(accepted, regenerated, schema, as_json); });
+  options.add_option("ACCEPTED", &accepted, "The accepted CSV, its manifest beside it").required();
+  options.add_option("REGENERATED", &regenerated, "The CSV made again, its manifest beside it").required();
+  options.add_option("--schema", &schema, "The schema (results/schema.json)").required();
+  options.add_flag("--json", &as_json, "JSON on stdout");
+  return options.run(argc, argv, [&] { return run(accepted, regenerated, schema, as_json); });
 }

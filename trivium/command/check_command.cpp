@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/exit_code.hpp"
 #include "base/json_writer.hpp"
 #include "base/table.hpp"
 #include "formulations/analysis/row_analysis.hpp"
@@ -193,14 +194,13 @@ int run_check(const CheckArguments& arguments) {
 
 }  // namespace
 
-Command add_check_command(CLI::App& app) {
+Command add_check_command(ProgramOptions& program) {
   auto arguments = std::make_shared<CheckArguments>();
-  CLI::App* command =
-      app.add_subcommand("check", "Rank, redundant rows, residuals, energy and sparsity of a scene");
-  command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
-  add_scene_options(*command, *arguments);
-  command->add_flag("--json", arguments->json, "JSON on stdout");
-  return [arguments] { return run_check(*arguments); };
+  ProgramOptions options =
+      program.add_subcommand("check", "Rank, redundant rows, residuals, energy and sparsity of a scene");
+  add_scene_options(options, *arguments);
+  options.add_flag("--json", &arguments->json, "JSON on stdout");
+  return {options, [arguments] { return naming_scene(*arguments, [&] { return run_check(*arguments); }); }};
 }
 
 }  // namespace trivium

@@ -1,21 +1,22 @@
 #pragma once
-/// The subcommands of `trivium`. Each adds its options to the command line and returns what to run if it was
-/// chosen.
+/// The subcommands of `trivium`: one file each, which adds the subcommand's options to the command line and
+/// says what runs where the command line names it.
 
-#include <CLI/CLI.hpp>
 #include <functional>
 
-#include "base/exit_code.hpp"
-#include "base/option_checks.hpp"
+#include "base/program_options.hpp"
 
 namespace trivium {
 
-using Command = std::function<int()>;
+struct Command {
+  ProgramOptions options;
+  std::function<int()> run;  ///< gives the exit code
+};
 
-Command add_solve_command(CLI::App& app);
-Command add_simulate_command(CLI::App& app);
-Command add_check_command(CLI::App& app);
-Command add_list_command(CLI::App& app);
-Command add_generate_command(CLI::App& app);
+Command add_solve_command(ProgramOptions& program);
+Command add_simulate_command(ProgramOptions& program);
+Command add_check_command(ProgramOptions& program);
+Command add_list_command(ProgramOptions& program);
+Command add_generate_command(ProgramOptions& program);
 
 }  // namespace trivium

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/error.hpp"
+#include "base/exit_code.hpp"
 #include "scenes/catalogue.hpp"
 #include "scenes/format/scene_file.hpp"
 #include "scenes/generators.hpp"
@@ -45,23 +46,21 @@ int run_generate(const GenerateArguments& arguments) {
 
 }  // namespace
 
-Command add_generate_command(CLI::App& app) {
+Command add_generate_command(ProgramOptions& program) {
   auto arguments = std::make_shared<GenerateArguments>();
-  CLI::App* command =
-      app.add_subcommand("generate", "A chain, ladder, tree, ring or hub of N as a scene file");
-  command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
-  command->add_option("KIND", arguments->kind, "chain, ladder, tree, ring or hub")
-      ->required()
-      ->check(CLI::IsMember({"chain", "ladder", "tree", "ring", "hub"}));
-  command->add_option("N", arguments->n, "Bars (3 or more of a ring), or loops of the ladder")
-      ->required()
-      ->check(CLI::Range(1, 100000));
-  command->add_option("--seed", arguments->seed, "Seed of the tree")
-      ->check(whole_number(std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
-  command->add_option("--out", arguments->out, "Write to this file instead of stdout")
-      ->check(writable_file());
-  return [arguments] { return run_generate(*arguments); };
+  ProgramOptions options =
+      program.add_subcommand("generate", "A chain, ladder, tree, ring or hub of N as a scene file");
+  options.add_option("KIND", &arguments->kind, "chain, ladder, tree, ring or hub")
+      .required()
+      .one_of({"chain", "ladder", "tree", "ring", "hub"});
+  options.add_option("N", &arguments->n, "Bars (3 or more of a ring), or loops of the ladder")
+      .required()
+      .between(1, 100000);
+  options.add_option("--seed", &arguments->seed, "Seed of the tree")
+      .check(whole_number(std::numeric_limits<std::uint64_t>::max()))
+      .show_default();
+  options.add_option("--out", &arguments->out, "Write to this file instead of stdout").check(writable_file());
+  return {options, [arguments] { return run_generate(*arguments); }};
 }
 
 }  // namespace trivium

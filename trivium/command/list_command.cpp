@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "base/exit_code.hpp"
 #include "base/json_writer.hpp"
 #include "base/number_text.hpp"
 #include "formulations/formulation_list.hpp"
@@ -66,12 +67,12 @@ int run_list(bool json) {
 
 }  // namespace
 
-Command add_list_command(CLI::App& app) {
+Command add_list_command(ProgramOptions& program) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("list", "Scenes, formulations, integrators, joints and effects");
-  command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
-  command->add_flag("--json", *json, "JSON on stdout");
-  return [json] { return run_list(*json); };
+  ProgramOptions options =
+      program.add_subcommand("list", "Scenes, formulations, integrators, joints and effects");
+  options.add_flag("--json", json.get(), "JSON on stdout");
+  return {options, [json] { return run_list(*json); }};
 }
 
 }  // namespace trivium

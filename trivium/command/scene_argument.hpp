@@ -7,11 +7,13 @@
 #include <optional>
 #include <string>
 
+#include "base/command_line.hpp"
+#include "base/error.hpp"
+#include "base/program_options.hpp"
 #include "formulations/analysis/assemble.hpp"
 #include "scenes/catalogue.hpp"
 #include "scenes/format/scene_file.hpp"
 #include "scenes/make_mechanism.hpp"
-#include "trivium/command/commands.hpp"
 
 namespace trivium {
 
@@ -23,16 +25,25 @@ struct SceneArguments {
 };
 
 /// The options that say which scene, at what time and whether to assemble it.
-inline void add_scene_options(CLI::App& command, SceneArguments& arguments) {
-  command.add_option("SCENE", arguments.scene, "A scene file, or the name of a catalogue scene")->required();
-  command.add_option("--t", arguments.t, "The time at which the file's state is taken [s]")
-      ->check(finite_time())
-      ->capture_default_str();
-  CLI::Option* assemble =
-      command.add_flag("--assemble", arguments.assemble, "First project the state onto its constraints");
-  command.add_option("--save", arguments.save, "With --assemble: write the assembled scene to this file")
-      ->check(writable_file())
-      ->needs(assemble);
+inline void add_scene_options(ProgramOptions& options, SceneArguments& arguments) {
+  options.add_option("SCENE", &arguments.scene, "A scene file, or the name of a catalogue scene").required();
+  options.add_option("--t", &arguments.t, "The time at which the file's state is taken [s]")
+      .check(finite_time())
+      .show_default();
+  const ProgramOption assemble =
+      options.add_flag("--assemble", &arguments.assemble, "First project the state onto its constraints");
+  options.add_option("--save", &arguments.save, "With --assemble: write the assembled scene to this file")
+      .check(writable_file())
+      .needs(assemble);
+}
+
+/// Runs a subcommand; a ModelError carries the scene as the command line names it.
+inline int naming_scene(const SceneArguments& arguments, const std::function<int()>& run) {
+  try {
+    return run();
+  } catch (const ModelError& error) {
+    throw ModelError(name_source(arguments.scene, error.what()));
+  }
 }
 
 /// Reads the scene and, with `assemble`, projects its state onto the constraints and saves it if asked.

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "base/command_line.hpp"
+#include "base/exit_code.hpp"
 #include "base/json_writer.hpp"
 #include "base/number_text.hpp"
 #include "base/progress.hpp"
@@ -293,22 +294,9 @@ int run_simulate(const SimulateArguments& given) {
   }
 }
 
-/// Accepts a number above zero, or from zero on.
-CLI::Validator number_from_zero(bool zero_too) {
-  return {[zero_too](std::string& text) {
-            double x = 0;
-            const bool good =
-                CLI::detail::lexical_cast(text, x) && std::isfinite(x) && (x > 0 || (zero_too && x == 0));
-            if (good) return std::string();
-            return fmt::format("found {}; accepted: a number {}", text, zero_too ? "from 0 on" : "above 0");
-          },
-          zero_too ? "NUMBER" : "POSITIVE"};
-}
-CLI::Validator positive() { return number_from_zero(false); }
-
 /// Accepts a figure's file, where there is a program to draw it.
-CLI::Validator figure_file() {
-  return {[](std::string& text) {
+OptionCheck figure_file() {
+  return {[](const std::string& text) {
             if (!text.ends_with(".svg"))
               return fmt::format("found {}; accepted: a file name ending in .svg", text);
             if (std::string why = why_not_writable(text); !why.empty()) return why;
@@ -321,65 +309,61 @@ CLI::Validator figure_file() {
 
 }  // namespace
 
-Command add_simulate_command(CLI::App& app) {
+Command add_simulate_command(ProgramOptions& program) {
   auto arguments = std::make_shared<SimulateArguments>();
-  SimulationOptions& options = arguments->options;
-  CLI::App* command = app.add_subcommand(
+  SimulationOptions& run = arguments->options;
+  ProgramOptions options = program.add_subcommand(
       "simulate", "A scene's motion in one formulation by one method, its reactions and lambda");
-  command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
-  add_scene_options(*command, *arguments);
-  command->add_option("--formulation", options.formulation, "Which formulation")
-      ->check(CLI::IsMember(formulation_names()))
-      ->capture_default_str();
-  command->add_option("--integrator", options.integrator, "Which method")
-      ->check(CLI::IsMember(integrators::method_names()))
-      ->capture_default_str();
-  command->add_option("--t-end", options.end, "The end of the run [s]")
-      ->check(finite_time())
-      ->capture_default_str();
-  CLI::Option* step =
-      command->add_option("--step", options.step, "Steps of this length [s] instead of tolerances")
-          ->check(positive());
-  command->add_option("--rtol", options.tolerances.rtol, "Relative tolerance of a step")
-      ->check(positive())
-      ->excludes(step)
-      ->capture_default_str();
-  command->add_option("--atol", options.tolerances.atol, "Absolute tolerance of a step")
-      ->check(positive())
-      ->excludes(step)
-      ->capture_default_str();
-  command
-      ->add_option("--output-step", options.output_step,
-                   fmt::format("Time between outputs [s] (default: start and end; with --plot {} of them)",
-                               outputs_of_a_figure))
-      ->check(positive());
-  command->add_option("--out", arguments->out, "Write the motion to this CSV file")->check(writable_file());
-  command->add_option("--plot", arguments->plot, "Draw the outputs to this SVG file")->check(figure_file());
-  CLI::Option* no_projection = command->add_flag("--no-projection", arguments->no_projection,
-                                                 "Leave drift off the constraints as it is");
-  command
-      ->add_option("--baumgarte", arguments->baumgarte,
-                   "Phi'' + 2 alpha Phi' + beta^2 Phi = 0 instead of projection [1/s]")
-      ->expected(2)
-      ->check(number_from_zero(true))
-      ->type_name("ALPHA BETA")
-      ->excludes(no_projection);
-  command->add_option(
-      "--order", options.parameters.order,
+  add_scene_options(options, *arguments);
+  options.add_option("--formulation", &run.formulation, "Which formulation")
+      .one_of(formulation_names())
+      .show_default();
+  options.add_option("--integrator", &run.integrator, "Which method")
+      .one_of(integrators::method_names())
+      .show_default();
+  options.add_option("--t-end", &run.end, "The end of the run [s]").check(finite_time()).show_default();
+  const ProgramOption step =
+      options.add_option("--step", &run.step, "Steps of this length [s] instead of tolerances")
+          .check(positive_number());
+  options.add_option("--rtol", &run.tolerances.rtol, "Relative tolerance of a step")
+      .check(positive_number())
+      .excludes(step)
+      .show_default();
+  options.add_option("--atol", &run.tolerances.atol, "Absolute tolerance of a step")
+      .check(positive_number())
+      .excludes(step)
+      .show_default();
+  options
+      .add_option("--output-step", &run.output_step,
+                  fmt::format("Time between outputs [s] (default: start and end; with --plot {} of them)",
+                              outputs_of_a_figure))
+      .check(positive_number());
+  options.add_option("--out", &arguments->out, "Write the motion to this CSV file").check(writable_file());
+  options.add_option("--plot", &arguments->plot, "Draw the outputs to this SVG file").check(figure_file());
+  const ProgramOption no_projection = options.add_flag("--no-projection", &arguments->no_projection,
+                                                       "Leave drift off the constraints as it is");
+  options
+      .add_option("--baumgarte", &arguments->baumgarte,
+                  "Phi'' + 2 alpha Phi' + beta^2 Phi = 0 instead of projection [1/s]")
+      .values({"ALPHA", "BETA"})
+      .check(number_from_zero())
+      .excludes(no_projection);
+  options.add_option(
+      "--order", &run.parameters.order,
       "Of bdf, 1 to 5 (default 2); of arkode-erk, 2 to 8, and arkode-dirk, 2 to 5 (default 5)");
-  command->add_option("--rho", options.parameters.rho,
-                      "Of generalized-alpha: spectral radius at infinity, 0 to 1 (default 0.8)");
-  command->add_option("--alpha", options.parameters.alpha, "Of hht, -1/3 to 0 (default -0.2)");
-  command->add_flag("--full-newton", arguments->full_newton,
-                    "Of implicit methods: a matrix every iteration, not every step");
-  command->add_option("--sequence", arguments->sequence, "Euler-angle sequence of r-epsilon")
-      ->check(
-          CLI::IsMember(std::vector<std::string>(euler_sequence_names.begin(), euler_sequence_names.end())))
-      ->capture_default_str();
-  command->add_flag("--no-reframe", arguments->raw_chart,
-                    "Take the raw chart of the sequence, and fail where it is singular");
-  command->add_flag("--json", arguments->json, "JSON on stdout");
-  return [arguments] { return run_simulate(*arguments); };
+  options.add_option("--rho", &run.parameters.rho,
+                     "Of generalized-alpha: spectral radius at infinity, 0 to 1 (default 0.8)");
+  options.add_option("--alpha", &run.parameters.alpha, "Of hht, -1/3 to 0 (default -0.2)");
+  options.add_flag("--full-newton", &arguments->full_newton,
+                   "Of implicit methods: a matrix every iteration, not every step");
+  options.add_option("--sequence", &arguments->sequence, "Euler-angle sequence of r-epsilon")
+      .one_of({euler_sequence_names.begin(), euler_sequence_names.end()})
+      .show_default();
+  options.add_flag("--no-reframe", &arguments->raw_chart,
+                   "Take the raw chart of the sequence, and fail where it is singular");
+  options.add_flag("--json", &arguments->json, "JSON on stdout");
+  return {options,
+          [arguments] { return naming_scene(*arguments, [&] { return run_simulate(*arguments); }); }};
 }
 
 }  // namespace trivium

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/exit_code.hpp"
 #include "base/json_writer.hpp"
 #include "base/number_text.hpp"
 #include "base/table.hpp"
@@ -248,28 +249,26 @@ int run_solve(const SolveArguments& arguments) {
 
 }  // namespace
 
-Command add_solve_command(CLI::App& app) {
+Command add_solve_command(ProgramOptions& program) {
   auto arguments = std::make_shared<SolveArguments>();
-  CLI::App* command = app.add_subcommand(
+  ProgramOptions options = program.add_subcommand(
       "solve", "Accelerations, lambda and reactions of a scene's state, in every formulation");
-  command->set_version_flag("--version", "trivium " TRIVIUM_VERSION);
-  add_scene_options(*command, *arguments);
+  add_scene_options(options, *arguments);
   std::vector<std::string> formulations = formulation_names();
   formulations.push_back("all");
-  command->add_option("--formulation", arguments->formulation, "Which formulation")
-      ->check(CLI::IsMember(formulations))
-      ->capture_default_str();
-  command->add_option("--sequence", arguments->sequence, "Euler-angle sequence of r-epsilon")
-      ->check(
-          CLI::IsMember(std::vector<std::string>(euler_sequence_names.begin(), euler_sequence_names.end())))
-      ->capture_default_str();
-  command->add_flag("--no-reframe", arguments->raw_chart,
-                    "Take the raw chart of the sequence, however near its singularity");
-  command->add_option("--scalar", arguments->scalar, "Arithmetic")
-      ->check(CLI::IsMember({"float", "double", "quad", "50"}))
-      ->capture_default_str();
-  command->add_flag("--json", arguments->json, "JSON on stdout");
-  return [arguments] { return run_solve(*arguments); };
+  options.add_option("--formulation", &arguments->formulation, "Which formulation")
+      .one_of(formulations)
+      .show_default();
+  options.add_option("--sequence", &arguments->sequence, "Euler-angle sequence of r-epsilon")
+      .one_of({euler_sequence_names.begin(), euler_sequence_names.end()})
+      .show_default();
+  options.add_flag("--no-reframe", &arguments->raw_chart,
+                   "Take the raw chart of the sequence, however near its singularity");
+  options.add_option("--scalar", &arguments->scalar, "Arithmetic")
+      .one_of({"float", "double", "quad", "50"})
+      .show_default();
+  options.add_flag("--json", &arguments->json, "JSON on stdout");
+  return {options, [arguments] { return naming_scene(*arguments, [&] { return run_solve(*arguments); }); }};
 }
 
 }  // namespace trivium

@@ -22,7 +22,12 @@ Program::Program(const std::string& question, const std::string& name, const std
 int Program::run(int argc, char** argv, const std::function<int()>& answer) {
   argc_ = argc;
   argv_ = argv;
-  return parse_and_run(app_, argc, argv, answer);
+  try {
+    app_.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return run_and_flush([&]() -> int { return app_.exit(error) == 0 ? exit_done : exit_input_error; });
+  }
+  return run_guarded(answer);
 }
 
 std::vector<NamedScene> Program::scenes(double t) const {

@@ -1,0 +1,79 @@
+#include "base/option_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include "base/whole_file.hpp"
+
+namespace trivium {
+
+namespace {
+
+/// The whole text as a finite number, read as CLI11 reads the value afterwards; none where it is not one.
+std::optional<double> finite_number(const std::string& text) {
+  char* end = nullptr;
+  const auto x = static_cast<double>(std::strtold(text.c_str(), &end));
+  const bool whole = !text.empty() && end == text.c_str() + text.size();
+  return whole && std::isfinite(x) ? std::optional(x) : std::nullopt;
+}
+
+}  // namespace
+
+OptionCheck finite_time() {
+  return {[](const std::string& text) {
+            return finite_number(text) ? std::string() : "not a finite number: " + text;
+          },
+          "FINITE"};
+}
+
+OptionCheck whole_number(std::uint64_t most) {
+  return {[most](const std::string& text) {
+            std::uint64_t value = 0;
+            const char* end = text.data() + text.size();
+            const auto [read, error] = std::from_chars(text.data(), end, value);
+            return error == std::errc() && read == end && value <= most
+                       ? std::string()
+                       : fmt::format("found {}; accepted: a whole number from 0 to {}", text, most);
+          },
+          "WHOLE"};
+}
+
+OptionCheck positive_number() {
+  return {[](const std::string& text) {
+            const std::optional<double> x = finite_number(text);
+            return x && *x > 0 ? std::string() : fmt::format("found {}; accepted: a number above 0", text);
+          },
+          "POSITIVE"};
+}
+
+OptionCheck number_from_zero() {
+  return {[](const std::string& text) {
+            const std::optional<double> x = finite_number(text);
+            return x && *x >= 0 ? std::string() : fmt::format("found {}; accepted: a number from 0 on", text);
+          },
+          "NUMBER"};
+}
+
+OptionCheck writable_file() { return {why_not_writable, "FILE"}; }
+
+std::string why_not_writable(const std::string& path) {
+  namespace fs = std::filesystem;
+  constexpr const char* accepted = "accepted: a file in a folder that exists";
+  if (path.empty()) return fmt::format("\"\" is not a file; {}", accepted);
+  const std::optional<fs::path> target = file_to_write(path);
+  if (!target) return fmt::format("\"{}\" is there and not a regular file; {}", path, accepted);
+  std::error_code error;
+  const fs::path folder = target->parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, error))
+    return fmt::format("{}: the folder {} does not exist; {}", path, folder.string(), accepted);
+  if (!target->has_filename()) return fmt::format("\"{}\" is not a file; {}", path, accepted);
+  return {};
+}
+
+}  // namespace trivium
