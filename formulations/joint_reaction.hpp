@@ -4,25 +4,9 @@
 /// Phi_pi_bar comes from the formulation's own Jacobian, Phi_rot lift.
 
 #include "formulations/equations_of_motion.hpp"
+#include "formulations/reaction.hpp"
 
 namespace trivium {
-
-/// What a joint does to one of its bodies: force and torque about `point`, all in the same frame.
-template <class Scalar>
-struct Reaction {
-  Vector3<Scalar> force = Vector3<Scalar>::Zero();   ///< [N]
-  Vector3<Scalar> torque = Vector3<Scalar>::Zero();  ///< [N m], about `point`
-  Vector3<Scalar> point = Vector3<Scalar>::Zero();   ///< [m]
-
-  /// The same reaction about another point.
-  Reaction about(const Vector3<Scalar>& other) const {
-    return {force, torque + (point - other).cross(force), other};
-  }
-  /// The same reaction in the components of a frame at the global origin with rotation A (frame to global).
-  Reaction in_frame(const Matrix3<Scalar>& A) const {
-    return {A.transpose() * force, A.transpose() * torque, A.transpose() * point};
-  }
-};
 
 /// The reaction of one joint on the body at one end: global frame, about that body's centre of mass (the
 /// ground's is the origin).

@@ -10,16 +10,9 @@
 #include "integrators/contract/errors.hpp"
 #include "integrators/contract/first_order_system.hpp"
 #include "integrators/contract/tolerances.hpp"
+#include "integrators/projection_report.hpp"
 
 namespace trivium::integrators {
-
-/// What projections found and left: the largest violations, and how many changes they made.
-template <class S>
-struct ProjectionReport {
-  S position{0}, velocity{0};
-  S position_left{0}, velocity_left{0};
-  long changes = 0;
-};
 
 /// Moves y onto the constraints. Throws an IntegrationError that names the row which cannot be met.
 template <FirstOrderSystem System>

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "base/whole_file.hpp"
-#include "simulation/simulate.hpp"
+#include "mechanism/mechanism.hpp"
+#include "simulation/motion.hpp"
 
 namespace trivium {
 

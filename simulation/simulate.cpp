@@ -1,6 +1,7 @@
 #include "simulation/simulate.hpp"
 
 #include "formulations/formulation_list.hpp"
+#include "simulation/simulate_in.hpp"
 
 namespace trivium {
 

@@ -6,8 +6,11 @@
 #include <limits>
 #include <memory>
 
+#include "formulations/joint_reaction.hpp"
+#include "integrators/methods.hpp"
 #include "simulation/cpu_time.hpp"
-#include "simulation/simulate.hpp"
+#include "simulation/simulate_in.hpp"
+#include "simulation/system/constrained_equations.hpp"
 
 namespace trivium {
 

@@ -17,6 +17,7 @@
 #include "base/progress.hpp"
 #include "base/table.hpp"
 #include "formulations/side_by_side.hpp"
+#include "integrators/methods.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "simulation/simulate.hpp"
 #include "validation/harness/program.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "integrators/methods.hpp"
 #include "scenes/generators.hpp"
 #include "scenes/testing/scene_builders.hpp"
 #include "validation/harness/trusted_numbers.hpp"

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "formulations/structured/baumgarte.hpp"
 #include "formulations/structured/graph_assembly.hpp"
 #include "formulations/structured/graph_solver.hpp"
 #include "formulations/structured/row_violation.hpp"
@@ -30,11 +31,6 @@ struct Corrections {
 /// As needed: once, and again where the corrections say that more than rounding is left, as where a light
 /// body holds a heavy one.
 enum class Refinement { none, as_needed };
-
-/// Baumgarte's stabilisation: Phi'' + 2 alpha Phi' + beta^2 Phi = 0 in the place of Phi'' = 0.
-struct Baumgarte {
-  double alpha = 0, beta = 0;  ///< [1/s]
-};
 
 template <Formulation F>
 class AccelerationSolver {

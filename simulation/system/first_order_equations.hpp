@@ -14,6 +14,7 @@
 
 #include "formulations/euler_chart.hpp"
 #include "simulation/system/constraint_projection.hpp"
+#include "simulation/system/motion_log.hpp"
 
 namespace trivium {
 
@@ -29,18 +30,6 @@ struct MotionEnergy {
   S kinetic{0}, potential{0};
   S total() const { return kinetic + potential; }
   S work{0};  ///< since the start, of drivers and of what effects do not take from stored energy
-};
-
-struct SingularPassage {
-  double t;
-  int rows;  ///< that depended on others there and before did not
-};
-
-/// Velocities jumped with a driver's.
-template <class S>
-struct Impulse {
-  double t;
-  VectorX<S> lambda;  ///< of every row: the integral of its multiplier over the jump
 };
 
 template <Formulation F>

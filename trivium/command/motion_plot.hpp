@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "simulation/simulate.hpp"
+#include "mechanism/mechanism.hpp"
+#include "simulation/motion.hpp"
 
 namespace trivium {
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "scenes/make_mechanism.hpp"
+#include "simulation/simulate.hpp"
 #include "validation/harness/interleaved_timing.hpp"
 namespace trivium::precision {
 

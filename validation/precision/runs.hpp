@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "simulation/simulate.hpp"
+#include "integrators/method_parameters.hpp"
+#include "scenes/scene.hpp"
+#include "simulation/motion.hpp"
 
 namespace trivium::precision {
 
