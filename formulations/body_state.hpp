@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "base/error.hpp"
 #include "formulations/formulation.hpp"
 #include "mechanism/mechanism.hpp"
 
@@ -23,38 +22,11 @@ struct BodyState {
 template <Formulation F>
 std::vector<BodyState<F>> to_coordinates(const Mechanism<typename F::Scalar>& mechanism,
                                          const MechanismState<typename F::Scalar>& state,
-                                         const ChartOptions& options) {
-  std::vector<BodyState<F>> bodies;
-  bodies.reserve(mechanism.bodies.size());
-  for (int b = 0; b < mechanism.nb(); ++b) {
-    const auto& pose = state.pose[b];
-    const auto& twist = state.twist[b];
-    try {
-      const typename F::Chart chart = F::choose_chart(options, pose.p);
-      bodies.push_back({pose.r, twist.r_dot, chart, F::from_pose(chart, pose.p, twist.omega_bar)});
-    } catch (const ModelError& error) {
-      throw ModelError(fmt::format("body \"{}\": {}", mechanism.body_names[b], error.what()));
-    }
-  }
-  return bodies;
-}
+                                         const ChartOptions& options);
 
 /// The kinematics of all bodies, the ground's last.
 template <Formulation F>
-std::vector<typename F::Kinematics> body_kinematics(const std::vector<BodyState<F>>& bodies) {
-  using S = typename F::Scalar;
-  std::vector<typename F::Kinematics> kinematics;
-  kinematics.reserve(bodies.size() + 1);
-  for (const BodyState<F>& b : bodies) kinematics.push_back(F::kinematics(b.chart, b.r, b.r_dot, b.q));
-  // the ground has no unknowns, so any regular chart serves it
-  const Vector3<S> zero = Vector3<S>::Zero();
-  const Vector4<S> upright = Vector4<S>::Unit(0);
-  const typename F::Chart chart = F::choose_chart(ChartOptions{}, upright);
-  kinematics.push_back(F::kinematics(chart, zero, zero, F::from_pose(chart, upright, zero)));
-  // upright to the last bit: an angle of 90 degrees has none, and the ground's points may be far away
-  kinematics.back().A.setIdentity();
-  return kinematics;
-}
+std::vector<typename F::Kinematics> body_kinematics(const std::vector<BodyState<F>>& bodies);
 
 /// The applied wrenches of all bodies, the ground's last.
 template <class Kinematics, class Scalar>

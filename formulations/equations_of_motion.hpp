@@ -31,25 +31,6 @@ struct EquationsOfMotion {
 template <Formulation F>
 EquationsOfMotion<F> equations_of_motion(const Mechanism<typename F::Scalar>& mechanism,
                                          const std::vector<BodyState<F>>& bodies,
-                                         const typename F::Scalar& t) {
-  EquationsOfMotion<F> eom;
-  eom.t = t;
-  eom.body = body_kinematics(bodies);
-  const auto wrenches = applied_wrenches(mechanism, eom.body, t);
-  for (int b = 0; b < mechanism.nb(); ++b) {
-    const auto& J_bar = mechanism.bodies[b].inertia;
-    eom.mass.push_back(mechanism.bodies[b].mass);
-    eom.mass_block.push_back(F::mass_block(eom.body[b], J_bar));
-    eom.F_applied.push_back(wrenches[b].F);
-    eom.tau.push_back(F::applied_force(eom.body[b], wrenches[b].n_bar) +
-                      F::velocity_force(eom.body[b], J_bar));
-  }
-  for (const auto& constraint : mechanism.rows) {
-    const BodyPair pair = bodies_of(constraint);
-    eom.pair.push_back(pair);
-    eom.row.push_back(evaluate_row(constraint, eom.body[pair.i], eom.body[pair.j], t));
-  }
-  return eom;
-}
+                                         const typename F::Scalar& t);
 
 }  // namespace trivium

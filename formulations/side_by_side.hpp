@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "formulations/analysis/comparison.hpp"
 #include "formulations/formulation_list.hpp"
 #include "formulations/joint_reaction.hpp"
-#include "formulations/printed/augmented_solver.hpp"
+#include "formulations/printed/error_estimate.hpp"
 #include "mechanism/model.hpp"
 
 namespace trivium {
@@ -52,7 +53,9 @@ struct SideBySide {
     return std::isfinite(least) ? least : 1.0;
   }
   /// The bound of lambda's discrepancy: 100 u kappa.
-  double lambda_bound() const { return 100 * static_cast<double>(unit_roundoff<Scalar>()) * rows.kappa; }
+  double lambda_bound() const {
+    return trivium::lambda_bound(static_cast<double>(unit_roundoff<Scalar>()), rows.kappa);
+  }
   /// The largest difference between any two formulations that solved.
   Discrepancy discrepancy() const {
     Discrepancy worst;

@@ -1,6 +1,7 @@
 #pragma once
 /// The one definition behind the side_by_side instantiations, one translation unit a Scalar.
 
+#include "formulations/printed/augmented_solver.hpp"
 #include "formulations/side_by_side.hpp"
 
 namespace trivium::detail {
@@ -15,9 +16,6 @@ FormulationResult<typename F::Scalar> solve_one(const Model<typename F::Scalar>&
   FormulationResult<S> result;
   const AugmentedSolver<F> solver(model.mechanism, model.state, rows, charts);
   const VectorX<S> x = solver.solve_reduced();
-  if (!x.allFinite())
-    throw ModelError(
-        "the augmented matrix is numerically singular at this state; a higher --scalar may resolve it");
   const VectorX<S> full = solver.to_minimum_norm(solver.expand(x));
   result.solution = solver.accelerations_of(full);
   result.lambda_internal = solver.split(full).lambda_internal;
@@ -30,7 +28,7 @@ FormulationResult<typename F::Scalar> solve_one(const Model<typename F::Scalar>&
     if (const std::string chart(body.chart.name()); !chart.empty()) result.charts.push_back(chart);
   if (judge) {
     const AugmentedEquations<Higher> higher(judge->mechanism, judge->state, rows, charts);
-    result.estimate = estimate_error<F, Higher>(solver, x, higher);
+    result.estimate = estimate_error(solver, x, higher);
   }
   return result;
 }

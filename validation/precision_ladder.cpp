@@ -32,7 +32,7 @@ struct PrecisionResult {
   bool comparable() const { return solved() && any_unique; }
   double ratio() const { return difference / (u * kappa); }
   /// 100 u kappa; beyond 45 digits the data, which are doubles, leave 1e-45.
-  double bound() const { return std::max(100 * u * kappa, u < 1e-45 ? 1e-45 : 0.0); }
+  double bound() const { return std::max(lambda_bound(u, kappa), u < 1e-45 ? 1e-45 : 0.0); }
   bool passed() const { return solved() && (!any_unique || difference <= bound()); }
   /// Beyond the bound by no more than what could cause lambda cancels.
   bool cancels() const { return difference <= bound() * cancellation; }
@@ -40,7 +40,7 @@ struct PrecisionResult {
     return !solved()               ? "ERROR"
            : !any_unique           ? "none"
            : difference <= bound() ? "ok"
-           : passed()              ? "cancels"
+           : cancels()             ? "cancels"
                                    : "EXCEEDS";
   }
 };
@@ -108,13 +108,15 @@ std::string text(const std::vector<PrecisionResult>& rungs, std::size_t rungs_pe
   for (std::size_t first = 0; first < rungs.size(); first += rungs_per_scene) {
     std::vector<std::string> row{rungs[first].scene, std::to_string(rungs[first].nb),
                                  rungs[first].analysed ? fmt::format("{:.1e}", rungs[first].kappa) : "none"};
-    // the worst rung's: a solver that failed counts more than a difference that is too large
+    // the worst rung's: a solver that failed counts more than a difference that is too large, and that more
+    // than one that causes which cancel account for
     std::string verdict = rungs[first].any_unique ? "ok" : "none";
     for (std::size_t k = first; k < first + rungs_per_scene; ++k) {
       const PrecisionResult& r = rungs[k];
       row.push_back(r.comparable() ? fmt::format("{:.0e} ({:.1g})", r.difference, r.ratio()) : "none");
       if (!r.solved()) errors.add(r.error, r.scalar);
-      if (!r.passed() && verdict != "ERROR") verdict = r.verdict();
+      const bool is_worse = !r.solved() || (verdict != "ERROR" && verdict != "EXCEEDS");
+      if (!r.passed() && is_worse) verdict = r.verdict();
     }
     row.push_back(verdict);
     table.add(row);

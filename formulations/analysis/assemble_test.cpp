@@ -230,7 +230,7 @@ TEST_P(Generated, IsConsistentAndHasOneLambda) {
   EXPECT_LT(worst(result.velocities), 1e-13);
   SolveOptions options;
   const auto solution = test::solve_scene<double>(GetParam(), options, false);
-  EXPECT_LE(solution.discrepancy().lambda, 100 * unit_roundoff<double>() * solution.rows.kappa);
+  EXPECT_LE(solution.discrepancy().lambda, solution.lambda_bound());
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Generated,

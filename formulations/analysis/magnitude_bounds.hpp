@@ -1,7 +1,7 @@
 #pragma once
 /// What could cause lambda if nothing cancelled.
 
-#include "formulations/analysis/row_analysis.hpp"
+#include "formulations/analysis/tangent_system.hpp"
 
 namespace trivium {
 

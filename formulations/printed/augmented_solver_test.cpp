@@ -189,7 +189,7 @@ void expect_lambda_is_invariant(int scenes, const ChartOptions& charts = {}) {
     ASSERT_EQ(result.formulations.size(), 4u);
     for (const auto& formulation : result.formulations) EXPECT_EQ(formulation.error, "") << seed;
     const Discrepancy worst = result.discrepancy();
-    const double bound = 100 * u * result.rows.kappa;
+    const double bound = lambda_bound(u, result.rows.kappa);
     EXPECT_LE(worst.lambda, bound) << "scene " << seed << ", kappa " << result.rows.kappa;
     EXPECT_LE(worst.r_ddot, bound) << "scene " << seed;
     EXPECT_LE(worst.omega_bar_dot, bound) << "scene " << seed;

@@ -107,7 +107,7 @@ TEST(Metric, IsTheMassMatrixWhereThatIsRegular) {
     const auto scene = test::random_scene(3, {.bodies = 2});
     return tangent_system(make_mechanism<double>(scene), make_state<double>(scene));
   }();
-  const Metric metric(s);
+  const MassMetric metric(s);
   EXPECT_TRUE(metric.mu().isZero(0));
   const MatrixX<double> half = metric.half_solve(MatrixX<double>::Identity(12, 12));
   MatrixX<double> M = MatrixX<double>::Zero(12, 12);

@@ -4,6 +4,7 @@
 #include "scenes/make_mechanism.hpp"
 
 #include "bodies/testing/properties.hpp"
+#include "formulations/equations_of_motion_impl.hpp"
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/r_p.hpp"

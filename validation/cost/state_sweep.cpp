@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 
+#include "formulations/equations_of_motion_impl.hpp"
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/r_p.hpp"

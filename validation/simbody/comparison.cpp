@@ -216,7 +216,9 @@ void compare(const Subject& subject, SimbodyComparison& out) {
 
 }  // namespace
 
-double SimbodyComparison::bound() const { return std::max(1e-10, 100 * unit_roundoff<double>() * kappa); }
+double SimbodyComparison::bound() const {
+  return std::max(1e-10, lambda_bound(unit_roundoff<double>(), kappa));
+}
 
 SimbodyDistance SimbodyComparison::worst() const {
   SimbodyDistance worst;

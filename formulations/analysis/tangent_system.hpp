@@ -1,0 +1,66 @@
+#pragma once
+/// The equations of a mechanism at one state in the tangent space, in double: mass, forces, and the Jacobian
+/// [Phi_r, Phi_pi_bar] whose columns are the bodies' velocities and body-frame angular velocities. A property
+/// of the mechanism, the same for every formulation.
+
+#include <string>
+#include <vector>
+
+#include "formulations/equations_of_motion.hpp"
+#include "formulations/r_omega.hpp"
+
+namespace trivium {
+
+/// A tangent system with every part of its entries by its own magnitude (magnitude_bounds.hpp).
+struct Magnitudes {
+  /// One row: its bodies, |Phi_r|, and |Phi_pi_bar| on each.
+  struct Row {
+    BodyPair bodies;
+    double r = 0, rot_i = 0, rot_j = 0;
+  };
+  VectorX<double> Q, gamma;
+  std::vector<Row> rows;
+};
+
+/// The tangent system in double.
+struct TangentSystem {
+  std::vector<std::string> body_names;
+  std::vector<double> mass;
+  std::vector<Matrix3<double>> inertia;
+  MatrixX<double> Phi;  ///< nc x 6 nb: a body's columns are r (3), then body-frame rotation (3)
+  VectorX<double> Q;    ///< 6 nb: F; n_bar - tilde(omega_bar) Jbar omega_bar
+  VectorX<double> gamma;
+  Magnitudes magnitudes;  ///< empty: not known
+};
+
+/// The tangent system of a mechanism at a state, formed in Scalar.
+template <class Scalar>
+TangentSystem tangent_system(const Mechanism<Scalar>& mechanism, const MechanismState<Scalar>& state) {
+  using F = ROmega<Scalar>;
+  const auto eom = equations_of_motion<F>(mechanism, to_coordinates<F>(mechanism, state, {}), state.t);
+  TangentSystem s;
+  s.body_names = mechanism.body_names;
+  s.Phi = MatrixX<double>::Zero(eom.nc(), 6 * eom.nb());
+  s.Q.resize(6 * eom.nb());
+  s.gamma.resize(eom.nc());
+  for (int b = 0; b < eom.nb(); ++b) {
+    s.mass.push_back(static_cast<double>(eom.mass[b]));
+    s.inertia.push_back(scalar_cast<double>(eom.mass_block[b]));
+    s.Q.segment<3>(6 * b) = scalar_cast<double>(eom.F_applied[b]);
+    s.Q.segment<3>(6 * b + 3) = scalar_cast<double>(eom.tau[b]);
+  }
+  for (int k = 0; k < eom.nc(); ++k) {
+    const auto& row = eom.row[k];
+    const auto place = [&](int b, const auto& r, const auto& rot) {
+      if (b == eom.nb()) return;
+      s.Phi.block<1, 3>(k, 6 * b) += scalar_cast<double>(r);
+      s.Phi.block<1, 3>(k, 6 * b + 3) += scalar_cast<double>(rot);
+    };
+    place(eom.pair[k].i, row.r_i, row.rot_i);
+    place(eom.pair[k].j, row.r_j, row.rot_j);
+    s.gamma[k] = static_cast<double>(row.gamma);
+  }
+  return s;
+}
+
+}  // namespace trivium

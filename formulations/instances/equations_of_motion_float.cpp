@@ -1,0 +1,3 @@
+#include "formulations/instances/equations_of_motion.hpp"
+
+TRIVIUM_EQUATIONS_OF_MOTION(float)

@@ -1,0 +1,106 @@
+#pragma once
+/// The definitions behind augmented_solver.hpp, compiled once a Scalar.
+
+#include "base/error.hpp"
+#include "formulations/printed/augmented_solver.hpp"
+
+namespace trivium {
+
+template <Formulation F>
+AugmentedEquations<F>::AugmentedEquations(const Mechanism<S>& mechanism, const MechanismState<S>& state,
+                                          const RowAnalysis& rows, const ChartOptions& options)
+    : mechanism_(mechanism),
+      rows_(rows),
+      states_(to_coordinates<F>(mechanism, state, options)),
+      eom_(equations_of_motion<F>(mechanism, states_, state.t)) {
+  const AugmentedSystem<F> system = augmented_system(eom_);
+  K_ = system.matrix();
+  b_ = system.right_side();
+  const Eigen::Index fixed = K_.rows() - system.nc;
+  for (Eigen::Index k = 0; k < fixed; ++k) kept_.push_back(k);
+  for (int k : rows.independent) kept_.push_back(fixed + k);
+}
+
+template <Formulation F>
+auto AugmentedEquations<F>::reduced_matrix() const -> MatrixX<S> {
+  return rows_.redundant.empty() ? K_ : MatrixX<S>(K_(kept_, kept_));
+}
+template <Formulation F>
+auto AugmentedEquations<F>::reduced_right_side() const -> VectorX<S> {
+  return b_(kept_);
+}
+
+template <Formulation F>
+auto AugmentedEquations<F>::expand(const VectorX<S>& x) const -> VectorX<S> {
+  VectorX<S> full = VectorX<S>::Zero(K_.rows());
+  full(kept_) = x;
+  return full;
+}
+template <Formulation F>
+auto AugmentedEquations<F>::reduce(const VectorX<S>& full) const -> VectorX<S> {
+  return full(kept_);
+}
+template <Formulation F>
+auto AugmentedEquations<F>::defect(const VectorX<S>& full) const -> VectorX<S> {
+  return b_ - K_ * full;
+}
+
+template <Formulation F>
+Unknowns<F> AugmentedEquations<F>::split(const VectorX<S>& full) const {
+  return split_unknowns<F>(full, eom_.nb(), eom_.nc());
+}
+template <Formulation F>
+auto AugmentedEquations<F>::accelerations_of(const VectorX<S>& full) const -> PhysicalSolution<S> {
+  const Unknowns<F> u = split(full);
+  PhysicalSolution<S> out;
+  for (int b = 0; b < eom_.nb(); ++b) {
+    out.r_ddot.push_back(u.body[b].r_ddot);
+    out.omega_bar_dot.push_back(F::to_angular_acceleration(eom_.body[b], u.body[b].q_ddot));
+  }
+  out.lambda = u.lambda;
+  return out;
+}
+template <Formulation F>
+MatrixFreeResidual AugmentedEquations<F>::residual(const VectorX<S>& full) const {
+  return matrix_free_residual<F>(mechanism_, eom_, split(full), rows_.redundant);
+}
+
+template <Formulation F>
+AugmentedSolver<F>::AugmentedSolver(const Mechanism<S>& mechanism, const MechanismState<S>& state,
+                                    const RowAnalysis& rows, const ChartOptions& options)
+    : AugmentedEquations<F>(mechanism, state, rows, options),
+      solver_(this->reduced_matrix()),
+      redundancy_(mechanism, state, rows) {}
+
+template <Formulation F>
+auto AugmentedSolver<F>::solve() const -> VectorX<S> {
+  return to_minimum_norm(this->expand(solve_reduced()));
+}
+template <Formulation F>
+auto AugmentedSolver<F>::solve_reduced() const -> VectorX<S> {
+  VectorX<S> x = solver_.solve(this->reduced_right_side());
+  if (!x.allFinite())
+    throw ModelError(
+        "the augmented matrix is numerically singular at this state; a higher --scalar may resolve it");
+  return x;
+}
+template <Formulation F>
+auto AugmentedSolver<F>::substitute(const VectorX<S>& b) const -> VectorX<S> {
+  return solver_.substitute(b);
+}
+template <Formulation F>
+auto AugmentedSolver<F>::to_minimum_norm(VectorX<S> full) const -> VectorX<S> {
+  VectorX<S> lambda = full.tail(this->equations().nc());
+  redundancy_.to_minimum_norm(lambda);
+  full.tail(lambda.size()) = lambda;
+  return full;
+}
+
+template <Formulation F>
+PhysicalSolution<typename F::Scalar> solve_printed(const Model<typename F::Scalar>& model,
+                                                   const RowAnalysis& rows, const ChartOptions& charts) {
+  const AugmentedSolver<F> solver(model.mechanism, model.state, rows, charts);
+  return solver.accelerations_of(solver.solve());
+}
+
+}  // namespace trivium

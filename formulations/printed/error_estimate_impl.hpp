@@ -1,0 +1,84 @@
+#pragma once
+/// The definitions behind error_estimate.hpp, compiled once a Scalar.
+
+#include <algorithm>
+
+#include "formulations/analysis/comparison.hpp"
+#include "formulations/printed/error_estimate.hpp"
+
+namespace trivium {
+
+namespace detail {
+
+/// How far x would move if the rows called redundant were met as well as the others, in the least-squares
+/// sense, and if their multipliers' share acted on nothing exactly: what dropping just these rows decided.
+template <Formulation F, Formulation Higher>
+VectorX<typename F::Scalar> ambiguity_of(const AugmentedSolver<F>& solver,
+                                         const VectorX<typename F::Scalar>& x,
+                                         const AugmentedEquations<Higher>& higher) {
+  using S = typename F::Scalar;
+  using H = typename Higher::Scalar;
+  const VectorX<S> full = solver.expand(x), shared = solver.to_minimum_norm(full);
+  const Eigen::Index nc = solver.equations().nc();
+  // with minimum-norm multipliers in place of x's the bodies' equations change by what Phi^T N keeps
+  const VectorX<H> missed = higher.defect(scalar_cast<H>(full));
+  VectorX<S> change = scalar_cast<S>(VectorX<H>(higher.defect(scalar_cast<H>(shared)) - missed));
+  VectorX<S> redundant = VectorX<S>::Zero(nc);
+  for (int k : solver.rows().redundant) redundant[k] = static_cast<S>(missed.tail(nc)[k]);
+  change.tail(nc) = -solver.redundancy().disagreement(redundant);
+  return solver.substitute(solver.reduce(change));
+}
+
+}  // namespace detail
+
+template <Formulation F, Formulation Higher>
+ErrorEstimate estimate_error(const AugmentedSolver<F>& solver, const VectorX<typename F::Scalar>& x,
+                             const AugmentedEquations<Higher>& higher) {
+  using S = typename F::Scalar;
+  using H = typename Higher::Scalar;
+  const RowAnalysis& rows = solver.rows();
+  const PhysicalSolution<S> low = solver.accelerations_of(solver.expand(x));
+  PhysicalSolution<H> reported;
+  for (std::size_t b = 0; b < low.r_ddot.size(); ++b) {
+    reported.r_ddot.push_back(scalar_cast<H>(low.r_ddot[b]));
+    reported.omega_bar_dot.push_back(scalar_cast<H>(low.omega_bar_dot[b]));
+  }
+  reported.lambda = scalar_cast<H>(low.lambda);
+
+  VectorX<H> better = higher.expand(scalar_cast<H>(x));
+  PhysicalSolution<H> best = higher.accelerations_of(better), previous = best;
+  ErrorEstimate last_correction;
+  const auto error = [&rows](const PhysicalSolution<H>& found, const PhysicalSolution<H>& truth) {
+    return ErrorEstimate{compare_lambda(rows, found.lambda, truth.lambda).error(),
+                         compare_accelerations(rows, found, truth).all.error()};
+  };
+  const auto correct = [&](const VectorX<S>& step) {
+    better += higher.expand(scalar_cast<H>(step));
+    previous = best;
+    best = higher.accelerations_of(better);
+    return error(previous, best);
+  };
+  const double u = static_cast<double>(unit_roundoff<S>());
+  const auto is_settled = [u](double remaining, double found) { return remaining <= 0.05 * found + u; };
+  bool settled = false;
+  for (int step = 0; step < 4 && !settled; ++step) {
+    last_correction = correct(solver.substitute(scalar_cast<S>(higher.reduce(higher.defect(better)))));
+    const ErrorEstimate found = error(reported, best);
+    settled = is_settled(last_correction.lambda, found.lambda) &&
+              is_settled(last_correction.acceleration, found.acceleration);
+  }
+  const ErrorEstimate found = error(reported, best);
+  ErrorEstimate ambiguity;
+  if (!solver.redundancy().none()) ambiguity = correct(detail::ambiguity_of(solver, x, higher));
+  // corrections that do not shrink lead nowhere, and a judge that finds the solution to be all error may be
+  // no better himself: no digit is known
+  constexpr double no_digits = 0.3;
+  const auto bounded_estimate = [&](double known, double remaining, double ambiguous) {
+    const double estimate = 2 * (known + remaining + ambiguous) + u;
+    return settled && estimate < no_digits ? estimate : std::max(1 / u, known);
+  };
+  return {bounded_estimate(found.lambda, last_correction.lambda, ambiguity.lambda),
+          bounded_estimate(found.acceleration, last_correction.acceleration, ambiguity.acceleration)};
+}
+
+}  // namespace trivium

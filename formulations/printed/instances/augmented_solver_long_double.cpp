@@ -1,0 +1,3 @@
+#include "formulations/printed/instances/augmented_solver.hpp"
+
+TRIVIUM_AUGMENTED_SOLVER(long double)

@@ -1,0 +1,4 @@
+#include "formulations/printed/instances/augmented_solver.hpp"
+
+// Judges solutions in Real50; nothing is solved in it.
+TRIVIUM_AUGMENTED_EQUATIONS(Real100)
