@@ -15,8 +15,7 @@ int main(int, char** argv) {
   const scenes::Scene scene = scenes::read_scene_file(argv[1]);
   const Model<double> model = make_model<double>(scene);
   const RowAnalysis rows = analyse_rows(model);
-  const AugmentedSolver<RP<double>> printed(model.mechanism, model.state, rows);
-  const PhysicalSolution<double> one = printed.accelerations_of(printed.solve());
+  const auto one = solve_printed<RP<double>>(model, rows);
   const SideBySide<double> all = side_by_side(model, rows);
   AccelerationSolver<RP<double>> solver(model.mechanism);
   solver.solve(to_coordinates<RP<double>>(model.mechanism, model.state, {}), model.state.t);
