@@ -1,6 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
 # Whether an installed package has whole rooms and no test helper: every header of an installed room is there except
-# those in testing/ and instances/, none includes GoogleTest or RapidCheck, and what a header includes of the project is there too.
+# those in testing/ and instances/, none includes GoogleTest or RapidCheck, and what a header includes of the project is
+# there too.
 #   SOURCE_DIR   the sources     INCLUDE   the folder of the installed headers     ROOMS   those of the library
 file(GLOB_RECURSE installed RELATIVE ${INCLUDE} ${INCLUDE}/*)
 set(errors "")
