@@ -1,127 +1,29 @@
 #pragma once
-/// A method walks a system through a grid of times.
+/// A method walks a system through a grid of times. The walk decides that a step is taken again, shorter:
+/// where its projection fails, where the system says that projection_is_too_large (a step that would leave
+/// its branch; the threshold is the system's), or where the step is longer than the system's longest_step
+/// allows. By how much it is shortened is the method's (StepSizeControl::shorten). The walk stops before a
+/// time where the model may jump, and has the system pass_discontinuity there. Where an iteration diverges
+/// within a step is decided by the method.
 
-#include <algorithm>
-#include <cmath>
-#include <deque>
-#include <limits>
-#include <string>
-#include <utility>
+#include <functional>
 
-#include "integrators/contract/method.hpp"
-#include "integrators/projection.hpp"
-#include "integrators/step_size_control.hpp"
+#include "integrators/contract/any_method.hpp"
+#include "integrators/projection_iteration.hpp"
 #include "integrators/time_grid.hpp"
 
 namespace trivium::integrators {
-
-/// A step, at most to `stop`, and its projection if it `projects`. Where that fails or
-/// projection_is_too_large, or the model turned out to move too fast for it, a shorter one is taken, if the
-/// method can.
-template <FirstOrderSystem System, Method<System> M>
-void checked_step(System& system, M& method, typename System::Scalar& t,
-                  StateVector<typename System::Scalar>& y, const typename System::Scalar& stop, bool projects,
-                  Projection<System>& project, ProjectionReport<typename System::Scalar>& report) {
-  const auto before_t = t;
-  const auto before = y;
-  const auto longest = system.longest_step(t, y);
-  const typename System::Scalar limit = longest < stop - t ? t + longest : stop;
-  std::string trouble;
-  for (;;) {
-    try {
-      method.step(system, t, y, limit);
-    } catch (const UsageError&) {
-      throw;
-    } catch (const std::runtime_error& error) {
-      std::string why = error.what();
-      if (!trouble.empty()) why += "; longer ones had failed so: " + trouble;
-      // what fails in a step of given length may be the model's coordinates
-      const std::string diagnose = system.diagnose(before_t, before);
-      if (!diagnose.empty() && why.find(diagnose) == std::string::npos) why += "; " + diagnose;
-      throw IntegrationError(why);
-    }
-    const auto stepped = y;
-    try {
-      require_finite(y, t);
-      if (t - before_t > 2 * system.longest_step(t, y))
-        throw IntegrationError(
-            fmt::format("at t = {}: the step is too long to follow how far springs turn; take smaller steps, "
-                        "or leave their "
-                        "length to tolerances",
-                        static_cast<double>(t)));
-      if (!projects) return;
-      project(system, t, y, report);
-      if (!system.projection_is_too_large(before, stepped, y)) return;
-      throw IntegrationError(fmt::format(
-          "row \"{}\" at t = {}: its projection moved the bodies by more than a tenth of the step; take "
-          "smaller steps, or leave their length to tolerances",
-          system.worst_row(), static_cast<double>(t)));
-    } catch (const IntegrationError& error) {
-      if (!method.shorten()) throw;
-      trouble = error.what();
-    }
-    t = before_t;
-    y = before;
-  }
-}
 
 /// Whether to go on after a step.
 enum class Continue { yes, no };
 
 /// Projects the start and after every step unless told not to, and shows `at_step(t, y)` every step and
 /// `at_output(t, y)` the start, every output and the end, where it was told to stop or came to it. Returns
-/// which.
-template <FirstOrderSystem System, Method<System> M, class AtStep, class AtOutput>
-bool integrate(System& system, M& method, const TimeGrid& grid, bool projects,
-               ProjectionReport<typename System::Scalar>& report, const AtStep& at_step,
-               const AtOutput& at_output) {
-  using S = typename System::Scalar;
-  S t(grid.start());
-  StateVector<S> y = system.start();
-  Projection<System> project;
-  if (projects) {
-    ProjectionReport<S> of_the_start;  // which need not hold to the last digit of this arithmetic
-    project(system, t, y, of_the_start);
-    system.accept_state(t, y);
-  }
-  at_output(t, y);
-  TimeGrid::Walk<S> walk(grid);
-  std::deque<S> passed;  // outputs to step over
-  constexpr std::size_t most_passed = 1000;
-  using std::abs, std::max;
-  const S little =
-      8 * std::numeric_limits<S>::epsilon() * max(S(abs(S(grid.start()))), S(abs(S(grid.end()))));
-  while (auto stop = walk.next()) {
-    while (method.interpolates() && !stop->is_event && stop->t < S(grid.end()) &&
-           passed.size() < most_passed) {
-      passed.push_back(stop->t);
-      stop = walk.next();
-    }
-    // up to an event all is as it was before it: what jumps there has its earlier value
-    const S target = stop->is_event ? stop->t - little : stop->t;
-    while (t < target) {
-      checked_step(system, method, t, y, target, projects, project, report);
-      for (; !passed.empty() && passed.front() < t; passed.pop_front()) {
-        StateVector<S> between;
-        method.interpolate(passed.front(), between);
-        if (projects) project(system, passed.front(), between, report);
-        at_output(passed.front(), between);
-      }
-      if (system.accept_state(t, y)) method.restart();
-      const bool goes_on = at_step(t, y) == Continue::yes,
-                 is_output = !passed.empty() && !(t < passed.front());
-      if (is_output) passed.pop_front();
-      if (is_output || !goes_on) at_output(t, y);
-      if (!goes_on) return false;
-    }
-    if (stop->is_event) {
-      const S before = std::exchange(t, stop->t);
-      if (system.pass_discontinuity(before, t, y)) system.accept_state(t, y);
-      method.restart();
-    }
-    if (stop->is_output) at_output(t, y);
-  }
-  return true;
-}
+/// which: true at the end. Compiled once for each Scalar.
+template <class S>
+bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid, bool projects,
+               ProjectionReport<S>& report,
+               const std::function<Continue(const S& t, const StateVector<S>& y)>& at_step,
+               const std::function<void(const S& t, const StateVector<S>& y)>& at_output);
 
 }  // namespace trivium::integrators

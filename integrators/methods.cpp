@@ -1,61 +1,22 @@
 #include "integrators/methods.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
-#include <boost/multiprecision/float128.hpp>
 #include <initializer_list>
 #include <limits>
+#include <optional>
+#include <type_traits>
 
-#include "integrators/explicit/half_explicit.hpp"
-#include "integrators/explicit/odeint.hpp"
-#include "integrators/implicit/bdf.hpp"
-#include "integrators/implicit/generalized_alpha.hpp"
-#include "integrators/implicit/hht.hpp"
-#include "integrators/implicit/radau.hpp"
+#include "integrators/contract/errors.hpp"
+#include "integrators/explicit/methods.hpp"
+#include "integrators/implicit/methods.hpp"
+#include "integrators/quad.hpp"
 #include "integrators/sundials/methods.hpp"
-#include "integrators/symplectic/rattle.hpp"
+#include "integrators/symplectic/methods.hpp"
 
 namespace trivium::integrators {
-
-namespace {
-
-template <class S, class M>
-std::unique_ptr<AnyMethod<S>> erase(M method) {
-  return std::make_unique<MethodAdapter<S, M>>(std::move(method));
-}
-
-template <class S, class Stepper>
-auto chosen_runge_kutta(int order, const Tolerances& tolerances) {
-  using Controlled = odeint::controlled_runge_kutta<Stepper>;
-  return erase<S>(ChosenSteps<S, Controlled>(
-      Controlled(typename Controlled::error_checker_type(S(tolerances.atol), S(tolerances.rtol))), order,
-      tolerances));
-}
-
-std::unique_ptr<AnyMethod<double>> chosen_adams(const Tolerances& tolerances) {
-  using Controlled = odeint::controlled_adams_bashforth_moulton<AdaptiveAdams>;
-  constexpr double no_limit = 1e300;
-  return erase<double>(ChosenSteps<double, Controlled>(
-      Controlled({tolerances.atol, tolerances.rtol, no_limit}), 1, tolerances));
-}
-
-/// Those that compute in double alone.
-std::unique_ptr<AnyMethod<double>> of_a_library(std::string_view name, bool chosen,
-                                                const Tolerances& tolerances, const MethodParameters& given) {
-  if (name == "cvode-adams") return make_cvode_adams(tolerances);
-  if (name == "cvode-bdf") return make_cvode_bdf(tolerances, given.projects);
-  if (name == "ida") return make_ida(tolerances);
-  if (name.starts_with("arkode")) {
-    const bool is_implicit = name == "arkode-dirk";
-    const int order = given.order.value_or(5);
-    if (order < 2 || order > (is_implicit ? 5 : 8) || order == 7)
-      throw UsageError(fmt::format("an order {} of {}; accepted: {}", order, name,
-                                   is_implicit ? "2 to 5" : "2 to 6 and 8"));
-    return make_arkode(is_implicit, order, chosen ? std::optional<Tolerances>(tolerances) : std::nullopt);
-  }
-  return chosen_adams(tolerances);
-}
-
-}  // namespace
 
 const std::vector<MethodInfo>& methods() {
   static const std::vector<MethodInfo> all{
@@ -97,15 +58,6 @@ const MethodInfo* find_method(std::string_view name) {
 }
 
 namespace {
-
-template <class Value>
-Value checked(const char* what, const std::optional<Value>& given, Value standard, Value least, Value most) {
-  const Value value = given.value_or(standard);
-  if (!(value >= least && value <= most))
-    throw UsageError(fmt::format("{} {}; accepted: {:.4g} to {:.4g}", what, value, static_cast<double>(least),
-                                 static_cast<double>(most)));
-  return value;
-}
 
 /// Throws where steps or parameters are none of the method's.
 void check(const MethodInfo& method, Steps steps, const MethodParameters& given) {
@@ -150,41 +102,14 @@ std::unique_ptr<AnyMethod<S>> make_method(std::string_view name, Steps steps, co
                     tolerances.rtol, tolerances.atol, 4 * u));
   const std::optional<Tolerances> of_own_choice =
       chosen ? std::optional<Tolerances>(tolerances) : std::nullopt;
-  NewtonOptions newton;
-  newton.is_full = given.full_newton.value_or(false);
-  if (name == "dopri5")
-    return chosen ? chosen_runge_kutta<S, DormandPrince5<S>>(5, tolerances)
-                  : erase<S>(GivenSteps<S, DormandPrince5<S>>());
-  if (name == "rkf78")
-    return chosen ? chosen_runge_kutta<S, Fehlberg78<S>>(8, tolerances)
-                  : erase<S>(GivenSteps<S, Fehlberg78<S>>());
-  if (name == "bulirsch-stoer")
-    return erase<S>(ChosenSteps<S, BulirschStoer<S>>(BulirschStoer<S>(S(tolerances.atol), S(tolerances.rtol)),
-                                                     8, tolerances));
-  if (name.starts_with("generalized-alpha"))
-    return erase<S>(GeneralizedAlpha<AnySystem<S>>(checked("rho", given.rho, 0.8, 0.0, 1.0),
-                                                   name.ends_with("gl2"), newton));
-  if (name.starts_with("rattle")) return erase<S>(Rattle<AnySystem<S>>(name == "rattle4" ? 4 : 2));
-  if (name == "hem4") return erase<S>(HalfExplicit<AnySystem<S>, Hem4Coefficients<S>>());
-  if (name == "hedop5") return erase<S>(HalfExplicit<AnySystem<S>, Hedop5Coefficients<S>>(of_own_choice));
-  if (name == "hht")
-    return erase<S>(HHT<AnySystem<S>>(checked("alpha", given.alpha, -0.2, -1.0 / 3, 0.0), newton));
-  if (name == "radau5") return erase<S>(Radau5<AnySystem<S>>(of_own_choice, newton));
-  if (name == "radau9") return erase<S>(Radau9<AnySystem<S>>(of_own_choice, newton));
-  if (name == "bdf")
-    return erase<S>(BDF<AnySystem<S>>(checked("an order of bdf of", given.order, 2, 1, 5), newton));
-  if (name == "abm" && !chosen) return erase<S>(GivenSteps<S, AdamsBashforthMoulton<S>>());
+  if (auto made = make_explicit<S>(name, of_own_choice)) return made;
+  if (auto made = make_implicit<S>(name, of_own_choice, given)) return made;
+  if (auto made = make_symplectic<S>(name)) return made;
   if constexpr (std::is_same_v<S, double>)
-    return of_a_library(name, chosen, tolerances, given);
+    return make_sundials(name, of_own_choice, given);
   else
-    throw UsageError(
-        name == "abm"
-            ? std::string("abm chooses its steps in double alone (Odeint's choice does); give it a step")
-            : fmt::format("{} computes in double alone (SUNDIALS does); take another method", name));
+    throw UsageError(fmt::format("{} computes in double alone (SUNDIALS does); take another method", name));
 }
-
-using Quad =
-    boost::multiprecision::number<boost::multiprecision::float128_backend, boost::multiprecision::et_off>;
 
 template std::unique_ptr<AnyMethod<double>> make_method<double>(std::string_view, Steps, const Tolerances&,
                                                                 const MethodParameters&);

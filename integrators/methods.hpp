@@ -1,5 +1,6 @@
 #pragma once
-/// The methods by name.
+/// The methods by name: what each is and takes. Which class a name leads to is said by kind, in
+/// {explicit,implicit,symplectic,sundials}/methods.cpp.
 
 #include <memory>
 #include <string>
@@ -7,7 +8,7 @@
 #include <vector>
 
 #include "integrators/contract/any_method.hpp"
-#include "integrators/integrate.hpp"
+#include "integrators/contract/tolerances.hpp"
 #include "integrators/method_parameters.hpp"
 
 namespace trivium::integrators {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "integrators/integrate.hpp"
 #include "integrators/testing/toy_systems.hpp"
 
 namespace trivium::integrators {
@@ -25,7 +26,7 @@ Walked run(System& system, const std::string& name, Steps steps, const TimeGrid&
   SystemAdapter<System> erased(system);
   const auto method = make_method<double>(name, steps, tolerances);
   Walked out;
-  integrate<AnySystem<double>, AnyMethod<double>>(
+  integrate<double>(
       erased, *method, grid, projects, out.projection,
       [](double, const StateVector<double>&) { return Continue::yes; },
       [&](double t, const StateVector<double>& y) {
@@ -171,7 +172,7 @@ TEST(Projection, MeetsPositionsAndVelocitiesByOneFactorisation) {
   OnACircle system;
   StateVector<double> y = Eigen::Vector4d(0.6 + 1e-4, 0.8, -0.8, 0.6 + 1e-3);
   ProjectionReport<double> report;
-  Projection<OnACircle>()(system, 0.0, y, report);
+  ProjectionIteration<OnACircle>()(system, 0.0, y, report);
   EXPECT_LE(system.position_violation(0, y), 4e-16);
   EXPECT_LE(system.velocity_violation(0, y), 4e-16);
   EXPECT_EQ(system.factors, 1);
@@ -185,7 +186,7 @@ TEST(Projection, NamesTheRowThatItCannotMeet) {
   StateVector<double> y = Eigen::Vector4d(1.1, 0, 0, 1);
   ProjectionReport<double> report;
   try {
-    Projection<OnACircle>()(system, 0.25, y, report);
+    ProjectionIteration<OnACircle>()(system, 0.25, y, report);
     FAIL();
   } catch (const IntegrationError& error) {
     EXPECT_NE(std::string(error.what()).find("\"circle\" at t = 0.25"), std::string::npos) << error.what();

@@ -1,5 +1,5 @@
 #pragma once
-/// The account of all projections of a run (integrators/projection.hpp).
+/// The account of all projections of a run (integrators/projection_iteration.hpp).
 
 namespace trivium::integrators {
 

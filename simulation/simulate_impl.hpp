@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "formulations/joint_reaction.hpp"
+#include "integrators/integrate.hpp"
 #include "integrators/methods.hpp"
 #include "simulation/cpu_time.hpp"
 #include "simulation/simulate_in.hpp"
@@ -48,7 +49,7 @@ class Simulation {
     report_.does_work = form_.does_work();
     report_.energy_start = static_cast<double>(at_start.total());
     const double start = cpu_seconds();
-    report_.complete = integrate<AnySystem<S>, AnyMethod<S>>(
+    report_.complete = integrate<S>(
         system, *method_, grid, projects_, projection,
         [&](const S& t, const StateVector& y) {
           report_.reached = static_cast<double>(t);

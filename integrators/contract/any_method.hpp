@@ -1,6 +1,7 @@
 #pragma once
 /// Any method behind virtual calls, one for each step, on any system: what a method's name leads to.
 
+#include <memory>
 #include <utility>
 
 #include "integrators/contract/any_system.hpp"
@@ -45,5 +46,10 @@ class MethodAdapter final : public AnyMethod<S> {
  private:
   M method_;
 };
+
+template <class S, Method<AnySystem<S>> M>
+std::unique_ptr<AnyMethod<S>> adapt(M method) {
+  return std::make_unique<MethodAdapter<S, M>>(std::move(method));
+}
 
 }  // namespace trivium::integrators

@@ -4,9 +4,10 @@
 
 #include <Eigen/LU>
 #include <array>
-#include <boost/multiprecision/float128.hpp>
 #include <limits>
 #include <type_traits>
+
+#include "integrators/quad.hpp"
 
 namespace trivium::integrators {
 
@@ -49,8 +50,6 @@ struct RadauCoefficients {
   }
 
  private:
-  using Quad =
-      boost::multiprecision::number<boost::multiprecision::float128_backend, boost::multiprecision::et_off>;
   /// Doubles are what is left of quads: inverses of powers of c lose some digits.
   using Wide = std::conditional_t<std::is_same_v<S, double>, Quad, S>;
   using Square = Eigen::Matrix<Wide, s, s>;

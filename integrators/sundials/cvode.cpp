@@ -1,7 +1,7 @@
 #include <cvode/cvode.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include "integrators/projection.hpp"
+#include "integrators/projection_iteration.hpp"
 #include "integrators/sundials/methods.hpp"
 #include "integrators/sundials/ode_stepper.hpp"
 
@@ -81,7 +81,7 @@ class Cvode final : public OdeStepper {
   }
 
   const bool projects_;
-  Projection<AnySystem<double>> projection_;
+  ProjectionIteration<AnySystem<double>> projection_;
 };
 
 }  // namespace

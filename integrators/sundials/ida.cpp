@@ -1,6 +1,6 @@
 #include <ida/ida.h>
 
-#include "integrators/projection.hpp"
+#include "integrators/projection_iteration.hpp"
 #include "integrators/step_size_control.hpp"
 #include "integrators/sundials/methods.hpp"
 #include "integrators/sundials/stepper.hpp"
@@ -210,7 +210,7 @@ class Ida final : public Stepper {
   Tolerances tolerances_;
   int nq_ = 0, nv_ = 0, nc_ = 0, ny_ = 0;
   Owned<N_Vector> rates_, is_differential_;
-  Projection<AnySystem<double>> projection_;
+  ProjectionIteration<AnySystem<double>> projection_;
   StateVectorD lambda_, y_dot_, v_dot_, force_, mu_, moved_, rate_, displacement_;
   StateVectorD off_q_, off_v_, off_work_, phi_, phi_dot_;  ///< what the equations miss
   StateVectorD at_, phi_dot_at_, force_at_;                ///< where the matrix was made

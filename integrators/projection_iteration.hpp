@@ -1,6 +1,11 @@
 #pragma once
-/// Back onto the constraints after a step: positions by Gauss-Newton to rounding, then velocities, both by
-/// the least change in the model's own metric. One factorisation serves both as a rule.
+/// The iteration that leads a state back onto the constraints: Newton corrections of the positions until
+/// their violation is rounding, then of the velocities. A single correction is the system's
+/// (correct_positions, correct_velocities): the least change in its own metric. One factorisation serves both
+/// as a rule.
+///
+/// Here is decided when a projection has converged, when a matrix is made anew, and when a row cannot be met.
+/// Whether a projection went too far is asked by integrate.hpp.
 
 #include <fmt/format.h>
 
@@ -16,7 +21,7 @@ namespace trivium::integrators {
 
 /// Moves y onto the constraints. Throws an IntegrationError that names the row which cannot be met.
 template <FirstOrderSystem System>
-class Projection {
+class ProjectionIteration {
  public:
   using S = typename System::Scalar;
 
