@@ -1,10 +1,18 @@
 #pragma once
-/// A method walks a system through a grid of times. The walk decides that a step is taken again, shorter:
-/// where its projection fails, where the system says that projection_is_too_large (a step that would leave
-/// its branch; the threshold is the system's), or where the step is longer than the system's longest_step
-/// allows. By how much it is shortened is the method's (StepSizeControl::shorten). The walk stops before a
-/// time where the model may jump, and has the system pass_discontinuity there. Where an iteration diverges
-/// within a step is decided by the method.
+/// A method walks a system through a grid of times. Who decides what:
+///
+///   that a finished step is taken back and a shorter one taken: checked_step (integrate.cpp), where the
+///   projection fails, where the system finds that projection_is_too_large (the step may have left its
+///   branch; the threshold is the system's, in simulation/system/first_order_equations.hpp), or where the
+///   step turned out more than twice as long as the system's longest_step
+///
+///   by how much it is shortened: the method (StepSizeControl::shorten); methods of given steps refuse, which
+///   ends the run
+///
+///   that an iteration within a step diverges: the method
+///
+///   that a discontinuity is passed: integrate, which stops just before its time and has the system
+///   pass_discontinuity there; the method restarts
 
 #include <functional>
 

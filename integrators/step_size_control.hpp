@@ -1,5 +1,9 @@
 #pragma once
-/// Steps of a method's own choice: the first one, where they end, and giving up.
+/// The lengths of steps that a method chooses itself, to the tolerances. Here is decided how long the first
+/// step is, how long the next one after an estimated error, how much shorter one after a failure, where a
+/// step is cut to land on a stop, and when steps have shrunk to nothing, which ends the run. Whether an
+/// iteration within a step fails is decided by the method; whether a finished step is taken back, by
+/// integrate.hpp.
 
 #include <fmt/format.h>
 
@@ -48,7 +52,7 @@ typename System::Scalar first_step(System& system, const typename System::Scalar
   return 100 * h0 < h1 ? S(100 * h0) : h1;
 }
 
-/// What all methods that choose their steps have in common: where steps end, and giving up.
+/// The length of the next step, of all methods that choose their steps.
 template <class S>
 class StepSizeControl {
  public:
@@ -90,8 +94,10 @@ class StepSizeControl {
   }
 
  private:
-  S proposed_{0}, tried_{0}, limit_{std::numeric_limits<S>::max()}, limit_growth_{1};
-  bool lands_ = false, cut_ = false;
+  S proposed_{0}, tried_{0};                ///< for the next step; of the step tried last
+  S limit_{std::numeric_limits<S>::max()};  ///< above which a step failed of late
+  S limit_growth_{1};                       ///< by which the limit grows with each step that it held back
+  bool lands_ = false, cut_ = false;        ///< the step tried last ends on a stop; is shorter than proposed
 };
 
 /// Of a step, to where it ends: numbers whose squares are numbers.
@@ -102,6 +108,7 @@ void require_finite(const StateVector<S>& y, const S& t) {
                                        static_cast<double>(t)));
 }
 
+/// Ends the run, with the reason that is known.
 template <FirstOrderSystem System>
 [[noreturn]] void give_up(System& system, const typename System::Scalar& t,
                           const StateVector<typename System::Scalar>& y, std::string why) {

@@ -17,7 +17,8 @@ namespace trivium::integrators {
 /// a step are v' and lambda, and q and v move with v' by a position share and a velocity share (h^2 and h,
 /// times numbers of the method).
 ///
-///   position_size, velocity_size, multipliers   how many numbers q, v and lambda have
+///   position_size, velocity_size, multipliers
+///                        how many numbers q, v and lambda have
 ///   accelerations        v' and lambda of index 1 at (t, y)
 ///   work_rate            of the system as evaluated last, with these multipliers
 ///
@@ -34,7 +35,8 @@ namespace trivium::integrators {
 ///
 ///   normalise_step       meets them by a change of v' that moves q by `share` of it. Returns whether there
 ///                        are any
-///   normalise_step_velocity   the same for their derivatives
+///   normalise_step_velocity
+///                        the same for their derivatives
 ///   take_internal_rows   for libraries, which have no place for normalise_step: puts what v' leaves of the
 ///                        rows' second derivatives beside a force residual
 ///   solve_internal_rows  adds to x what removes that
@@ -49,11 +51,13 @@ namespace trivium::integrators {
 ///
 ///   residual             evaluates force + Phi_q^T lambda - Q, where the force stands for M v', and Phi.
 ///                        Returns the largest imbalance beside the forces at work
-///   relative_row_violation   the largest violation of Phi (or Phi', see below) beside the model's numbers
+///   relative_row_violation
+///                        the largest violation of Phi (or Phi', see below) beside the model's numbers
 ///   position_rows        evaluates Phi alone
 ///   velocity_rows        puts Phi' in the place of Phi
 ///   least_met_row        the name of the row violated most
-///   row_residual, force_residual   the vectors evaluated last
+///   row_residual, force_residual
+///                        the vectors evaluated last
 ///   take_force           makes a force residual of a force of v's kind
 ///
 /// Newton's matrix, of M and the springs' stiffness and damping by their shares, and of Phi_q:

@@ -29,17 +29,19 @@ namespace trivium::integrators {
 ///   correct_velocities   the same of velocities
 ///   normalise            meets the rows that a model keeps to itself, such as |p| = 1
 ///
-/// What the system decides, and integrate.hpp asks for and acts on:
+/// Decisions of the system, which integrate.hpp asks for and acts on:
 ///
-///   projection_is_too_large   from (before, stepped, projected): whether the projection of a step went so
-///   far
-///                             that the step may have left its branch. The threshold is the system's;
-///                             checked_step of integrate.hpp has the step shortened
+///   projection_is_too_large
+///                        from (before, stepped, projected): whether the projection of a step went so far
+///                        that the step may have left its branch. The threshold is the system's
+///                        (simulation/system/first_order_equations.hpp); checked_step of integrate.cpp then
+///                        has a shorter step taken
 ///   accept_state         is told every state that the motion has reached, projected. Returns whether y is in
 ///                        other coordinates since: what a method remembers of y is void then
 ///   pass_discontinuity   from (before, t, y): goes over a time t where the model may jump, from just before
 ///                        it. Returns whether y jumped
-///   diagnose             what of the model may be why steps fail near (t, y); empty where nothing is
+///   diagnose             what of the model may have made steps fail near (t, y); empty where nothing stands
+///                        out
 template <class System>
 concept FirstOrderSystem = requires(System& system, const typename System::Scalar& t,
                                     const StateVector<typename System::Scalar>& y,

@@ -11,7 +11,8 @@
 /// lambda from the last step, whose seventh found them at its end by rows at 19/20 of the way.
 ///
 /// The rows are those of the next stage and the forces those of this one; the symmetric matrix of this stage
-/// solves for both by repetition, which falls by about the angle that bodies turn between the two.
+/// solves for both by repetition, which falls by about the angle that bodies turn between the two. `solve`
+/// decides when the rows count as met, and that the repetition diverges.
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 #pragma once
-/// Anderson's acceleration of an iteration that a matrix all but solves.
+/// Anderson's acceleration of an iteration that a matrix all but solves (Anderson, Journal of the ACM 12,
+/// 1965).
 
 #include <Eigen/Cholesky>
 #include <algorithm>

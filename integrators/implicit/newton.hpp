@@ -1,5 +1,8 @@
 #pragma once
-/// Newton's method for the equations of one implicit step.
+/// Newton's method for the equations of one implicit step, with a matrix made once a step as a rule and
+/// Anderson's acceleration for the rest. Here is decided when the equations count as solved, when a matrix is
+/// made anew, and that the iteration diverges: where residuals fail to halve, by matrices made there, five
+/// times, or after forty iterations. The methods that use it take given steps, so that this ends the run.
 
 #include <fmt/format.h>
 

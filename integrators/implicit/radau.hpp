@@ -21,8 +21,8 @@
 /// Here is the iteration. Newton's matrix is real for each stage, and made where that stage is, as stiff
 /// springs turn within a step. Rows are met through A^-1. `solve_stages` decides when the iteration has
 /// converged (to tolerances: where the changes still to come are small by those that came), when a new matrix
-/// is made, and when the iteration diverges; the step is then tried at a quarter of its length
-/// (take_chosen_step).
+/// is made, and that the iteration diverges. `advance` then begins it from simpler predictions; where none
+/// leads to a solution, take_chosen_step tries a quarter of the length, and a given step ends the run.
 
 #include <algorithm>
 #include <array>

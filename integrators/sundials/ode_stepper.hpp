@@ -1,5 +1,6 @@
 #pragma once
-/// On y' = f(t, y), with Newton's matrix I - gamma f_y.
+/// The SUNDIALS integrators of y' = f(t, y), CVODE and ARKODE, as far as they are alike: the right side, the
+/// weights of errors, and linear systems with Newton's matrix I - gamma f_y.
 
 #include "integrators/sundials/stepper.hpp"
 

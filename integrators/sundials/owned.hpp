@@ -1,5 +1,6 @@
 #pragma once
-/// What SUNDIALS allocates.
+/// Owners of vectors, matrices and solvers that SUNDIALS allocates: each is freed by the library's own
+/// function.
 
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_linearsolver.h>

@@ -1,5 +1,7 @@
 #pragma once
-/// One of SUNDIALS' integrators taken step by step, as far as they are alike.
+/// One of SUNDIALS' integrators taken step by step, as far as CVODE, ARKODE and IDA are alike. The library
+/// decides the length of a step and whether its iteration diverges; integrate.hpp decides that a finished
+/// step is taken back.
 
 #include <sundials/sundials_context.h>
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Small systems with known solutions. A support of the tests.
+/// Models of one page with known solutions, on which the tests try methods: motion without constraints, and a
+/// particle on a circle.
 
 #include <cmath>
 #include <functional>

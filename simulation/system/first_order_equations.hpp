@@ -110,7 +110,8 @@ class FirstOrderEquations {
   /// Of the violation measured last, beside the lengths or speeds of what moves together.
   const S& relative_violation() const { return projection_.measure().relative(); }
   /// Whether a projection moved some assembly by more than a tenth of what the step did, and more than a
-  /// little.
+  /// little: the step may have left its branch. checked_step of integrators/integrate.cpp then takes it back
+  /// and has the method take a shorter one.
   bool projection_is_too_large(const StateVector& before, const StateVector& stepped,
                                const StateVector& projected) {
     const auto exceeds = [&](int first, int width, const S& little) {
