@@ -1,10 +1,10 @@
 #pragma once
-/// A rigid body and how it moves. The body frame sits at the centre of mass.
+/// A rigid body (mass, inertia), how it moves (pose, twist, motion) and how it is loaded (wrench). The body
+/// frame sits at the centre of mass. A bar means body components, no bar global ones.
 
-#include <cmath>
+#include <Eigen/Geometry>
 
-#include "bodies/numbers/scalar.hpp"
-#include "bodies/rotations/so3.hpp"
+#include "bodies/numbers/vectors.hpp"
 
 namespace trivium {
 
@@ -43,30 +43,6 @@ struct BodyMotion {
     return r_dot + A * omega_bar.cross(s_bar);
   }
 };
-
-/// (to + arm_j) - (from + arm_i), summed from the largest part down: a distance that both ends share leaves
-/// no rounding of its size, be it one of the centres or an arm (the ground's points are all arm).
-template <class Scalar>
-Vector3<Scalar> offset_between(const Vector3<Scalar>& from, const Vector3<Scalar>& arm_i,
-                               const Vector3<Scalar>& to, const Vector3<Scalar>& arm_j) {
-  const Vector3<Scalar> d = to - from;
-  if (arm_i.squaredNorm() > arm_j.squaredNorm()) return (d - arm_i) + arm_j;
-  return (d + arm_j) - arm_i;
-}
-
-/// d = (r_j + A_j s_j) - (r_i + A_i s_i): from a point of i to one of j.
-template <class Scalar>
-Vector3<Scalar> point_offset(const BodyMotion<Scalar>& i, const Vector3<Scalar>& s_bar_i,
-                             const BodyMotion<Scalar>& j, const Vector3<Scalar>& s_bar_j) {
-  return offset_between<Scalar>(i.r, i.A * s_bar_i, j.r, j.A * s_bar_j);
-}
-
-/// Its time derivative, the velocities of the centres subtracted first.
-template <class Scalar>
-Vector3<Scalar> point_offset_rate(const BodyMotion<Scalar>& i, const Vector3<Scalar>& s_bar_i,
-                                  const BodyMotion<Scalar>& j, const Vector3<Scalar>& s_bar_j) {
-  return (j.r_dot - i.r_dot) + (j.A * j.omega_bar.cross(s_bar_j) - i.A * i.omega_bar.cross(s_bar_i));
-}
 
 /// Force F [N, global] and moment nbar about the centre of mass [N m, body frame].
 template <class Scalar>

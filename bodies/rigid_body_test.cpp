@@ -1,7 +1,10 @@
 #include "bodies/rigid_body.hpp"
 
 #include "bodies/inertia.hpp"
+#include "bodies/numbers/quad.hpp"
+#include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 
 namespace trivium {
 namespace {

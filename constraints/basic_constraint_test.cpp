@@ -1,5 +1,8 @@
 #include "constraints/basic_constraint.hpp"
 
+#include "bodies/numbers/quad.hpp"
+#include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "constraints/testing/plain_body.hpp"
 
 namespace trivium {

@@ -7,6 +7,7 @@
 
 #include <concepts>
 
+#include "bodies/point_offset.hpp"
 #include "bodies/rigid_body.hpp"
 
 namespace trivium {

@@ -3,6 +3,9 @@
 #include <Eigen/QR>
 #include <map>
 
+#include "bodies/rotations/so3.hpp"
+#include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "constraints/testing/plain_body.hpp"
 
 namespace trivium {

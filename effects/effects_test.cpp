@@ -1,6 +1,9 @@
 #include "effects/effect_list.hpp"
 
+#include "bodies/numbers/quad.hpp"
+#include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 
 namespace trivium {
 namespace {

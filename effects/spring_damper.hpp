@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "bodies/numbers/lanewise.hpp"
 #include "bodies/numbers/time_function.hpp"
+#include "bodies/point_offset.hpp"
 #include "effects/effect.hpp"
 
 namespace trivium {

@@ -1,5 +1,9 @@
 /// gamma as the books print it, and the identities that tie one formulation's rows to another's.
 
+#include "bodies/numbers/quad.hpp"
+#include "bodies/rotations/so3.hpp"
+#include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "formulations/testing/moving_body.hpp"
 
 namespace trivium {

@@ -1,6 +1,8 @@
 /// Phi_q, nu, gamma and row_acceleration of every basic constraint, in every formulation's coordinates, along
 /// any path.
 
+#include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "formulations/testing/moving_body.hpp"
 
 namespace trivium {

@@ -12,6 +12,8 @@
 
 #include "base/error.hpp"
 #include "bodies/numbers/lanewise.hpp"
+#include "bodies/numbers/scalar.hpp"
+#include "bodies/rotations/so3.hpp"
 #include "formulations/formulation.hpp"
 
 namespace trivium {

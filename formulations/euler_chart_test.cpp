@@ -1,6 +1,8 @@
 #include "formulations/euler_chart.hpp"
 
+#include "bodies/rotations/euler_angles.hpp"
 #include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "formulations/equations_of_motion.hpp"
 #include "formulations/r_epsilon_omega_first.hpp"
 #include "formulations/r_p.hpp"

@@ -1,5 +1,7 @@
 /// The laws of the Formulation concept, the same for all: accelerations and forces.
 
+#include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "formulations/testing/body_samples.hpp"
 
 namespace trivium {

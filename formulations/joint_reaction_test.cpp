@@ -2,7 +2,9 @@
 
 #include "formulations/joint_reaction.hpp"
 
+#include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "formulations/testing/printed_solution.hpp"
 #include "formulations/testing/solve_scene.hpp"
 #include "scenes/testing/scene_builders.hpp"

@@ -1,5 +1,9 @@
 /// The laws of the Formulation concept, the same for all: places and velocities.
 
+#include "bodies/numbers/quad.hpp"
+#include "bodies/rotations/so3.hpp"
+#include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "formulations/testing/body_samples.hpp"
 
 namespace trivium {

@@ -2,6 +2,7 @@
 /// r-omega: r'' and the body-frame angular acceleration omega_bar'. Newton-Euler equations; Haug (1989),
 /// section 11.2.
 
+#include "bodies/rotations/so3.hpp"
 #include "formulations/formulation.hpp"
 
 namespace trivium {

@@ -7,6 +7,7 @@
 /// 0.) lambda^p depends on how A(p) goes on off the unit sphere; here A = E G^T. Compare lambda across codes,
 /// not lambda^p.
 
+#include "bodies/rotations/so3.hpp"
 #include "formulations/formulation.hpp"
 
 namespace trivium {

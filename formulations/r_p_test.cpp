@@ -2,7 +2,10 @@
 
 #include "formulations/r_p.hpp"
 
+#include "bodies/numbers/quad.hpp"
+#include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "formulations/testing/printed_solution.hpp"
 #include "formulations/testing/random_mechanism.hpp"
 

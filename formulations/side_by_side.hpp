@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/analysis/comparison.hpp"
 #include "formulations/formulation_list.hpp"
 #include "formulations/joint_reaction.hpp"
@@ -76,21 +77,10 @@ struct SideBySide {
 /// Solves a model as printed, in every formulation asked for. A formulation that cannot is an entry with an
 /// error; what no formulation can do (singular mass without constraint, an effect that is not defined here)
 /// throws a ModelError. Errors are estimated where the same model in more digits judges them.
+/// Compiled in instances/, for float to Real50.
 template <class Scalar>
 SideBySide<Scalar> side_by_side(const Model<Scalar>& model, const RowAnalysis& rows,
                                 const SolveOptions& options = {},
                                 const Model<NextPrecisionT<Scalar>>* judge = nullptr);
-
-extern template SideBySide<float> side_by_side(const Model<float>&, const RowAnalysis&, const SolveOptions&,
-                                               const Model<NextPrecisionT<float>>*);
-extern template SideBySide<double> side_by_side(const Model<double>&, const RowAnalysis&, const SolveOptions&,
-                                                const Model<NextPrecisionT<double>>*);
-extern template SideBySide<long double> side_by_side(const Model<long double>&, const RowAnalysis&,
-                                                     const SolveOptions&,
-                                                     const Model<NextPrecisionT<long double>>*);
-extern template SideBySide<Quad> side_by_side(const Model<Quad>&, const RowAnalysis&, const SolveOptions&,
-                                              const Model<NextPrecisionT<Quad>>*);
-extern template SideBySide<Real50> side_by_side(const Model<Real50>&, const RowAnalysis&, const SolveOptions&,
-                                                const Model<NextPrecisionT<Real50>>*);
 
 }  // namespace trivium

@@ -4,6 +4,8 @@
 #include "formulations/printed/augmented_solver.hpp"
 #include "formulations/side_by_side.hpp"
 
+#include "bodies/numbers/scalar.hpp"
+
 namespace trivium::detail {
 
 /// Everything of one formulation but what can fail; throws a ModelError if the formulation cannot answer.

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bodies/numbers/quad.hpp"
+#include "bodies/numbers/real50.hpp"
+#include "bodies/numbers/scalar.hpp"
+#include "bodies/rotations/so3.hpp"
 #include "scenes/range_checked_cast.hpp"
 
 namespace trivium {

@@ -3,7 +3,12 @@
 #include <functional>
 
 #include "bodies/inertia.hpp"
+#include "bodies/numbers/quad.hpp"
+#include "bodies/numbers/real50.hpp"
+#include "bodies/numbers/scalar.hpp"
+#include "bodies/rotations/euler_angles.hpp"
 #include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "scenes/testing/scene_builders.hpp"
 
 namespace trivium {

@@ -15,7 +15,7 @@
 
 #include "base/error.hpp"
 #include "bodies/numbers/time_function.hpp"
-#include "bodies/rotations/so3.hpp"
+#include "bodies/numbers/vectors.hpp"
 #include "scenes/scene.hpp"
 
 namespace trivium {

@@ -1,5 +1,6 @@
 #include "simulation/simulate.hpp"
 
+#include "bodies/numbers/quad.hpp"
 #include "formulations/formulation_list.hpp"
 #include "simulation/simulate_in.hpp"
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/joint_reaction.hpp"
 #include "integrators/integrate.hpp"
 #include "integrators/methods.hpp"

@@ -12,6 +12,7 @@
 #include "base/json_writer.hpp"
 #include "base/progress.hpp"
 #include "base/table.hpp"
+#include "bodies/rotations/so3.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/side_by_side.hpp"
 #include "formulations/structured/acceleration_solver.hpp"

@@ -16,6 +16,7 @@
 #include "base/json_writer.hpp"
 #include "base/progress.hpp"
 #include "base/table.hpp"
+#include "bodies/numbers/quad.hpp"
 #include "formulations/side_by_side.hpp"
 #include "integrators/methods.hpp"
 #include "scenes/make_mechanism.hpp"

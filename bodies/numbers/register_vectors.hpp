@@ -2,11 +2,12 @@
 /// Vectors of three that fill a vector register: in double and float each gets a fourth place, always 0, so
 /// that a column is added or scaled by one instruction. For innermost loops.
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstring>
 #include <type_traits>
 
-#include "bodies/rotations/so3.hpp"
+#include "bodies/numbers/vectors.hpp"
 
 /// Calls of such small functions would pass their blocks through memory.
 #define TRIVIUM_INLINE [[gnu::always_inline]] inline

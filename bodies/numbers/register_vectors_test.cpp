@@ -2,6 +2,7 @@
 
 #include "bodies/numbers/register_vectors.hpp"
 
+#include "bodies/numbers/quad.hpp"
 #include "bodies/testing/properties.hpp"
 
 namespace trivium {

@@ -1,6 +1,9 @@
 #include "bodies/numbers/time_function.hpp"
 
+#include "bodies/numbers/quad.hpp"
+#include "bodies/numbers/real50.hpp"
 #include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "bodies/testing/taylor.hpp"
 
 namespace trivium {

@@ -1,5 +1,9 @@
+#include "bodies/rotations/euler_angles.hpp"
+#include "bodies/numbers/quad.hpp"
+#include "bodies/numbers/real50.hpp"
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 
 namespace trivium {
 namespace {

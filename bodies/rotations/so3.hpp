@@ -1,31 +1,19 @@
 #pragma once
-/// Rotations. Vectors of three, the tilde operator, Euler parameters p = (e0, e), the exponential.
-/// A bar means body components; A maps body to global. Haug, Computer Aided Kinematics and Dynamics (1989),
-/// chapter 9.
+/// Rotations as matrices A, Euler parameters p = (e0, e) and rotation vectors phi, and the maps between them.
+/// A bar means body components; A maps body components to global ones. Haug, Computer Aided Kinematics and
+/// Dynamics (1989), chapter 9.
+///
+/// Decided here: of the two p of a matrix A, the one whose largest component is positive; of all phi of a p,
+/// one of at most half a turn.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
-#include "bodies/rotations/euler_sequence.hpp"
+#include "bodies/numbers/vectors.hpp"
 
 namespace trivium {
-
-template <class Scalar, int N>
-using Vector = Eigen::Matrix<Scalar, N, 1>;
-template <class Scalar, int R, int C>
-using Matrix = Eigen::Matrix<Scalar, R, C>;
-template <class Scalar>
-using Vector3 = Vector<Scalar, 3>;
-template <class Scalar>
-using Vector4 = Vector<Scalar, 4>;
-template <class Scalar>
-using Matrix3 = Matrix<Scalar, 3, 3>;
-template <class Scalar>
-using VectorX = Vector<Scalar, Eigen::Dynamic>;
-template <class Scalar>
-using MatrixX = Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// tilde(a) b = a x b.
 template <class Scalar>
@@ -180,39 +168,6 @@ Vector3<Scalar> rotation_vector_rate(const Vector3<Scalar>& phi, const Vector3<S
   }
   const Vector3<Scalar> turned = phi.cross(omega_bar);
   return omega_bar + turned / 2 + share * phi.cross(turned);
-}
-
-/// A = R_s1(a) R_s2(b) R_s3(c).
-template <class Scalar>
-Matrix3<Scalar> euler_rotation(const EulerSequence& s, const Vector3<Scalar>& angles) {
-  return axis_rotation(s.axis[0], angles[0]) * axis_rotation(s.axis[1], angles[1]) *
-         axis_rotation(s.axis[2], angles[2]);
-}
-
-/// The angles of A in the sequence, the middle one in [0, pi] (iji) or [-pi/2, pi/2] (ijk). At a singular A
-/// the first angle is arbitrary and the last makes up for it.
-template <class Scalar>
-Vector3<Scalar> euler_angles(const EulerSequence& s, const Matrix3<Scalar>& A) {
-  using std::atan2, std::hypot, std::sqrt;
-  const auto [i, j, k3] = s.axis;
-  const int k = 3 - i - j;                                          // the axis that the first two leave
-  const Scalar sign = (j == (i + 1) % 3) ? Scalar(1) : Scalar(-1);  // +1 where (i, j, k) is right-handed
-  const auto norm2 = [](const Scalar& x, const Scalar& y) { return Scalar(sqrt(x * x + y * y)); };
-  Vector3<Scalar> angles;
-  if (s.is_symmetric()) {
-    const Scalar sin_b = norm2(A(i, j), A(i, k));
-    angles[1] = atan2(sin_b, A(i, i));
-    angles[0] = atan2(A(j, i), Scalar(-sign * A(k, i)));
-  } else {
-    const Scalar cos_b = norm2(A(i, i), A(i, j));
-    angles[1] = atan2(Scalar(sign * A(i, k3)), cos_b);
-    angles[0] = atan2(Scalar(-sign * A(j, k3)), A(k, k3));
-  }
-  // the last angle from what is left when the first two are undone: well defined at every A
-  const Matrix3<Scalar> R3 = (axis_rotation(i, angles[0]) * axis_rotation(j, angles[1])).transpose() * A;
-  const int m = (k3 + 1) % 3, n = (k3 + 2) % 3;
-  angles[2] = atan2(R3(n, m), R3(m, m));
-  return angles;
 }
 
 }  // namespace trivium

@@ -1,6 +1,10 @@
 #include "bodies/rotations/so3.hpp"
 
+#include "bodies/numbers/quad.hpp"
+#include "bodies/numbers/real50.hpp"
+#include "bodies/numbers/scalar.hpp"
 #include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 
 namespace trivium {
 namespace {

@@ -7,7 +7,7 @@
 #include <concepts>
 
 #include "bodies/numbers/scalar.hpp"
-#include "bodies/rotations/so3.hpp"
+#include "bodies/numbers/vectors.hpp"
 
 namespace trivium::test {
 

@@ -3,6 +3,7 @@
 /// formulation of the library uses it, so it shows that a constraint knows nothing of formulations. A support
 /// of the tests.
 
+#include "bodies/rotations/so3.hpp"
 #include "constraints/testing/row_laws.hpp"
 
 namespace trivium::test {

@@ -2,7 +2,7 @@
 /// The laws of a constraint row, the same for whatever coordinates the bodies move in. A support of the
 /// tests.
 
-#include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "bodies/testing/taylor.hpp"
 #include "constraints/basic_constraint.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "bodies/rotations/so3.hpp"
 #include "formulations/analysis/mass_metric.hpp"
 #include "formulations/analysis/rank_tolerance.hpp"
 

@@ -6,6 +6,8 @@
 
 #include <Eigen/QR>
 
+#include "bodies/numbers/scalar.hpp"
+#include "bodies/rotations/so3.hpp"
 #include "formulations/side_by_side.hpp"
 #include "formulations/testing/solve_scene.hpp"
 #include "scenes/format/scene_file.hpp"

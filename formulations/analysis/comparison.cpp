@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "bodies/numbers/real50.hpp"
+
 namespace trivium {
 
 template <class Scalar>

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "bodies/point_offset.hpp"
+
 namespace trivium {
 
 namespace {

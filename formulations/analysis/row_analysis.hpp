@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/analysis/rank_tolerance.hpp"
 #include "formulations/analysis/row_norms.hpp"
 #include "mechanism/model.hpp"

@@ -1,6 +1,7 @@
 #include "formulations/analysis/row_analysis.hpp"
 
 #include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "formulations/side_by_side.hpp"
 #include "formulations/testing/random_mechanism.hpp"
 #include "formulations/testing/solve_scene.hpp"

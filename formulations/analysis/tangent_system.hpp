@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/equations_of_motion.hpp"
 #include "formulations/r_omega.hpp"
 

@@ -1,5 +1,7 @@
 #include "formulations/side_by_side_impl.hpp"
 
+#include "bodies/numbers/scalar.hpp"
+
 namespace trivium {
 template SideBySide<float> side_by_side(const Model<float>&, const RowAnalysis&, const SolveOptions&,
                                         const Model<NextPrecisionT<float>>*);

@@ -1,5 +1,7 @@
 #include "formulations/side_by_side_impl.hpp"
 
+#include "bodies/numbers/real50.hpp"
+
 namespace trivium {
 template SideBySide<Quad> side_by_side(const Model<Quad>&, const RowAnalysis&, const SolveOptions&,
                                        const Model<NextPrecisionT<Quad>>*);

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/analysis/row_analysis.hpp"
 #include "formulations/printed/dense_solver.hpp"
 #include "formulations/printed/redundant_multipliers.hpp"

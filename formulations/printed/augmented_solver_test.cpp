@@ -4,7 +4,11 @@
 
 #include <Eigen/QR>
 
+#include "bodies/numbers/quad.hpp"
+#include "bodies/numbers/scalar.hpp"
+#include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "formulations/joint_reaction.hpp"
 #include "formulations/testing/printed_solution.hpp"
 #include "formulations/testing/random_mechanism.hpp"

@@ -4,11 +4,11 @@
 
 #include <memory>
 
-#include "bodies/numbers/scalar.hpp"
-#include "bodies/rotations/so3.hpp"
+#include "bodies/numbers/vectors.hpp"
 
 namespace trivium {
 
+/// Compiled in instances/, for float to Real50.
 template <class Scalar>
 class DenseSolver {
  public:
@@ -29,11 +29,5 @@ class DenseSolver {
   VectorX<Scalar> scale_;
   std::unique_ptr<Factor> factor_;
 };
-
-extern template class DenseSolver<float>;
-extern template class DenseSolver<double>;
-extern template class DenseSolver<long double>;
-extern template class DenseSolver<Quad>;
-extern template class DenseSolver<Real50>;
 
 }  // namespace trivium

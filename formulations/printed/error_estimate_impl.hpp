@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/analysis/comparison.hpp"
 #include "formulations/printed/error_estimate.hpp"
 

@@ -1,10 +1,15 @@
 /// The error estimate is honest: over easy states and hard ones it covers the true error, and not by much
 /// more. The truth is the same scene solved in quad precision.
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <map>
 
-#include "bodies/testing/properties.hpp"
+#include "bodies/numbers/quad.hpp"
+#include "bodies/numbers/scalar.hpp"
+#include "bodies/rotations/so3.hpp"
+#include "bodies/testing/random.hpp"
 #include "formulations/side_by_side.hpp"
 #include "formulations/testing/random_mechanism.hpp"
 #include "formulations/testing/solve_scene.hpp"

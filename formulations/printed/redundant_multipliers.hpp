@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/analysis/row_analysis.hpp"
 #include "formulations/printed/dense_solver.hpp"
 

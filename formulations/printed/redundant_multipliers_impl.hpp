@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/printed/redundant_multipliers.hpp"
 
 namespace trivium {

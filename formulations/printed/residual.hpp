@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/printed/augmented_system.hpp"
 
 namespace trivium {

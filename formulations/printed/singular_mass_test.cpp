@@ -1,5 +1,6 @@
 /// Bodies without inertia about an axis, and the metric that stands in for a singular mass matrix.
 
+#include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
 #include "formulations/side_by_side.hpp"
 #include "formulations/testing/random_mechanism.hpp"

@@ -352,5 +352,6 @@ class AccelerationSolver {
 
 }  // namespace trivium
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/structured/dependent_rows_check_impl.hpp"
 #include "formulations/structured/unique_multipliers_impl.hpp"

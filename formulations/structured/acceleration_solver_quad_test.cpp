@@ -1,5 +1,7 @@
 #include "formulations/testing/printed_and_structured.hpp"
 
+#include "bodies/numbers/quad.hpp"
+
 namespace trivium {
 namespace {
 

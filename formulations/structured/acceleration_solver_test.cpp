@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "bodies/numbers/quad.hpp"
+#include "bodies/numbers/scalar.hpp"
 #include "bodies/testing/properties.hpp"
 #include "formulations/testing/printed_and_structured.hpp"
 #include "formulations/testing/solve_scene.hpp"

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/r_p.hpp"

@@ -3,7 +3,10 @@
 #include "mechanism/state_batch.hpp"
 #include "scenes/make_mechanism.hpp"
 
-#include "bodies/testing/properties.hpp"
+#include <gtest/gtest.h>
+
+#include "bodies/rotations/so3.hpp"
+#include "bodies/testing/random.hpp"
 #include "formulations/equations_of_motion_impl.hpp"
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/structured/acceleration_solver.hpp"
 
 namespace trivium {

@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "bodies/numbers/quad.hpp"
 #include "formulations/testing/printed_and_structured.hpp"
 #include "formulations/testing/solve_scene.hpp"
 #include "scenes/generators.hpp"

@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/structured/graph_system.hpp"
 
 namespace trivium {

@@ -237,6 +237,5 @@ class GraphSolver {
 // dear to compile, so compiled once; for another Scalar include graph_solver_impl.hpp
 extern template class GraphSolver<float>;
 extern template class GraphSolver<double>;
-extern template class GraphSolver<Quad>;
 
 }  // namespace trivium

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/structured/dependent_rows_impl.hpp"
 #include "formulations/structured/graph_solver.hpp"
 

@@ -2,7 +2,9 @@
 
 #include "formulations/structured/graph_solver.hpp"
 
-#include "bodies/testing/properties.hpp"
+#include <gtest/gtest.h>
+
+#include "bodies/testing/random.hpp"
 #include "formulations/testing/random_mechanism.hpp"
 #include "scenes/make_mechanism.hpp"
 

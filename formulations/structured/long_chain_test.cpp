@@ -1,6 +1,8 @@
 /// Lambda of long chains with bad masses, against the same solver in quad.
 
-#include "bodies/testing/properties.hpp"
+#include <gtest/gtest.h>
+
+#include "bodies/numbers/quad.hpp"
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/r_p.hpp"

@@ -5,6 +5,8 @@
 #include <variant>
 
 #include "bodies/numbers/register_vectors.hpp"
+#include "bodies/point_offset.hpp"
+#include "bodies/rotations/so3.hpp"
 #include "constraints/basic_constraint.hpp"
 #include "formulations/contract/angular_motion.hpp"
 #include "formulations/structured/body_joint_graph.hpp"

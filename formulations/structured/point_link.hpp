@@ -16,6 +16,7 @@
 
 #include <array>
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/structured/graph_system.hpp"
 
 namespace trivium {

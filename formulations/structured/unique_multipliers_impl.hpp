@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/structured/acceleration_solver.hpp"
 
 namespace trivium {

@@ -1,6 +1,8 @@
 #pragma once
 /// Bodies on which the laws of the Formulation concept are tried.
 
+#include "bodies/rotations/so3.hpp"
+#include "bodies/testing/random.hpp"
 #include "formulations/testing/moving_body.hpp"
 
 namespace trivium::test {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "bodies/numbers/quad.hpp"
+#include "bodies/rotations/so3.hpp"
 #include "constraints/testing/row_laws.hpp"
 #include "formulations/r_epsilon_omega_first.hpp"
 #include "formulations/r_p.hpp"

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bodies/numbers/scalar.hpp"
 #include "formulations/side_by_side.hpp"
 #include "formulations/structured/acceleration_solver.hpp"
 #include "formulations/testing/moving_body.hpp"

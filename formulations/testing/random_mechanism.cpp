@@ -2,7 +2,9 @@
 
 #include <Eigen/QR>
 
+#include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "formulations/side_by_side.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "scenes/testing/scene_builders.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 /// A scene solved in all formulations, for tests: its model made, its rows analysed, its errors estimated.
 
+#include "bodies/numbers/real50.hpp"
 #include "formulations/side_by_side.hpp"
 #include "scenes/make_mechanism.hpp"
 

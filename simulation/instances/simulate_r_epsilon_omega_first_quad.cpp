@@ -1,3 +1,4 @@
+#include "bodies/numbers/quad.hpp"
 #include "formulations/r_epsilon_omega_first.hpp"
 #include "simulation/simulate_impl.hpp"
 

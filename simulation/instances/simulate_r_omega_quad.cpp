@@ -1,3 +1,4 @@
+#include "bodies/numbers/quad.hpp"
 #include "formulations/r_omega.hpp"
 #include "simulation/simulate_impl.hpp"
 

@@ -1,3 +1,4 @@
+#include "bodies/numbers/quad.hpp"
 #include "formulations/r_p.hpp"
 #include "simulation/simulate_impl.hpp"
 

@@ -3,6 +3,7 @@
 #include "simulation/system/constrained_equations.hpp"
 
 #include "bodies/testing/properties.hpp"
+#include "bodies/testing/random.hpp"
 #include "formulations/testing/printed_and_structured.hpp"
 #include "scenes/format/scene_file.hpp"
 #include "scenes/make_mechanism.hpp"

@@ -14,6 +14,7 @@
 #include "validation/cost/peer_translation.hpp"
 #include "validation/cost/state_sweep.hpp"
 #ifdef TRIVIUM_COST_MUJOCO
+#include "bodies/rotations/so3.hpp"
 #include "validation/cost/mujoco_engine.hpp"
 #endif
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bodies/rotations/so3.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "validation/simbody/translation.hpp"
 

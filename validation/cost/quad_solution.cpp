@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bodies/numbers/real50.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/side_by_side.hpp"
 #include "validation/cost/trivium_engine.hpp"

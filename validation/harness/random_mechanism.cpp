@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "bodies/rotations/so3.hpp"
 #include "formulations/analysis/assemble.hpp"
 #include "formulations/analysis/row_analysis.hpp"
 #include "scenes/make_mechanism.hpp"

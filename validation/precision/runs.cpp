@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "bodies/numbers/quad.hpp"
+#include "bodies/rotations/so3.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "simulation/simulate.hpp"
 #include "validation/harness/interleaved_timing.hpp"

@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "bodies/inertia.hpp"
+#include "bodies/numbers/scalar.hpp"
+#include "bodies/rotations/so3.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "validation/simbody/massless_motion.hpp"
 #include "validation/simbody/physical_inertia.hpp"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bodies/rotations/so3.hpp"
 #include "mechanism/mechanism.hpp"
 #include "scenes/format/scene_keys.hpp"
 #include "validation/simbody/comparison.hpp"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bodies/rotations/so3.hpp"
 #include "formulations/analysis/row_analysis.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "validation/simbody/comparison.hpp"

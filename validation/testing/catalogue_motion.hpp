@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bodies/numbers/quad.hpp"
 #include "formulations/side_by_side.hpp"
 #include "scenes/format/scene_file.hpp"
 #include "scenes/make_mechanism.hpp"

@@ -1,3 +1,5 @@
 #include "formulations/printed/instances/augmented_solver.hpp"
 
+#include "bodies/numbers/quad.hpp"
+
 TRIVIUM_AUGMENTED_SOLVER(Quad)

@@ -1,3 +1,5 @@
 #include "formulations/printed/instances/augmented_solver.hpp"
 
+#include "bodies/numbers/real50.hpp"
+
 TRIVIUM_AUGMENTED_SOLVER(Real50)

@@ -1,3 +1,4 @@
+#include "bodies/numbers/quad.hpp"
 #include "formulations/formulation_list.hpp"
 #include "formulations/printed/error_estimate_impl.hpp"
 

@@ -1,3 +1,4 @@
+#include "bodies/numbers/real50.hpp"
 #include "formulations/formulation_list.hpp"
 #include "formulations/printed/error_estimate_impl.hpp"
 

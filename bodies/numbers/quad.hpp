@@ -1,0 +1,54 @@
+#pragma once
+/// Quad, the scalar of IEEE binary128: u = 2^-113, about 34 digits. It judges results computed in long
+/// double.
+
+#include <Eigen/Core>
+#include <boost/multiprecision/float128.hpp>
+#include <limits>
+
+#include "bodies/numbers/scalar.hpp"
+
+namespace trivium {
+
+/// IEEE binary128: 113 bits.
+using Quad =
+    boost::multiprecision::number<boost::multiprecision::float128_backend, boost::multiprecision::et_off>;
+
+template <>
+struct NextPrecision<long double> {
+  using type = Quad;
+};
+
+namespace detail {
+/// Eigen's view of a Boost number. Boost 1.74 ships one whose lowest() is positive and that has no infinity.
+template <class Number>
+struct MultiprecisionTraits : Eigen::GenericNumTraits<Number> {
+  using Limits = std::numeric_limits<Number>;
+  using Real = Number;
+  using NonInteger = Number;
+  using Nested = Number;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 4,
+    AddCost = 32,
+    MulCost = 64
+  };
+  static Number epsilon() { return Limits::epsilon(); }
+  static Number dummy_precision() { return 1000 * Limits::epsilon(); }
+  static Number highest() { return (Limits::max)(); }
+  static Number lowest() { return -(Limits::max)(); }
+  static Number infinity() { return Limits::infinity(); }
+  static Number quiet_NaN() { return Limits::quiet_NaN(); }
+  static int digits10() { return Limits::digits10; }
+};
+}  // namespace detail
+
+}  // namespace trivium
+
+namespace Eigen {
+template <>
+struct NumTraits<trivium::Quad> : trivium::detail::MultiprecisionTraits<trivium::Quad> {};
+}  // namespace Eigen

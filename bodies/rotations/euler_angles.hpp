@@ -1,0 +1,48 @@
+#pragma once
+/// Euler angles of any body-fixed sequence: from angles to a rotation, A = R_s1(a) R_s2(b) R_s3(c), and back.
+/// Haug (1989), section 9.3.
+///
+/// Decided here: the branch of the middle angle, and at a singular A, where only a sum of the other two is
+/// determined, the first of them.
+
+#include <cmath>
+
+#include "bodies/rotations/euler_sequence.hpp"
+#include "bodies/rotations/so3.hpp"
+
+namespace trivium {
+
+/// A = R_s1(a) R_s2(b) R_s3(c).
+template <class Scalar>
+Matrix3<Scalar> euler_rotation(const EulerSequence& s, const Vector3<Scalar>& angles) {
+  return axis_rotation(s.axis[0], angles[0]) * axis_rotation(s.axis[1], angles[1]) *
+         axis_rotation(s.axis[2], angles[2]);
+}
+
+/// The angles of A in the sequence, the middle one in [0, pi] (iji) or [-pi/2, pi/2] (ijk). At a singular A
+/// the first angle is arbitrary and the last makes up for it.
+template <class Scalar>
+Vector3<Scalar> euler_angles(const EulerSequence& s, const Matrix3<Scalar>& A) {
+  using std::atan2, std::hypot, std::sqrt;
+  const auto [i, j, k3] = s.axis;
+  const int k = 3 - i - j;                                          // the axis that the first two leave
+  const Scalar sign = (j == (i + 1) % 3) ? Scalar(1) : Scalar(-1);  // +1 where (i, j, k) is right-handed
+  const auto norm2 = [](const Scalar& x, const Scalar& y) { return Scalar(sqrt(x * x + y * y)); };
+  Vector3<Scalar> angles;
+  if (s.is_symmetric()) {
+    const Scalar sin_b = norm2(A(i, j), A(i, k));
+    angles[1] = atan2(sin_b, A(i, i));
+    angles[0] = atan2(A(j, i), Scalar(-sign * A(k, i)));
+  } else {
+    const Scalar cos_b = norm2(A(i, i), A(i, j));
+    angles[1] = atan2(Scalar(sign * A(i, k3)), cos_b);
+    angles[0] = atan2(Scalar(-sign * A(j, k3)), A(k, k3));
+  }
+  // the last angle from what is left when the first two are undone: well defined at every A
+  const Matrix3<Scalar> R3 = (axis_rotation(i, angles[0]) * axis_rotation(j, angles[1])).transpose() * A;
+  const int m = (k3 + 1) % 3, n = (k3 + 2) % 3;
+  angles[2] = atan2(R3(n, m), R3(m, m));
+  return angles;
+}
+
+}  // namespace trivium
