@@ -3,6 +3,7 @@
 #include "bodies/numbers/quad.hpp"
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
+#include "constraints/constraint_row.hpp"
 #include "constraints/testing/plain_body.hpp"
 
 namespace trivium {

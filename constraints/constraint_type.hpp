@@ -1,5 +1,6 @@
 #pragma once
-/// The constraints that a scene may name: the four basic ones, and the joints that are made of them.
+/// The types of constraint that a scene may name: the four basic ones, and the joints that are made of them.
+/// What can be said of a type alone is said here; the rows of each type are in joint.hpp.
 
 namespace trivium {
 
@@ -20,5 +21,34 @@ enum class ConstraintType {
   distance,
   rotation_driver
 };
+
+/// One basic constraint, with vectors and f(t) of its own.
+constexpr bool is_basic(ConstraintType type) {
+  return type == ConstraintType::dp1 || type == ConstraintType::dp2 || type == ConstraintType::d ||
+         type == ConstraintType::cd;
+}
+
+/// Its rows hold a point of j at a point of i: all three coordinates.
+constexpr bool holds_a_point(ConstraintType type) {
+  return type == ConstraintType::spherical || type == ConstraintType::universal ||
+         type == ConstraintType::revolute || type == ConstraintType::fixed;
+}
+
+/// Its rows keep z_i and z_j parallel; parallel and antiparallel are two branches of the same rows.
+constexpr bool has_parallel_axes(ConstraintType type) {
+  return type == ConstraintType::revolute || type == ConstraintType::cylindrical ||
+         type == ConstraintType::translational || type == ConstraintType::fixed ||
+         type == ConstraintType::planar;
+}
+
+/// Its rows allow no relative rotation.
+constexpr bool allows_no_rotation(ConstraintType type) {
+  return type == ConstraintType::translational || type == ConstraintType::fixed;
+}
+
+/// It leaves one angle free, theta from u_i to u_j about z_i, which a torsional spring can measure.
+constexpr bool has_an_angle(ConstraintType type) {
+  return type == ConstraintType::revolute || type == ConstraintType::cylindrical;
+}
 
 }  // namespace trivium

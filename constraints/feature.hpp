@@ -5,54 +5,10 @@
 /// (its second derivative where the unknowns are zero). Every basic constraint is a dot product of two of
 /// them.
 
-#include <concepts>
-
 #include "bodies/point_offset.hpp"
-#include "bodies/rigid_body.hpp"
+#include "constraints/body_kinematics.hpp"
 
 namespace trivium {
-
-/// A body vector a = A abar as it moves in the coordinates of one formulation, with its rate and its bias
-/// (the second derivative where the unknowns are zero).
-template <class Scalar>
-struct BodyVector {
-  Vector3<Scalar> a_bar, a, rate, bias;
-};
-
-/// How body vectors move: all that the constraint library asks of coordinates.
-template <class K>
-concept BodyKinematics = requires(const K& body, const Vector3<typename K::Scalar>& v,
-                                  const BodyVector<typename K::Scalar>& a) {
-  { K::rotational_unknowns } -> std::convertible_to<int>;
-  { body.r } -> std::convertible_to<Vector3<typename K::Scalar>>;      // centre of mass, global
-  { body.r_dot } -> std::convertible_to<Vector3<typename K::Scalar>>;  // its velocity
-  { body.A } -> std::convertible_to<Matrix3<typename K::Scalar>>;      // rotation, body to global
-  { body.vector(v) } -> std::convertible_to<BodyVector<typename K::Scalar>>;
-  { body.jacobian(a) } -> std::convertible_to<Matrix<typename K::Scalar, 3, K::rotational_unknowns>>;
-  // v^T times it
-  { body.jacobian_along(a, v) } -> std::convertible_to<Matrix<typename K::Scalar, 1, K::rotational_unknowns>>;
-};
-
-enum class End { i, j };
-
-/// Second derivatives of one body's coordinates.
-template <class Scalar, int RotationalUnknowns>
-struct BodyAcceleration {
-  Vector3<Scalar> r_ddot = Vector3<Scalar>::Zero();
-  Vector<Scalar, RotationalUnknowns> q_ddot = Vector<Scalar, RotationalUnknowns>::Zero();
-};
-
-/// One row of the constraint equations in the coordinates of a formulation:
-/// Phi_q q'' = gamma, Phi_q q' = nu, and its Jacobian blocks on bodies i and j.
-template <class Scalar, int RotationalUnknowns>
-struct ConstraintRow {
-  using Translational = Matrix<Scalar, 1, 3>;
-  using Rotational = Matrix<Scalar, 1, RotationalUnknowns>;
-
-  Scalar phi{0}, nu{0}, gamma{0};
-  Translational r_i = Translational::Zero(), r_j = Translational::Zero();
-  Rotational rot_i = Rotational::Zero(), rot_j = Rotational::Zero();
-};
 
 /// A vector fixed in the global frame.
 template <class Scalar>

@@ -6,6 +6,7 @@
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
+#include "constraints/constraint_row.hpp"
 #include "constraints/testing/plain_body.hpp"
 
 namespace trivium {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "bodies/rigid_body.hpp"
 #include "formulations/formulation.hpp"
 #include "mechanism/mechanism.hpp"
 

@@ -4,6 +4,7 @@
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
+#include "constraints/constraint_row.hpp"
 #include "formulations/testing/moving_body.hpp"
 
 namespace trivium {

@@ -3,6 +3,7 @@
 
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
+#include "constraints/constraint_row.hpp"
 #include "formulations/testing/moving_body.hpp"
 
 namespace trivium {

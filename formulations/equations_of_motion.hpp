@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "constraints/constraint_row.hpp"
 #include "formulations/body_state.hpp"
 
 namespace trivium {

@@ -3,6 +3,7 @@
 /// Who needs another Scalar, as a batch, includes this file.
 
 #include "base/error.hpp"
+#include "constraints/constraint_row.hpp"
 #include "formulations/equations_of_motion.hpp"
 
 namespace trivium {

@@ -4,7 +4,9 @@
 /// problem 11.2: the equations as printed, solved for epsilon''. Near its singularity (distance theta) this
 /// form loses lambda as u / theta^3; r_epsilon_omega_first loses u / theta.
 
+#include "bodies/rigid_body.hpp"
 #include "bodies/rotations/euler_angles.hpp"
+#include "constraints/body_kinematics.hpp"
 #include "formulations/euler_chart.hpp"
 
 namespace trivium {

@@ -3,6 +3,7 @@
 /// = D epsilon' the equations are solved for omega_bar' and lambda, and epsilon'' = D^-1 (omega_bar' - D'
 /// epsilon') follows. Near the singularity it loses u / theta where the printed form loses u / theta^3.
 
+#include "bodies/rigid_body.hpp"
 #include "bodies/rotations/euler_angles.hpp"
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"

@@ -2,7 +2,9 @@
 /// r-omega: r'' and the body-frame angular acceleration omega_bar'. Newton-Euler equations; Haug (1989),
 /// section 11.2.
 
+#include "bodies/rigid_body.hpp"
 #include "bodies/rotations/so3.hpp"
+#include "constraints/body_kinematics.hpp"
 #include "formulations/formulation.hpp"
 
 namespace trivium {

@@ -7,7 +7,9 @@
 /// 0.) lambda^p depends on how A(p) goes on off the unit sphere; here A = E G^T. Compare lambda across codes,
 /// not lambda^p.
 
+#include "bodies/rigid_body.hpp"
 #include "bodies/rotations/so3.hpp"
+#include "constraints/body_kinematics.hpp"
 #include "formulations/formulation.hpp"
 
 namespace trivium {

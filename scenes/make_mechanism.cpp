@@ -76,55 +76,20 @@ JointFrame<Scalar> frame_of(const scenes::Side& side, const RangeCheckedCast<Sca
 }
 
 template <class Scalar>
-JointRows<Scalar> basic_row(BasicConstraint<Scalar> constraint) {
-  return {{"", std::move(constraint)}};
-}
-
-template <class Scalar>
-JointRows<Scalar> rows_of(const scenes::Constraint& c, const Joint<Scalar>& joint,
-                          const RangeCheckedCast<Scalar>& narrowed) {
-  const JointBuilder<Scalar> build(joint, joint.frame_i, joint.frame_j);
-  const BodyPair bodies = joint;
-  const auto point_i = joint.frame_i.point, point_j = joint.frame_j.point;
-  const auto vector_i = narrowed.vector(c.i.vector, "i/vector"),
-             vector_j = narrowed.vector(c.j.vector, "j/vector");
-  const TimeFunction& f = narrowed.function(c.f, "f");
-  switch (c.type) {
-    case ConstraintType::dp1:
-      return basic_row<Scalar>(DP1<Scalar>{bodies, vector_i, vector_j, f});
-    case ConstraintType::dp2:
-      return basic_row<Scalar>(DP2<Scalar>{bodies, vector_i, point_i, point_j, f});
-    case ConstraintType::d:
-      return basic_row<Scalar>(D<Scalar>{bodies, point_i, point_j, f});
-    case ConstraintType::cd:
-      return basic_row<Scalar>(
-          CD<Scalar>{bodies, narrowed.vector(c.direction, "direction"), point_i, point_j, f});
-    case ConstraintType::spherical:
-      return build.spherical();
-    case ConstraintType::universal:
-      return build.universal();
-    case ConstraintType::revolute:
-      return build.revolute();
-    case ConstraintType::cylindrical:
-      return build.cylindrical();
-    case ConstraintType::translational:
-      return build.translational();
-    case ConstraintType::fixed:
-      return build.fixed();
-    case ConstraintType::planar:
-      return build.planar();
-    case ConstraintType::in_line:
-      return build.in_line();
-    case ConstraintType::in_plane:
-      return build.in_plane();
-    case ConstraintType::distance:
-      narrowed.number(c.distance, "distance");
-      narrowed.number(c.distance * c.distance, "squared distance");  // the row's right side
-      return build.distance(c.distance);
-    case ConstraintType::rotation_driver:
-      return build.rotation_driver(narrowed.function(c.angle, "angle"));
+ConstraintParameters<Scalar> parameters_of(const scenes::Constraint& c,
+                                           const RangeCheckedCast<Scalar>& narrowed) {
+  ConstraintParameters<Scalar> stated;
+  stated.vector_i = narrowed.vector(c.i.vector, "i/vector");
+  stated.vector_j = narrowed.vector(c.j.vector, "j/vector");
+  stated.f = narrowed.function(c.f, "f");
+  if (c.type == ConstraintType::cd) stated.direction = narrowed.vector(c.direction, "direction");
+  if (c.type == ConstraintType::distance) {
+    narrowed.number(c.distance, "distance");
+    narrowed.number(c.distance * c.distance, "squared distance");  // the row's right side
+    stated.distance = c.distance;
   }
-  return {};
+  if (c.type == ConstraintType::rotation_driver) stated.angle = narrowed.function(c.angle, "angle");
+  return stated;
 }
 
 /// Turns the scene's effects into the mechanism's; body indices as in the mechanism.
@@ -235,7 +200,8 @@ Mechanism<Scalar> make_mechanism(const scenes::Scene& scene) {
     joint.frame_j = frame_of<Scalar>(c.j, narrowed, "j/point");
     joint.angle = c.angle;
     joint.first_row = m.nc();
-    for (NamedRow<Scalar>& row : rows_of<Scalar>(c, joint, narrowed)) {
+    for (NamedRow<Scalar>& row :
+         rows_of<Scalar>(c.type, joint, joint.frame_i, joint.frame_j, parameters_of(c, narrowed))) {
       m.row_names.push_back(row.label.empty() ? c.name : c.name + "." + row.label);
       m.rows.push_back(std::move(row.constraint));
     }

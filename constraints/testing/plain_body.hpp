@@ -4,6 +4,7 @@
 /// of the tests.
 
 #include "bodies/rotations/so3.hpp"
+#include "constraints/body_kinematics.hpp"
 #include "constraints/testing/row_laws.hpp"
 
 namespace trivium::test {

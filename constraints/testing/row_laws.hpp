@@ -5,6 +5,7 @@
 #include "bodies/testing/random.hpp"
 #include "bodies/testing/taylor.hpp"
 #include "constraints/basic_constraint.hpp"
+#include "constraints/constraint_row.hpp"
 
 namespace trivium::test {
 

@@ -28,16 +28,12 @@ GlobalAxes global_axes(const EquationsOfMotion<F>& eom, const Joint<double>& joi
 }
 
 std::vector<std::string> wrong_branches_of(const Joint<double>& joint, const GlobalAxes& a, double t) {
-  using Type = ConstraintType;
   std::vector<std::string> wrong;
   const auto say = [&](const std::string& what) { wrong.push_back(fmt::format("{}: {}", joint.name, what)); };
-  const bool axes = joint.type == Type::revolute || joint.type == Type::cylindrical ||
-                    joint.type == Type::translational || joint.type == Type::fixed ||
-                    joint.type == Type::planar;
-  const bool no_rotation = joint.type == Type::translational || joint.type == Type::fixed;
-  if (axes && a.z_i.dot(a.z_j) < 0) say("its axes z_i and z_j are antiparallel");
-  if (no_rotation && a.u_i.dot(a.u_j) < 0) say("its x axes u_i and u_j are a half turn apart");
-  if (joint.type == Type::rotation_driver) {
+  if (has_parallel_axes(joint.type) && a.z_i.dot(a.z_j) < 0) say("its axes z_i and z_j are antiparallel");
+  if (allows_no_rotation(joint.type) && a.u_i.dot(a.u_j) < 0)
+    say("its x axes u_i and u_j are a half turn apart");
+  if (joint.type == ConstraintType::rotation_driver) {
     const double theta = std::atan2(a.v_i.dot(a.u_j), a.u_i.dot(a.u_j));
     if (std::cos(theta - joint.angle(t).f) < 0) say("its angle is a half turn from alpha(t)");
   }

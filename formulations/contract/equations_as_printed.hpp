@@ -13,7 +13,7 @@
 #include <concepts>
 #include <string_view>
 
-#include "constraints/feature.hpp"
+#include "constraints/body_kinematics.hpp"
 #include "formulations/contract/chart_options.hpp"
 
 namespace trivium {

@@ -6,7 +6,7 @@
 
 #include <concepts>
 
-#include "constraints/feature.hpp"
+#include "constraints/body_kinematics.hpp"
 #include "formulations/contract/angular_motion.hpp"
 
 namespace trivium {

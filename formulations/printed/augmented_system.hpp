@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "constraints/body_kinematics.hpp"
 #include "formulations/equations_of_motion.hpp"
 
 namespace trivium {

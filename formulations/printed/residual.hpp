@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bodies/numbers/scalar.hpp"
+#include "constraints/constraint_row.hpp"
 #include "formulations/printed/augmented_system.hpp"
 
 namespace trivium {

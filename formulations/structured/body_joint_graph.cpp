@@ -8,16 +8,6 @@ namespace trivium {
 
 namespace {
 
-bool holds_a_point(ConstraintType type) {
-  return type == ConstraintType::spherical || type == ConstraintType::universal ||
-         type == ConstraintType::revolute || type == ConstraintType::fixed;
-}
-
-bool is_basic(ConstraintType type) {
-  return type == ConstraintType::dp1 || type == ConstraintType::dp2 || type == ConstraintType::d ||
-         type == ConstraintType::cd;
-}
-
 std::pair<int, int> unordered(const BodyPair& pair) { return std::minmax(pair.i, pair.j); }
 
 /// Whether the driver turns about the revolute's axis, as seen by both bodies.

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "constraints/constraint_row.hpp"
 #include "formulations/equations_of_motion.hpp"
 #include "formulations/structured/graph_system.hpp"
 #include "formulations/structured/point_joint.hpp"

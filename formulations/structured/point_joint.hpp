@@ -8,6 +8,7 @@
 #include "bodies/point_offset.hpp"
 #include "bodies/rotations/so3.hpp"
 #include "constraints/basic_constraint.hpp"
+#include "constraints/constraint_row.hpp"
 #include "formulations/contract/angular_motion.hpp"
 #include "formulations/structured/body_joint_graph.hpp"
 #include "mechanism/mechanism.hpp"

@@ -71,7 +71,7 @@ class EffectChecks {
       fail(at_ / "joint", fmt::format("constraint number {}", effect.joint),
            "the number of a joint of the scene");
     const Constraint& joint = scene_.constraints[static_cast<std::size_t>(effect.joint)];
-    if (joint.type != ConstraintType::revolute && joint.type != ConstraintType::cylindrical)
+    if (!has_an_angle(joint.type))
       fail(at_ / "joint", fmt::format("{}, which has no angle", in_quotes(joint.name)),
            "a revolute or cylindrical joint");
     check_function(effect.actuator, at_ / "actuator");

@@ -39,9 +39,7 @@ Names names_of_bodies(const std::vector<Body>& bodies) {
 Names names_of_joints(const std::vector<Constraint>& constraints) {
   Names names{"joint", {}, {}};
   for (std::size_t k = 0; k < constraints.size(); ++k) {
-    const ConstraintType type = constraints[k].type;
-    if (type == ConstraintType::revolute || type == ConstraintType::cylindrical)
-      names.list.push_back(constraints[k].name);
+    if (has_an_angle(constraints[k].type)) names.list.push_back(constraints[k].name);
     names.index.emplace(constraints[k].name, static_cast<int>(k));
   }
   return names;

@@ -172,8 +172,7 @@ Effect arbitrary_effect(Random& random, int index, const Scene& scene) {
     }
     case 3:
       for (std::size_t k = 0; k < scene.constraints.size(); ++k)
-        if (const ConstraintType type = scene.constraints[k].type;
-            type == ConstraintType::revolute || type == ConstraintType::cylindrical)
+        if (has_an_angle(scene.constraints[k].type))
           return TorsionalSpringDamper{name,
                                        static_cast<int>(k),
                                        random.number(),

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "constraints/constraint_row.hpp"
 #include "formulations/euler_chart.hpp"
 #include "simulation/system/constraint_projection.hpp"
 #include "simulation/system/motion_log.hpp"

@@ -7,6 +7,7 @@
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
+#include "constraints/constraint_row.hpp"
 #include "formulations/testing/printed_and_structured.hpp"
 #include "scenes/format/scene_file.hpp"
 #include "scenes/make_mechanism.hpp"
