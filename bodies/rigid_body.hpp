@@ -13,6 +13,13 @@ template <class Scalar>
 struct RigidBody {
   Scalar mass{1};
   Matrix3<Scalar> inertia = Matrix3<Scalar>::Identity();
+
+  /// use(part...) for every part of one body or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    use(p.mass...);
+    use(p.inertia...);
+  }
 };
 
 /// r [m, global]: centre of mass. p [-]: unit Euler parameters, e0 first.

@@ -18,12 +18,28 @@ namespace trivium {
 /// The bodies of a row: indices into the mechanism's bodies, the last of which is the ground.
 struct BodyPair {
   int i = 0, j = 0;
+
+  /// use(part...) for every part of one pair or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    use(p.i...);
+    use(p.j...);
+  }
 };
 
 template <class Scalar>
 struct DP1 : BodyPair {
   Vector3<Scalar> a_bar_i, a_bar_j;
   TimeFunction f;
+
+  /// use(part...) for every part of one row or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    BodyPair::show_parts(use, p...);
+    use(p.a_bar_i...);
+    use(p.a_bar_j...);
+    use(p.f...);
+  }
 };
 
 /// DP1 whose first vector is w_i(t) = -sin alpha(t) u_i + cos alpha(t) v_i, f = 0.
@@ -31,24 +47,63 @@ template <class Scalar>
 struct TurningDP1 : BodyPair {
   Vector3<Scalar> u_bar_i, v_bar_i, a_bar_j;
   TimeFunction alpha;
+
+  /// use(part...) for every part of one row or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    BodyPair::show_parts(use, p...);
+    use(p.u_bar_i...);
+    use(p.v_bar_i...);
+    use(p.a_bar_j...);
+    use(p.alpha...);
+  }
 };
 
 template <class Scalar>
 struct DP2 : BodyPair {
   Vector3<Scalar> a_bar_i, s_bar_i, s_bar_j;
   TimeFunction f;
+
+  /// use(part...) for every part of one row or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    BodyPair::show_parts(use, p...);
+    use(p.a_bar_i...);
+    use(p.s_bar_i...);
+    use(p.s_bar_j...);
+    use(p.f...);
+  }
 };
 
 template <class Scalar>
 struct D : BodyPair {
   Vector3<Scalar> s_bar_i, s_bar_j;
   TimeFunction f;
+
+  /// use(part...) for every part of one row or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    BodyPair::show_parts(use, p...);
+    use(p.s_bar_i...);
+    use(p.s_bar_j...);
+    use(p.f...);
+  }
 };
 
 template <class Scalar>
 struct CD : BodyPair {
   Vector3<Scalar> c, s_bar_i, s_bar_j;
   TimeFunction f;
+
+  /// use(part...) for every part of one row or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    BodyPair::show_parts(use, p...);
+    use(p.c...);
+    use(p.s_bar_i...);
+    use(p.s_bar_j...);
+    use(p.f...);
+  }
 };
 
 template <class Scalar>

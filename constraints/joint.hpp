@@ -18,6 +18,15 @@ template <class Scalar>
 struct JointFrame {
   Vector3<Scalar> point = Vector3<Scalar>::Zero();
   Vector3<Scalar> u = Vector3<Scalar>::Unit(0), v = Vector3<Scalar>::Unit(1), z = Vector3<Scalar>::Unit(2);
+
+  /// use(part...) for every part of one frame or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    use(p.point...);
+    use(p.u...);
+    use(p.v...);
+    use(p.z...);
+  }
 };
 
 /// The frame of an axis: z = axis normalised; u is x made orthonormal to z.

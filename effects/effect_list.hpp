@@ -1,10 +1,13 @@
 #pragma once
-/// The effects of a mechanism: one vector per type, so that an absent type costs nothing. To add an effect,
-/// write its file and name it here.
+/// The effects of a mechanism: one vector per type, so that an absent type costs nothing. The list of types
+/// is the member at the end; to add an effect, write its file and name it there.
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "effects/force.hpp"
@@ -30,6 +33,9 @@ class Effects {
   const std::vector<E>& all() const {
     return std::get<std::vector<E>>(lists_);
   }
+  /// The vectors of all types, as a tuple.
+  auto& lists() { return lists_; }
+  const auto& lists() const { return lists_; }
 
   /// Whether any effect looks at how bodies move; gravity alone does not.
   bool see_motion() const {

@@ -1,27 +1,14 @@
 #pragma once
-/// A force of given components at a body-fixed point.
+/// A force of given components at a body-fixed point. Decided here: only a constant global force has a
+/// potential.
 
 #include <array>
 #include <vector>
 
-#include "bodies/numbers/time_function.hpp"
+#include "effects/components.hpp"
 #include "effects/effect.hpp"
 
 namespace trivium {
-
-/// The frame that given components are meant in.
-enum class ComponentFrame { global, body };
-
-/// The components at time t.
-template <class Scalar>
-Vector3<Scalar> evaluate(const std::array<TimeFunction, 3>& components, const Scalar& t) {
-  return {components[0](t).f, components[1](t).f, components[2](t).f};
-}
-
-/// Appends the times where they have kinks.
-inline void append_kinks(const std::array<TimeFunction, 3>& components, std::vector<double>& times) {
-  for (const TimeFunction& component : components) component.append_kinks(times);
-}
 
 template <class Scalar>
 struct Force {
@@ -29,6 +16,15 @@ struct Force {
   Vector3<Scalar> s_bar;                   ///< point of application [m, body frame]
   std::array<TimeFunction, 3> components;  ///< [N]
   ComponentFrame frame = ComponentFrame::global;
+
+  /// use(part...) for every part of one effect or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    use(p.body...);
+    use(p.s_bar...);
+    use(p.components...);
+    use(p.frame...);
+  }
 
   void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
     wrenches[body].add_force(global_force(view), view.motion[body].A, s_bar);

@@ -9,6 +9,12 @@ template <class Scalar>
 struct Gravity {
   Vector3<Scalar> g;  ///< [m/s^2, global]
 
+  /// use(part...) for every part of one effect or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    use(p.g...);
+  }
+
   void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
     for (std::size_t b = 0; b < view.bodies.size(); ++b) wrenches[b].F += view.bodies[b].mass * g;
   }

@@ -22,6 +22,19 @@ struct SpringDamper {
   Scalar stiffness{0}, damping{0}, free_length{0};  ///< k [N/m], c [N s/m], l0 [m]
   TimeFunction actuator;                            ///< h [N]
 
+  /// use(part...) for every part of one effect or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    use(p.i...);
+    use(p.j...);
+    use(p.s_bar_i...);
+    use(p.s_bar_j...);
+    use(p.stiffness...);
+    use(p.damping...);
+    use(p.free_length...);
+    use(p.actuator...);
+  }
+
   void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
     const Line line = measure(view);
     const Vector3<Scalar> pull = tension(line, view.t) * line.direction;  // on i, towards j

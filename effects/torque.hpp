@@ -1,7 +1,11 @@
 #pragma once
-/// A torque of given components on a body.
+/// A torque of given components on a body. It has no potential, not even where its components are constant.
 
-#include "effects/force.hpp"
+#include <array>
+#include <vector>
+
+#include "effects/components.hpp"
+#include "effects/effect.hpp"
 
 namespace trivium {
 
@@ -10,6 +14,14 @@ struct Torque {
   int body = 0;
   std::array<TimeFunction, 3> components;  ///< [N m]
   ComponentFrame frame = ComponentFrame::global;
+
+  /// use(part...) for every part of one effect or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    use(p.body...);
+    use(p.components...);
+    use(p.frame...);
+  }
 
   void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
     wrenches[body].n_bar += body_torque(view);

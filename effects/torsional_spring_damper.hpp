@@ -1,6 +1,7 @@
 #pragma once
 /// A spring, damper and actuator about a joint's axis: torque on body j -(k (theta - theta0) + c theta' +
 /// h(t)) along z, the opposite on body i. theta turns from u_i to u_j about z_i.
+/// Decided here: theta is counted over full turns, within half a turn of where it was followed to.
 
 #include <cmath>
 #include <limits>
@@ -19,6 +20,22 @@ struct TorsionalSpringDamper {
   Scalar stiffness{0}, damping{0}, free_angle{0};      ///< k [N m/rad], c [N m s/rad], theta0 [rad]
   TimeFunction actuator;                               ///< h [N m]
   Scalar followed{0};  ///< where theta was last: theta is counted within half a turn of it
+
+  /// use(part...) for every part of one effect or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    use(p.i...);
+    use(p.j...);
+    use(p.u_bar_i...);
+    use(p.v_bar_i...);
+    use(p.z_bar_i...);
+    use(p.u_bar_j...);
+    use(p.stiffness...);
+    use(p.damping...);
+    use(p.free_angle...);
+    use(p.actuator...);
+    use(p.followed...);
+  }
 
   void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
     const Vector3<Scalar> n = torque_on_j(view) * axis(view);

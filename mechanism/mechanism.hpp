@@ -22,6 +22,19 @@ struct Joint : BodyPair {
   JointFrame<Scalar> frame_i, frame_j;  ///< for joints with axes; a basic constraint has its points here
   int first_row = 0, rows = 0;
   TimeFunction angle;  ///< rotation_driver: alpha(t)
+
+  /// use(part...) for every part of one joint or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    BodyPair::show_parts(use, p...);
+    use(p.name...);
+    use(p.type...);
+    JointFrame<Scalar>::show_parts(use, p.frame_i...);
+    JointFrame<Scalar>::show_parts(use, p.frame_j...);
+    use(p.first_row...);
+    use(p.rows...);
+    use(p.angle...);
+  }
 };
 
 template <class Scalar>

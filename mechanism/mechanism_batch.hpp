@@ -4,91 +4,21 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 #include "base/error.hpp"
 #include "bodies/numbers/batch.hpp"
 #include "mechanism/mechanism_cast.hpp"
+#include "mechanism/parts.hpp"
 
 namespace trivium {
 
 namespace detail {
-
-/// Shows every part of a mechanism to a visitor, in one order for all Scalars: numbers, one by one, and what
-/// is not a number of its Scalar.
-template <class Visit>
-class Parts {
- public:
-  explicit Parts(const Visit& visit) : visit_(visit) {}
-
-  template <class M>
-  void of(M& mechanism) const {
-    each(mechanism.body_names);
-    each(mechanism.row_names);
-    for (auto& body : mechanism.bodies) show(body.mass, body.inertia);
-    for (auto& row : mechanism.rows) std::visit([this](auto& c) { of_row(c); }, row);
-    for (auto& joint : mechanism.joints) {
-      const int type = static_cast<int>(joint.type);
-      show(type, joint.i, joint.j, joint.name, joint.first_row, joint.rows, joint.angle);
-      for (auto* frame : {&joint.frame_i, &joint.frame_j}) show(frame->point, frame->u, frame->v, frame->z);
-    }
-    of_effects(mechanism.effects);
-  }
-
- private:
-  template <class... Part>
-  void show(Part&... parts) const {
-    (visit_(parts), ...);
-  }
-  template <class List>
-  void each(List& list) const {
-    for (auto& part : list) visit_(part);
-  }
-
-  template <class Row>
-  void of_row(Row& c) const {
-    show(c.i, c.j);
-    if constexpr (requires { c.f; }) show(c.f);
-    if constexpr (requires { c.alpha; }) show(c.alpha, c.u_bar_i, c.v_bar_i);
-    if constexpr (requires { c.a_bar_i; }) show(c.a_bar_i);
-    if constexpr (requires { c.a_bar_j; }) show(c.a_bar_j);
-    if constexpr (requires { c.c; }) show(c.c);
-    if constexpr (requires { c.s_bar_i; }) show(c.s_bar_i, c.s_bar_j);
-  }
-
-  template <template <class> class List, class S>
-  void of_effects(List<S>& effects) const {
-    for_each_effect<S>(effects);
-  }
-  template <template <class> class List, class S>
-  void of_effects(const List<S>& effects) const {
-    for_each_effect<S>(effects);
-  }
-  template <class S, class List>
-  void for_each_effect(List& effects) const {
-    for (auto& e : effects.template all<Gravity<S>>()) show(e.g);
-    for (auto& e : effects.template all<Force<S>>()) {
-      const int frame = static_cast<int>(e.frame);
-      show(frame, e.body, e.s_bar);
-      each(e.components);
-    }
-    for (auto& e : effects.template all<Torque<S>>()) {
-      const int frame = static_cast<int>(e.frame);
-      show(frame, e.body);
-      each(e.components);
-    }
-    for (auto& e : effects.template all<SpringDamper<S>>())
-      show(e.i, e.j, e.s_bar_i, e.s_bar_j, e.stiffness, e.damping, e.free_length, e.actuator);
-    for (auto& e : effects.template all<TorsionalSpringDamper<S>>())
-      show(e.i, e.j, e.u_bar_i, e.v_bar_i, e.z_bar_i, e.u_bar_j, e.stiffness, e.damping, e.free_angle,
-           e.actuator, e.followed);
-  }
-
-  const Visit& visit_;
-};
 
 /// A mechanism taken apart.
 template <class T>
@@ -101,12 +31,16 @@ struct TakenApart {
     const auto take = [this]<class Part>(const Part& part) {
       if constexpr (std::is_same_v<Part, T>)
         numbers.push_back(part);
+      else if constexpr (std::is_enum_v<Part>)
+        structure.emplace_back(static_cast<int>(part));
+      else if constexpr (std::is_same_v<Part, std::array<TimeFunction, 3>>)
+        structure.insert(structure.end(), part.begin(), part.end());
       else if constexpr (std::is_constructible_v<NotANumber, Part>)
         structure.emplace_back(part);
       else
         numbers.insert(numbers.end(), part.data(), part.data() + part.size());
     };
-    Parts(take).of(mechanism);
+    show_parts(take, mechanism);
   }
 };
 
@@ -132,7 +66,7 @@ Mechanism<Batch<T, N>> pack(std::span<const Mechanism<T>, N> mechanisms) {
       else if constexpr (requires { part.data()->set(lane, *next); })
         for (Batch<T, N>& x : part.reshaped()) x.set(lane, *next++);
     };
-    detail::Parts(put).of(all);
+    show_parts(put, all);
   }
   return all;
 }

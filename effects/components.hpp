@@ -1,0 +1,26 @@
+#pragma once
+/// The three components of a force or a torque as functions of time, and the frame that they are meant in.
+
+#include <array>
+#include <vector>
+
+#include "bodies/numbers/time_function.hpp"
+#include "bodies/numbers/vectors.hpp"
+
+namespace trivium {
+
+/// The frame that given components are meant in.
+enum class ComponentFrame { global, body };
+
+/// The components at time t.
+template <class Scalar>
+Vector3<Scalar> evaluate(const std::array<TimeFunction, 3>& components, const Scalar& t) {
+  return {components[0](t).f, components[1](t).f, components[2](t).f};
+}
+
+/// Appends the times where they have kinks.
+inline void append_kinks(const std::array<TimeFunction, 3>& components, std::vector<double>& times) {
+  for (const TimeFunction& component : components) component.append_kinks(times);
+}
+
+}  // namespace trivium
