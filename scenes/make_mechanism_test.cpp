@@ -9,6 +9,7 @@
 #include "bodies/rotations/euler_angles.hpp"
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
+#include "scenes/scene_state.hpp"
 #include "scenes/testing/scene_builders.hpp"
 
 namespace trivium {

@@ -13,6 +13,7 @@
 #include "scenes/format/scene_file.hpp"
 #include "scenes/generators.hpp"
 #include "scenes/make_mechanism.hpp"
+#include "scenes/scene_state.hpp"
 
 namespace trivium {
 namespace {

@@ -7,6 +7,7 @@
 #include "bodies/testing/random.hpp"
 #include "formulations/side_by_side.hpp"
 #include "scenes/make_mechanism.hpp"
+#include "scenes/scene_state.hpp"
 #include "scenes/testing/scene_builders.hpp"
 
 namespace trivium::test {

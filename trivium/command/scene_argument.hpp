@@ -14,6 +14,7 @@
 #include "scenes/catalogue.hpp"
 #include "scenes/format/scene_file.hpp"
 #include "scenes/make_mechanism.hpp"
+#include "scenes/scene_state.hpp"
 
 namespace trivium {
 

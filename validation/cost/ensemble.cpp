@@ -9,12 +9,12 @@
 #include <numeric>
 #include <random>
 
+#include "bodies/rotations/so3.hpp"
 #include "scenes/catalogue.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "validation/cost/peer_translation.hpp"
 #include "validation/cost/state_sweep.hpp"
 #ifdef TRIVIUM_COST_MUJOCO
-#include "bodies/rotations/so3.hpp"
 #include "validation/cost/mujoco_engine.hpp"
 #endif
 

@@ -11,6 +11,7 @@
 #include "formulations/analysis/assemble.hpp"
 #include "formulations/analysis/row_analysis.hpp"
 #include "scenes/make_mechanism.hpp"
+#include "scenes/scene_state.hpp"
 
 namespace trivium {
 

@@ -1,18 +1,28 @@
-#include "scenes/make_mechanism.hpp"
+#pragma once
+/// How a scene becomes a mechanism and a state in Scalar. Decided here: which numbers are checked against the
+/// range of Scalar, how directions are scaled before Scalar normalises them, and that principal moments below
+/// zero, which the reader takes within its tolerance, are lifted to zero. Included by instances/ alone.
+
+#include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
 
-#include "bodies/numbers/quad.hpp"
-#include "bodies/numbers/real50.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "bodies/rotations/so3.hpp"
+#include "constraints/joint.hpp"
+#include "scenes/make_mechanism.hpp"
 #include "scenes/range_checked_cast.hpp"
 
 namespace trivium {
 
-namespace {
+namespace detail {
 
 /// Of a direction, see of_moderate_size; what has a magnitude goes through RangeCheckedCast.
 template <class Scalar>
@@ -40,7 +50,7 @@ Matrix3<Scalar> matrix_of(const scenes::Matrix3& rows, const RangeCheckedCast<Sc
 
 /// What lifts principal moments below zero, which the reader takes within its tolerance and no body has, to
 /// zero. What rounding leaves below zero of a matrix that is singular as written is none of them.
-Matrix3<double> lift_of_negative_moments(const Matrix3<double>& J) {
+inline Matrix3<double> lift_of_negative_moments(const Matrix3<double>& J) {
   const Eigen::SelfAdjointEigenSolver<Matrix3<double>> principal(J);
   const double rounding = 8 * unit_roundoff<double>() * J.cwiseAbs().maxCoeff();
   const Vector3<double> lift =
@@ -133,7 +143,7 @@ struct EffectBuilder {
 };
 
 /// The name of an effect, or its place in the file where it has none.
-std::string name_of(const scenes::Scene& scene, std::size_t effect) {
+inline std::string name_of(const scenes::Scene& scene, std::size_t effect) {
   const std::string& name =
       std::visit([](const auto& e) -> const std::string& { return e.name; }, scene.effects[effect]);
   return name.empty() ? fmt::format("/effects/{}", effect) : name;
@@ -172,11 +182,11 @@ struct ToEulerParameters {
   }
 };
 
-}  // namespace
+}  // namespace detail
 
 template <class Scalar>
 Vector4<Scalar> euler_parameters_of(const scenes::Orientation& orientation) {
-  return std::visit(ToEulerParameters<Scalar>{{"body", ""}}, orientation);
+  return std::visit(detail::ToEulerParameters<Scalar>{{"body", ""}}, orientation);
 }
 
 template <class Scalar>
@@ -186,7 +196,7 @@ Mechanism<Scalar> make_mechanism(const scenes::Scene& scene) {
   for (const scenes::Body& body : scene.bodies) {
     m.body_names.push_back(body.name);
     const RangeCheckedCast<Scalar> narrowed("body", body.name);
-    m.bodies.push_back({narrowed.number(body.mass, "mass"), inertia_of<Scalar>(body, narrowed)});
+    m.bodies.push_back({narrowed.number(body.mass, "mass"), detail::inertia_of<Scalar>(body, narrowed)});
   }
   m.body_names.push_back("ground");
   for (const scenes::Constraint& c : scene.constraints) {
@@ -196,12 +206,12 @@ Mechanism<Scalar> make_mechanism(const scenes::Scene& scene) {
     joint.j = c.j.body == scenes::ground ? m.ground() : c.j.body;
     joint.name = c.name;
     joint.type = c.type;
-    joint.frame_i = frame_of<Scalar>(c.i, narrowed, "i/point");
-    joint.frame_j = frame_of<Scalar>(c.j, narrowed, "j/point");
+    joint.frame_i = detail::frame_of<Scalar>(c.i, narrowed, "i/point");
+    joint.frame_j = detail::frame_of<Scalar>(c.j, narrowed, "j/point");
     joint.angle = c.angle;
     joint.first_row = m.nc();
     for (NamedRow<Scalar>& row :
-         rows_of<Scalar>(c.type, joint, joint.frame_i, joint.frame_j, parameters_of(c, narrowed))) {
+         rows_of<Scalar>(c.type, joint, joint.frame_i, joint.frame_j, detail::parameters_of(c, narrowed))) {
       m.row_names.push_back(row.label.empty() ? c.name : c.name + "." + row.label);
       m.rows.push_back(std::move(row.constraint));
     }
@@ -209,8 +219,8 @@ Mechanism<Scalar> make_mechanism(const scenes::Scene& scene) {
     m.joints.push_back(std::move(joint));
   }
   for (std::size_t k = 0; k < scene.effects.size(); ++k) {
-    const std::string name = name_of(scene, k);
-    std::visit(EffectBuilder<Scalar>{m, name}, scene.effects[k]);
+    const std::string name = detail::name_of(scene, k);
+    std::visit(detail::EffectBuilder<Scalar>{m, name}, scene.effects[k]);
   }
   return m;
 }
@@ -222,35 +232,11 @@ MechanismState<Scalar> make_state(const scenes::Scene& scene, Scalar t) {
   for (const scenes::Body& body : scene.bodies) {
     const RangeCheckedCast<Scalar> narrowed("body", body.name);
     state.pose.push_back({narrowed.place(body.position, "position"),
-                          std::visit(ToEulerParameters<Scalar>{narrowed}, body.orientation)});
+                          std::visit(detail::ToEulerParameters<Scalar>{narrowed}, body.orientation)});
     state.twist.push_back({narrowed.place(body.velocity, "velocity"),
                            narrowed.place(body.angular_velocity, "angular_velocity")});
   }
   return state;
 }
-
-void set_state(scenes::Scene& scene, const MechanismState<double>& state) {
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    scenes::Body& body = scene.bodies[b];
-    const auto store = [](const Vector3<double>& v) { return scenes::Vector3{v[0], v[1], v[2]}; };
-    body.position = store(state.pose[b].r);
-    const Vector4<double>& p = state.pose[b].p;
-    body.orientation = scenes::EulerParameters{{p[0], p[1], p[2], p[3]}};
-    body.velocity = store(state.twist[b].r_dot);
-    body.angular_velocity = store(state.twist[b].omega_bar);
-  }
-}
-
-#define TRIVIUM_INSTANTIATE(Scalar)                                                   \
-  template Mechanism<Scalar> make_mechanism<Scalar>(const scenes::Scene&);            \
-  template MechanismState<Scalar> make_state<Scalar>(const scenes::Scene&, Scalar t); \
-  template Vector4<Scalar> euler_parameters_of<Scalar>(const scenes::Orientation&);
-TRIVIUM_INSTANTIATE(float)
-TRIVIUM_INSTANTIATE(double)
-TRIVIUM_INSTANTIATE(long double)
-TRIVIUM_INSTANTIATE(Quad)
-TRIVIUM_INSTANTIATE(Real50)
-TRIVIUM_INSTANTIATE(Real100)
-#undef TRIVIUM_INSTANTIATE
 
 }  // namespace trivium

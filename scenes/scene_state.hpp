@@ -1,0 +1,12 @@
+#pragma once
+/// From a state back to the scene that a file holds: the inverse of make_state.
+
+#include "mechanism/mechanism_state.hpp"
+#include "scenes/scene.hpp"
+
+namespace trivium {
+
+/// Writes poses and velocities back into a scene, rounded to double.
+void set_state(scenes::Scene& scene, const MechanismState<double>& state);
+
+}  // namespace trivium
