@@ -1,5 +1,7 @@
 #pragma once
-/// Is an inertia tensor one that a body can have?
+/// Whether a body can have an inertia tensor: symmetric, positive semidefinite, and no principal moment above
+/// the sum of the other two. Decided here: the tolerance, 1e-12 of the trace; scenes/format/scene_checks.hpp
+/// has the same for files.
 
 #include <Eigen/Core>
 

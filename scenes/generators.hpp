@@ -1,5 +1,6 @@
 #pragma once
-/// Regular scenes of any size, consistent by construction.
+/// Regular scenes of any size, consistent by construction: chains, ladders, trees, rings and hubs, on which
+/// cost is measured.
 
 #include <cstdint>
 

@@ -1,5 +1,7 @@
 #pragma once
-/// The numbers of a scene, which are doubles, in a Scalar that may hold less.
+/// The numbers of a scene, which are doubles, in a Scalar that may hold less. Decided here: which numbers are
+/// refused (too large for Scalar, or too small where their size counts) and which are rounded to zero
+/// (places, angles, single components).
 
 #include <fmt/format.h>
 

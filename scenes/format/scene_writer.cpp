@@ -1,12 +1,15 @@
 #include <array>
 #include <cmath>
 
+#include "scenes/format/function_writer.hpp"
 #include "scenes/format/scene_checks.hpp"
 #include "scenes/format/scene_file.hpp"
 #include "scenes/format/scene_keys.hpp"
 
 namespace trivium::scenes {
 namespace {
+
+using scenes::to_json;  // of a function of time
 
 template <class T, std::size_t n>
 Json to_json(const std::array<T, n>& items);
@@ -15,46 +18,6 @@ Json to_json(const std::vector<T>& items);
 Json to_json(double number) { return number; }
 Json to_json(const std::string& text) { return text; }
 Json to_json(Frame frame) { return frame_names[static_cast<std::size_t>(frame)]; }
-
-class FunctionWriter {
- public:
-  Json operator()(double constant) const { return constant; }
-  Json operator()(const TimeFunction::Polynomial& f) const {
-    return Json::Object{{"kind", "polynomial"}, {"coefficients", to_json(f.coefficients)}};
-  }
-  Json operator()(const TimeFunction::Harmonic& f) const {
-    return Json::Object{{"kind", "harmonic"},
-                        {"offset", f.offset},
-                        {"amplitude", f.amplitude},
-                        {"angular_frequency", f.angular_frequency},
-                        {"phase", f.phase}};
-  }
-  Json operator()(const TimeFunction::Sin& f) const {
-    return Json::Object{{"kind", "sin"}, {"of", argument(f.of)}};
-  }
-  Json operator()(const TimeFunction::Cos& f) const {
-    return Json::Object{{"kind", "cos"}, {"of", argument(f.of)}};
-  }
-  Json operator()(const TimeFunction::Sum& f) const {
-    return Json::Object{{"kind", "sum"}, {"terms", to_json(f.terms)}};
-  }
-  Json operator()(const TimeFunction::Product& f) const {
-    return Json::Object{{"kind", "product"}, {"factors", to_json(f.factors)}};
-  }
-  Json operator()(const TimeFunction::Step5& f) const {
-    return Json::Object{{"kind", "step5"}, {"t0", f.t0}, {"f0", f.f0}, {"t1", f.t1}, {"f1", f.f1}};
-  }
-  Json operator()(const TimeFunction::Piecewise& f) const {
-    return Json::Object{{"kind", "piecewise"}, {"times", to_json(f.times)}, {"pieces", to_json(f.pieces)}};
-  }
-
- private:
-  static Json argument(const std::vector<TimeFunction>& of) {
-    return std::visit(FunctionWriter{}, of.front().kind());
-  }
-};
-
-Json to_json(const TimeFunction& f) { return std::visit(FunctionWriter{}, f.kind()); }
 
 template <class T, std::size_t n>
 Json to_json(const std::array<T, n>& items) {
