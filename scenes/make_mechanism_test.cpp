@@ -15,7 +15,6 @@
 namespace trivium {
 namespace {
 
-using ConstraintType;
 using test::distance;
 
 TEST(Mechanism, GroundIsTheLastBody) {
