@@ -1,5 +1,5 @@
 #pragma once
-/// The exit codes that every executable keeps to.
+/// The exit codes that every executable keeps to: what a script may conclude from a run.
 
 namespace trivium {
 

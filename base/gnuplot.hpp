@@ -1,5 +1,6 @@
 #pragma once
-/// Plots by gnuplot (Debian: gnuplot-nox).
+/// Draws plots by running gnuplot (Debian: gnuplot-nox), and quotes names so that none of them is a command
+/// to gnuplot.
 
 #include <string>
 #include <string_view>

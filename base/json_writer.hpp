@@ -1,6 +1,7 @@
 #pragma once
-/// Writes results as JSON: what --json prints and what a manifest holds. Scenes have a writer of their own
-/// (scenes/format/json_printer.cpp), which keeps the layout that people write by hand.
+/// Writes reports as JSON, piece by piece: the output of --json and the manifests of results. The other
+/// writer of JSON, scenes/format/json_printer.cpp, prints a whole scene in the layout that people write by
+/// hand.
 
 #include <cmath>
 #include <string>

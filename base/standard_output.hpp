@@ -1,5 +1,6 @@
 #pragma once
-/// Results on stdout arrive, or the program says that they did not.
+/// Messages on stderr, and the proof that results on stdout have arrived: a full disk or a closed stdout is
+/// an error of the program.
 
 #include <functional>
 #include <string>

@@ -1,5 +1,6 @@
 #pragma once
-/// A table of text with aligned columns, as the commands and validations print it.
+/// A table of text with aligned columns, as the commands and validations print it on a terminal. Tables of
+/// the paper are paper/generator/tex.hpp's.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-/// Files read whole, and written whole or not at all.
+/// Files read whole, and written whole or not at all. Decides which paths may be written: a regular file or
+/// none yet, also through links; a device, a FIFO or a folder is never replaced.
 
 #include <filesystem>
 #include <fstream>

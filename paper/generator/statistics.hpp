@@ -1,5 +1,5 @@
 #pragma once
-/// What a column of numbers comes down to.
+/// Median, least and worst of a column of numbers, with the name of the row that the worst belongs to.
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,5 +1,6 @@
 #pragma once
-/// What results must be before they are accepted, and the step itself.
+/// Decides which regenerated results may be accepted, and takes them into the folder of accepted ones. The
+/// program is accept_results.cpp.
 
 #include <filesystem>
 #include <string>

@@ -1,5 +1,6 @@
 #pragma once
-/// Whether a results file is what its schema says, and whether two of them say the same.
+/// Decides whether a results file is as its schema says, and whether two of them say the same. The rules are
+/// in results_schema.hpp, one a column; here they are applied.
 
 #include <string>
 #include <vector>

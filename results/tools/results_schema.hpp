@@ -1,6 +1,6 @@
 #pragma once
-/// results/schema.json: what every results file says, how it is made again, and when two values count as
-/// equal.
+/// results/schema.json as data: the question and the columns of every results file, the command that makes it
+/// again, and the rule by which two values of a column count as equal.
 
 #include <filesystem>
 #include <string>

@@ -1,5 +1,6 @@
 #pragma once
-/// What a validation executable leaves behind: a CSV and, beside it, a manifest that says what made it.
+/// Writes the results of a validation: a CSV and, beside it, a manifest that says which sources, compiler and
+/// command made them. They are read back by results_table.hpp.
 
 #include <filesystem>
 #include <string>

@@ -1,0 +1,82 @@
+/// A file has all of a text or stays as it was, and nothing is left beside it.
+
+#include "base/whole_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <iterator>
+
+#include "base/option_checks.hpp"
+
+namespace trivium {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of the test's own, empty at first.
+class WholeFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  long files() const { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); }
+
+  fs::path folder_ =
+      fs::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  fs::path file_ = folder_ / "file", link_ = folder_ / "link";
+};
+
+TEST_F(WholeFile, IsReadAsItWasWritten) {
+  const std::string text("a\r\nb\0c", 6);
+  write_whole(file_, text);
+  EXPECT_EQ(read_whole(file_), text);
+}
+
+TEST_F(WholeFile, GrowsUnseenUntilItIsKept) {
+  write_whole(file_, "old");
+  {
+    GrowingFile dropped(file_);
+    dropped.write("new");
+  }
+  EXPECT_EQ(read_whole(file_), "old");
+  GrowingFile kept(file_);
+  kept.write("ne");
+  kept.write("w");
+  EXPECT_EQ(read_whole(file_), "old");
+  EXPECT_FALSE(kept.keep());
+  EXPECT_EQ(read_whole(file_), "new");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(WholeFile, IsWrittenWhereALinkPoints) {
+  fs::create_symlink(file_.filename(), link_);
+  write_whole(link_, "text");
+  EXPECT_TRUE(fs::is_symlink(link_));
+  EXPECT_EQ(read_whole(file_), "text");
+}
+
+TEST_F(WholeFile, NeverReplacesWhatIsNoRegularFile) {
+  ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
+  fs::create_symlink(link_.filename(), link_);  // of itself
+  for (const fs::path& path : {file_, link_, folder_}) {
+    EXPECT_FALSE(file_to_write(path)) << path;
+    EXPECT_THROW(write_whole(path, "text"), fs::filesystem_error) << path;
+    EXPECT_NE(why_not_writable(path.string()), "") << path;
+  }
+  EXPECT_TRUE(fs::is_fifo(file_));
+}
+
+TEST_F(WholeFile, NeedsAFolderThatExists) {
+  const fs::path path = folder_ / "none" / "file";
+  EXPECT_THROW(write_whole(path, "text"), fs::filesystem_error);
+  EXPECT_THROW(read_whole(path), fs::filesystem_error);
+  EXPECT_NE(why_not_writable(path.string()).find("does not exist"), std::string::npos);
+  EXPECT_EQ(why_not_writable(file_.string()), "");
+}
+
+}  // namespace
+}  // namespace trivium
