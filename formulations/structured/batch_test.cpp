@@ -11,7 +11,7 @@
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/r_p.hpp"
-#include "formulations/structured/acceleration_solver.hpp"
+#include "formulations/structured/acceleration_solver_impl.hpp"
 #include "formulations/testing/random_mechanism.hpp"
 #include "mechanism/mechanism_batch.hpp"
 #include "scenes/generators.hpp"

@@ -3,179 +3,20 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
-#include <optional>
 #include <set>
 #include <utility>
+
+#include "formulations/structured/spanning_forest.hpp"
 
 namespace trivium {
 
 namespace {
 
-struct Incident {
-  int node, edge;
-};
-
-/// The edges of a graph that are still there, by node.
-class Adjacency {
- public:
-  explicit Adjacency(const BodyJointGraph& graph) : edges_(graph.edges), at_(graph.bodies + 1) {
-    for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
-      at_[edges_[e].i].push_back({edges_[e].j, e});
-      at_[edges_[e].j].push_back({edges_[e].i, e});
-    }
-    is_there_.assign(edges_.size(), true);
-  }
-  int nodes() const { return static_cast<int>(at_.size()); }
-  int edges() const { return static_cast<int>(edges_.size()); }
-  const GraphEdge& edge(int e) const { return edges_[e]; }
-  const std::vector<Incident>& at(int node) const { return at_[node]; }
-  bool is_there(int e) const { return is_there_[e]; }
-  void remove(int e) { is_there_[e] = false; }
-
- private:
-  const std::vector<GraphEdge>& edges_;
-  std::vector<std::vector<Incident>> at_;
-  std::vector<bool> is_there_;
-};
-
-/// A spanning forest: breadth first from the ground, then from the first body of every part that the ground
-/// does not hold.
-struct Forest {
-  std::vector<int> parent, edge;  ///< by node; edge -1 and parent the ground where a body hangs on nothing
-  std::vector<int> order;         ///< bodies, parents first
-};
-
-Forest breadth_first(const Adjacency& graph) {
-  const int ground = graph.nodes() - 1;
-  Forest forest{std::vector<int>(graph.nodes(), ground), std::vector<int>(graph.nodes(), -1), {}};
-  std::vector<bool> seen(graph.nodes(), false);
-  const auto grow = [&](int root) {
-    std::vector<int> queue{root};
-    seen[root] = true;
-    for (std::size_t head = 0; head < queue.size(); ++head) {
-      const int node = queue[head];
-      if (node != ground) forest.order.push_back(node);
-      for (const Incident& next : graph.at(node)) {
-        if (!graph.is_there(next.edge) || seen[next.node]) continue;
-        seen[next.node] = true;
-        forest.parent[next.node] = node;
-        forest.edge[next.node] = next.edge;
-        queue.push_back(next.node);
-      }
-    }
-  };
-  grow(ground);
-  for (int node = 0; node < ground; ++node)
-    if (!seen[node]) grow(node);
-  return forest;
-}
-
-/// The edges of a shortest loop through an edge, searched from both its ends, so that a body with many joints
-/// (the ground) is met and not searched through; none where that looks at more than `reach` edges.
-std::vector<int> shortest_loop(const Adjacency& graph, int through) {
-  constexpr std::size_t reach = 1000;
-  struct Reached {
-    Incident back;  ///< towards the end of the edge that it was reached from
-    int distance;
-  };
-  struct Side {
-    std::map<int, Reached> reached;
-    std::vector<int> front;
-    std::size_t edges;  ///< of the front
-  };
-  const auto side_from = [&](int node) {
-    return Side{{{node, {{node, -1}, 0}}}, {node}, graph.at(node).size()};
-  };
-  Side sides[2]{side_from(graph.edge(through).i), side_from(graph.edge(through).j)};
-  for (std::size_t seen = 0; !sides[0].front.empty() && !sides[1].front.empty();) {
-    const bool second = sides[1].edges < sides[0].edges;
-    Side &side = sides[second], &other = sides[!second];
-    seen += side.edges;
-    if (seen > reach) return {};
-    std::vector<int> front;
-    std::optional<int> meeting;
-    side.edges = 0;
-    for (int node : side.front)
-      for (const Incident& next : graph.at(node)) {
-        if (next.edge == through || !graph.is_there(next.edge)) continue;
-        const Reached here{{node, next.edge}, side.reached.at(node).distance + 1};
-        if (!side.reached.emplace(next.node, here).second) continue;
-        front.push_back(next.node);
-        side.edges += graph.at(next.node).size();
-        const auto met = other.reached.find(next.node);
-        if (met == other.reached.end()) continue;
-        if (!meeting || met->second.distance < other.reached.at(*meeting).distance) meeting = next.node;
-      }
-    side.front = std::move(front);
-    if (!meeting) continue;
-    std::vector<int> loop{through};
-    for (const Side& part : sides)
-      for (Incident back = part.reached.at(*meeting).back; back.edge >= 0;
-           back = part.reached.at(back.node).back)
-        loop.push_back(back.edge);
-    return loop;
-  }
-  return {};
-}
-
-/// Removes edges until no loop is left. Each short loop loses the edge with the fewest rows and, among those,
-/// the one that the fewest short loops use: neighbouring loops stay apart, and the border of a ladder stays
-/// as wide as one of its cells.
-std::vector<int> open_loops(Adjacency& graph) {
-  std::vector<int> removed;
-  const auto closing_edges = [&] {
-    const Forest forest = breadth_first(graph);
-    std::vector<bool> in_tree(graph.edges(), false);
-    for (int e : forest.edge)
-      if (e >= 0) in_tree[e] = true;
-    std::vector<int> closing;
-    for (int e = 0; e < graph.edges(); ++e)
-      if (graph.is_there(e) && !in_tree[e]) closing.push_back(e);
-    return closing;
-  };
-  std::vector<int> closing = closing_edges();
-  if (closing.empty()) return removed;
-  std::vector<int> uses(graph.edges(), 0);
-  for (int e = 0; e < graph.edges(); ++e)
-    for (int used : shortest_loop(graph, e)) ++uses[used];
-  const auto is_better = [&](int a, int b) {
-    return std::pair(graph.edge(a).size(), uses[a]) < std::pair(graph.edge(b).size(), uses[b]);
-  };
-  for (; !closing.empty(); closing = closing_edges()) {
-    bool progress = false;
-    for (int e : closing) {
-      if (!graph.is_there(e)) continue;
-      const std::vector<int> loop = shortest_loop(graph, e);
-      if (loop.empty()) continue;
-      const int opened = *std::min_element(loop.begin(), loop.end(), is_better);
-      graph.remove(opened);
-      removed.push_back(opened);
-      progress = true;
-    }
-    if (progress) continue;
-    // only long loops are left: where breadth-first search meets itself they are halved
-    for (int e : closing) {
-      graph.remove(e);
-      removed.push_back(e);
-    }
-  }
-  std::sort(removed.begin(), removed.end());
-  return removed;
-}
-
 class Planner {
  public:
   explicit Planner(BodyJointGraph graph) : ground_(graph.bodies) {
     plan_.graph = std::move(graph);
-    Adjacency adjacency(plan_.graph);
-    std::vector<int> soft;
-    for (int e = 0; e < adjacency.edges(); ++e)
-      if (adjacency.edge(e).is_soft) soft.push_back(e);
-    for (const int e : soft) adjacency.remove(e);
-    closing_edges_ = open_loops(adjacency);
-    closing_edges_.insert(closing_edges_.end(), soft.begin(), soft.end());
-    forest_ = breadth_first(adjacency);
+    forest_ = spanning_forest(plan_.graph);
   }
 
   EliminationPlan plan() {
@@ -222,7 +63,7 @@ class Planner {
 
   /// Every closing's links, and the body where they meet.
   void find_loops() {
-    for (int edge : closing_edges_) {
+    for (int edge : forest_.closing_edges) {
       const int c = static_cast<int>(plan_.closings.size());
       const GraphEdge& e = plan_.graph.edges[edge];
       plan_.closings.push_back({edge, ground_, -1, -1, -1, {}, {}});
@@ -354,8 +195,7 @@ class Planner {
 
   const int ground_;
   EliminationPlan plan_;
-  std::vector<int> closing_edges_;
-  Forest forest_;
+  SpanningForest forest_;
   std::vector<int> link_of_;                 ///< by body
   std::map<std::pair<int, int>, int> slot_;  ///< by closing and body
   std::vector<int> rank_;                    ///< by closing: its place in the order of elimination

@@ -1,9 +1,8 @@
 #pragma once
 /// The system along the graph of one formulation at one state: its matrix, and gamma, Phi and Phi' as right
 /// sides, joint by joint. Normalisation rows are eliminated in closed form. Made once per mechanism; moving
-/// to another state allocates nothing.
+/// to another state allocates nothing. Compiled with the AccelerationSolver of the formulation.
 
-#include <variant>
 #include <vector>
 
 #include "constraints/constraint_row.hpp"
@@ -31,37 +30,7 @@ class GraphAssembly {
   };
 
   /// Both must outlive the assembly.
-  GraphAssembly(const Mechanism<S>& mechanism, const EliminationPlan& plan)
-      : mechanism_(mechanism), plan_(plan), matrix_(plan) {
-    body_.resize(mechanism.nb() + 1);
-    body_.back() = Body{body_kinematics(std::vector<BodyState<F>>{}).back()};
-    turning_.resize(mechanism.nb() + 1);
-    turning_.back() = F::turning(body_.back());
-    for (int b = 0; b < mechanism.nb(); ++b) {
-      matrix_.H[b].rr.diagonal().setConstant(mechanism.bodies[b].mass);
-      if constexpr (F::reduced_mass_is_constant) set_mass_block(b);
-    }
-    for (std::size_t n = 0; n < plan.links.size(); ++n) {
-      const EliminationPlan::Link& link = plan.links[n];
-      if (plan.is_point_link(link))
-        links_.push_back(
-            {static_cast<int>(n), link.edge, link.body_is_j, {mechanism, plan.graph.edges[link.edge]}});
-    }
-    for (int e = 0; e < static_cast<int>(plan.graph.edges.size()); ++e) {
-      const GraphEdge& edge = plan.graph.edges[e];
-      if (plan.rows_slot[e] < 0 || edge.is_soft) continue;
-      if (edge.is_point) {
-        closings_.push_back({e, {mechanism, edge}});
-        EdgeRows<S>& rows = matrix_.rows[plan.rows_slot[e]];
-        for (int k = 0; k < 3; ++k) {
-          rows.C_i.r(k, k) = S(-1);
-          rows.C_j.r(k, k) = S(1);
-        }
-      } else {
-        others_.push_back(e);
-      }
-    }
-  }
+  GraphAssembly(const Mechanism<S>& mechanism, const EliminationPlan& plan);
   GraphAssembly(const GraphAssembly&) = delete;  // solvers know where its matrix is
 
   const GraphMatrix<S>& matrix() const { return matrix_; }
@@ -73,94 +42,30 @@ class GraphAssembly {
   /// In the order of the plan's links.
   const std::vector<LinkJoint>& links() const { return links_; }
 
-  [[gnu::flatten]] void move_body(int b, const BodyState<F>& state) {
-    body_[b] = Body{F::kinematics(state.chart, state.r, state.r_dot, state.q)};
-    turning_[b] = F::turning(body_[b]);
-    if constexpr (!F::reduced_mass_is_constant) set_mass_block(b);
-  }
+  void move_body(int b, const BodyState<F>& state);
 
   // rows and gamma, after all bodies have moved
-  void assemble_link(const LinkJoint& link, const S& t, GraphVector<S>& right_side) {
-    PointRows<S>& rows = matrix_.point[link.link];
-    Vector6<S>& gamma = right_side.edge[link.edge];
-    if (link.child_is_j)
-      link.joint.evaluate(turning_, body_, t, rows.L_parent, rows.L_child, rows.W_parent, rows.W_child,
-                          gamma);
-    else
-      link.joint.evaluate(turning_, body_, t, rows.L_child, rows.L_parent, rows.W_child, rows.W_parent,
-                          gamma);
-  }
-  void assemble_closings(const S& t, GraphVector<S>& right_side) {
-    for (const ClosingJoint& closing : closings_) assemble_closing(closing, t, right_side);
-    for (const int edge : others_) assemble_rows(edge, t, right_side);
-  }
+  void assemble_link(const LinkJoint& link, const S& t, GraphVector<S>& right_side);
+  void assemble_closings(const S& t, GraphVector<S>& right_side);
 
   /// Phi, and Phi' = Phi_q q' - nu, of every row.
-  void positions(const S& t, GraphVector<S>& phi) const {
-    for (const LinkJoint& link : links_) link.joint.positions(body_, t, phi.edge[link.edge]);
-    for (const ClosingJoint& closing : closings_) closing.joint.positions(body_, t, phi.edge[closing.edge]);
-    for (const int e : others_) rows_of(e, row_position<Body>, t, phi);
-  }
-  void velocities(const S& t, GraphVector<S>& phi_dot) const {
-    for (const LinkJoint& link : links_) link.joint.velocities(turning_, body_, t, phi_dot.edge[link.edge]);
-    for (const ClosingJoint& closing : closings_)
-      closing.joint.velocities(turning_, body_, t, phi_dot.edge[closing.edge]);
-    for (const int e : others_) rows_of(e, row_velocity<Body>, t, phi_dot);
-  }
+  void positions(const S& t, GraphVector<S>& phi) const;
+  void velocities(const S& t, GraphVector<S>& phi_dot) const;
 
   /// Calls mark(edge, k) for rows that do next to nothing here, less than `share` of what their vectors
   /// could: a dp1 whose vectors are nearly parallel, as where the angle that it drives turns back.
   template <class Mark>
-  void find_vanishing_rows(const S& share, const Mark& mark) const {
-    for (const int e : others_) {
-      const GraphEdge& edge = plan_.graph.edges[e];
-      for (int k = 0; k < edge.size(); ++k)
-        if (const auto* row = std::get_if<DP1<S>>(&mechanism_.rows[edge.rows[k]])) {
-          const Vector3<S> a = body_[row->i].A * row->a_bar_i, b = body_[row->j].A * row->a_bar_j;
-          if (a.cross(b).squaredNorm() < share * share * a.squaredNorm() * b.squaredNorm()) mark(e, k);
-        }
-    }
-  }
+  void find_vanishing_rows(const S& share, const Mark& mark) const;
 
  private:
-  void set_mass_block(int b) {
-    matrix_.H[b].xx = padded_columns<S>(F::reduced_mass_block(body_[b], mechanism_.bodies[b].inertia));
-  }
+  void set_mass_block(int b);
 
-  void assemble_closing(const ClosingJoint& closing, const S& t, GraphVector<S>& right_side) {
-    EdgeRows<S>& rows = matrix_.rows[plan_.rows_slot[closing.edge]];
-    closing.joint.evaluate(turning_, body_, t, rows.C_i.x.template leftCols<3>(),
-                           rows.C_j.x.template leftCols<3>(), rows.C_i.x.template rightCols<3>(),
-                           rows.C_j.x.template rightCols<3>(), right_side.edge[closing.edge]);
-    rows.C_i.x.template leftCols<3>() *= S(-1);
-  }
+  void assemble_closing(const ClosingJoint& closing, const S& t, GraphVector<S>& right_side);
 
-  void assemble_rows(int e, const S& t, GraphVector<S>& right_side) {
-    const GraphEdge& edge = plan_.graph.edges[e];
-    EdgeRows<S>& rows = matrix_.rows[plan_.rows_slot[e]];
-    for (int k = 0; k < edge.size(); ++k) {
-      const auto& constraint = mechanism_.rows[edge.rows[k]];
-      const BodyPair pair = bodies_of(constraint);
-      const auto row = evaluate_row(constraint, body_[pair.i], body_[pair.j], t);
-      const auto place = [&](BodyColumns<S>& C, const auto& r, const auto& x) {
-        C.r.col(k) = padded<S>(r.transpose());
-        C.x.col(k) = padded<S>(x.transpose());
-      };
-      place(pair.i == edge.i ? rows.C_i : rows.C_j, row.r_i, row.rot_i);
-      place(pair.i == edge.i ? rows.C_j : rows.C_i, row.r_j, row.rot_j);
-      right_side.edge[e][k] = row.gamma;
-    }
-  }
+  void assemble_rows(int e, const S& t, GraphVector<S>& right_side);
 
   template <class Of>
-  void rows_of(int e, const Of& of, const S& t, GraphVector<S>& values) const {
-    const GraphEdge& edge = plan_.graph.edges[e];
-    for (int k = 0; k < edge.size(); ++k) {
-      const auto& constraint = mechanism_.rows[edge.rows[k]];
-      const BodyPair pair = bodies_of(constraint);
-      values.edge[e][k] = of(constraint, body_[pair.i], body_[pair.j], t);
-    }
-  }
+  void rows_of(int e, const Of& of, const S& t, GraphVector<S>& values) const;
 
   const Mechanism<S>& mechanism_;
   const EliminationPlan& plan_;

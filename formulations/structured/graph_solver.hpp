@@ -48,6 +48,7 @@ template <class S>
 class GraphSolver {
  public:
   explicit GraphSolver(EliminationPlan plan);
+  GraphSolver(const GraphSolver&) = delete;
   ~GraphSolver();
 
   const EliminationPlan& plan() const { return plan_; }
@@ -172,6 +173,8 @@ class GraphSolver {
   int rows_of_closing(int c) const { return closing_[c].rows; }
   bool has_parent(const EliminationPlan::Link& link) const { return link.parent != plan_.graph.bodies; }
 
+  /// As far as the elimination sees which rows are dependent.
+  void factor_once(const GraphMatrix<S>& matrix);
   void start_factors(const GraphMatrix<S>& matrix);
   void start_solution(const GraphVector<S>& right_side);
   void factor_step(const EliminationPlan::Step& step);
@@ -226,7 +229,7 @@ class GraphSolver {
   std::vector<EdgeRow> candidates_;
   // made when first needed
   std::optional<Probe> probe_;
-  std::unique_ptr<UnitInertiaSolver> unit_inertia_solver_;
+  std::shared_ptr<UnitInertiaSolver> unit_inertia_solver_;
   BodyColumns<S> no_columns_;
   // the rows of a body that hangs on nothing
   const Vector6<S> none_ = Vector6<S>::Zero();
@@ -235,7 +238,6 @@ class GraphSolver {
 };
 
 // dear to compile, so compiled once; for another Scalar include graph_solver_impl.hpp
-extern template class GraphSolver<float>;
 extern template class GraphSolver<double>;
 
 }  // namespace trivium

@@ -7,6 +7,7 @@
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/r_p.hpp"
+#include "formulations/structured/acceleration_solver_impl.hpp"
 #include "formulations/structured/graph_solver_impl.hpp"
 #include "mechanism/mechanism_cast.hpp"
 #include "mechanism/state_batch.hpp"

@@ -1,4 +1,5 @@
-#include "formulations/structured/graph_solver_impl.hpp"
+#include "formulations/structured/correction_impl.hpp"
+#include "formulations/structured/elimination_impl.hpp"
 
 #include "bodies/numbers/quad.hpp"
 

@@ -1,0 +1,3 @@
+#include "formulations/structured/dependent_rows_impl.hpp"
+
+template class trivium::GraphSolver<double>;

@@ -1,0 +1,134 @@
+#pragma once
+/// GraphSolver: decides which rows are independent by geometry alone, with shifts and turns for H. With H = M
+/// a body that hardly resists in some direction would magnify what misplaced points leave of a dependent row.
+/// A part of dependent_rows_impl.hpp.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "bodies/numbers/scalar.hpp"
+#include "formulations/structured/connected_bodies.hpp"
+#include "formulations/structured/graph_solver.hpp"
+
+namespace trivium {
+
+/// The same rows with shifts and turns for H, where turns count by the mean lever of the rows that hold
+/// points of the same assembly: bodies that rows connect, not through the ground.
+template <class S>
+class GraphSolver<S>::UnitInertiaSolver {
+ public:
+  explicit UnitInertiaSolver(const EliminationPlan& plan)
+      : matrix_(plan),
+        solver_(plan),
+        assembly_(assemblies_of(plan.graph)),
+        lever2_(plan.graph.bodies),
+        holding_(lever2_) {}
+
+  void factor(const GraphMatrix<S>& matrix) {
+    matrix_.point = matrix.point;
+    matrix_.rows = matrix.rows;
+    measure_levers();
+    for (std::size_t b = 0; b < matrix_.H.size(); ++b)
+      for (int m = 0; m < 3; ++m) {
+        matrix_.H[b].rr(m, m) = S(1);
+        matrix_.H[b].xx(m, m) = lever2(static_cast<int>(b));
+      }
+    solver_.factor_once(matrix_);
+  }
+
+  /// Those of the rows of which more than direction_tolerance is left beside the others.
+  const std::vector<EdgeRow>& independent(const std::vector<EdgeRow>& rows) {
+    candidates_.clear();
+    independent_.clear();
+    for (const EdgeRow& row : rows)
+      (solver_.is_dependent(row.edge, row.k) ? candidates_ : independent_).push_back(row);
+    if (!candidates_.empty()) search(candidates_);
+    return independent_;
+  }
+  const S& lever2(int body) const { return lever2_[assembly_[body]]; }
+
+ private:
+  /// By halves.
+  void search(std::span<const EdgeRow> rows) {
+    if (rows.size() == 1) {
+      if (left_of(rows, 0) > square(direction_tolerance<S>()) && solver_.border(rows.front()))
+        independent_.push_back(rows.front());
+      return;
+    }
+    // in a combination rows may cancel by accident, so that little of it may be left, and of two
+    const S little = square(direction_tolerance<S>() / 30);
+    if (all(left_of(rows, 1) <= little) && all(left_of(rows, 2) <= little)) return;
+    search(rows.first(rows.size() / 2));
+    search(rows.subspan(rows.size() / 2));
+  }
+
+  /// The square of what is left beside the others of a combination of rows of unit size, of which each has a
+  /// share of half to one of either sign.
+  S left_of(std::span<const EdgeRow> rows, std::uint32_t seed) {
+    using std::sqrt;
+    Probe& probe = solver_.cleared_probe();
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> share(-0.5, 0.5);
+    for (const EdgeRow& row : rows) {
+      const double part = share(random);
+      const S size = size_of(row), weight = S(rows.size() == 1 ? 1 : part < 0 ? part - 0.5 : part + 0.5);
+      solver_.add_row(row, select(size > S(0), S(weight / sqrt(size)), S(0)), probe.load);
+    }
+    solver_.solve(probe.load, probe.response);
+    const S rough = solver_.energy(probe.response);
+    if (all(rough <= square(direction_tolerance<S>() / 30))) return rough;
+    solver_.refine(probe);
+    return solver_.energy(probe.response);
+  }
+  static S square(const S& x) { return x * x; }
+
+  S size_of(const EdgeRow& row) const {
+    const GraphEdge& edge = solver_.plan_.graph.edges[row.edge];
+    const auto [on_i, on_j] = solver_.on_bodies(row);
+    const auto size_on = [&](int body, const BodyPart<S>& on) {
+      if (body == solver_.plan_.graph.bodies) return S(0);
+      return S(on.r.squaredNorm() + on.x.squaredNorm() / lever2(body));
+    };
+    return size_on(edge.i, on_i) + size_on(edge.j, on_j);
+  }
+
+  /// Means over rows of the squares of their levers.
+  void measure_levers() {
+    const EliminationPlan& plan = solver_.plan_;
+    std::fill(lever2_.begin(), lever2_.end(), S(0));
+    std::fill(holding_.begin(), holding_.end(), S(0));
+    const auto take = [&](int body, const S& r2, const S& x2) {
+      if (body == plan.graph.bodies) return;
+      lever2_[assembly_[body]] += select(r2 > S(0), S(x2 / r2), S(0));
+      holding_[assembly_[body]] += select(r2 > S(0), S(1), S(0));
+    };
+    for (std::size_t n = 0; n < plan.links.size(); ++n) {
+      if (!plan.is_point_link(plan.links[n])) continue;
+      take(plan.links[n].body, S(3), matrix_.point[n].L_child.squaredNorm());
+      take(plan.links[n].parent, S(3), matrix_.point[n].L_parent.squaredNorm());
+    }
+    for (std::size_t e = 0; e < plan.graph.edges.size(); ++e) {
+      if (plan.rows_slot[e] < 0) continue;
+      const GraphEdge& edge = plan.graph.edges[e];
+      const EdgeRows<S>& columns = matrix_.rows[plan.rows_slot[e]];
+      for (int k = 0; k < edge.size(); ++k) {
+        take(edge.i, columns.C_i.r.col(k).squaredNorm(), columns.C_i.x.col(k).squaredNorm());
+        take(edge.j, columns.C_j.r.col(k).squaredNorm(), columns.C_j.x.col(k).squaredNorm());
+      }
+    }
+    for (std::size_t a = 0; a < lever2_.size(); ++a)
+      lever2_[a] = select(lever2_[a] > S(0), S(lever2_[a] / holding_[a]), S(1));
+  }
+
+  GraphMatrix<S> matrix_;
+  GraphSolver solver_;
+  std::vector<int> assembly_;        ///< by body: the first body of its assembly
+  std::vector<S> lever2_, holding_;  ///< by assembly: the mean, and how many rows hold points
+  std::vector<EdgeRow> candidates_, independent_;
+};
+
+}  // namespace trivium
