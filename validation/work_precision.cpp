@@ -7,20 +7,16 @@
 #include <filesystem>
 #include <map>
 
-#include "base/gnuplot.hpp"
 #include "base/json_writer.hpp"
 #include "base/progress.hpp"
-#include "base/table.hpp"
 #include "scenes/generators.hpp"
 #include "validation/harness/program.hpp"
-#include "validation/precision/runs.hpp"
+#include "validation/precision/plot.hpp"
 
 namespace trivium::precision {
 
 namespace {
 
-/// Errors of positions [m] that the costs are told for.
-constexpr std::array targets{1e-3, 1e-6, 1e-9, 1e-10};
 /// The lengths of the catalogue's runs [s]; 1 elsewhere. That of the four-bars ends before they lie flat.
 const std::map<std::string, double> lengths{
     {"two_bars", 10}, {"a01_pendulum", 10},    {"n_four_bar_2", 0.6},  {"andrews_squeezer", 0.05},
@@ -30,13 +26,6 @@ struct Options {
   bool quick = false;
   int repetitions = 5;
   std::string plots;
-};
-
-struct Contest {
-  std::string scene;
-  double t_end, reference_error;
-  bool is_trusted;
-  std::vector<Outcome> outcomes;
 };
 
 std::vector<TimedMotion> motions(const Program& program) {
@@ -54,59 +43,6 @@ std::vector<TimedMotion> motions(const Program& program) {
   return all;
 }
 
-std::string who(const Entry& e) {
-  return e.formulation.empty() ? fmt::format("{} {}", e.engine, e.method)
-                               : fmt::format("{}, {}", e.method, e.formulation);
-}
-bool is_peer(const Entry& e) { return e.formulation.empty(); }
-
-/// The cheapest of a contender's runs (or of all of ours, or all peers') that is as exact; null where none
-/// is.
-template <class Counts>
-const Outcome* cheapest(const Contest& contest, double target, const Counts& counts) {
-  const Outcome* best = nullptr;
-  if (contest.reference_error > target / 10) return best;  // not known so well
-  for (const Outcome& o : contest.outcomes)
-    if (o.solved() && counts(o.entry) && o.errors.position <= target &&
-        (best == nullptr || o.seconds.median < best->seconds.median))
-      best = &o;
-  return best;
-}
-
-std::string cost_table(const Contest& contest) {
-  std::vector<std::string> header{"method"};
-  for (const double target : targets) header.push_back(fmt::format("{:.0e} m", target));
-  Table table(header);
-  std::vector<std::string> contenders;
-  for (const Outcome& o : contest.outcomes)
-    if (std::find(contenders.begin(), contenders.end(), who(o.entry)) == contenders.end())
-      contenders.push_back(who(o.entry));
-  for (const std::string& contender : contenders) {
-    std::vector<std::string> row{contender};
-    for (const double target : targets) {
-      const Outcome* best = cheapest(contest, target, [&](const Entry& e) { return who(e) == contender; });
-      row.push_back(best ? fmt::format("{:.2f} ms ({})", 1e3 * best->seconds.median, best->entry.setting())
-                         : "-");
-    }
-    table.add(row);
-  }
-  std::string out = fmt::format("{}, {} s: CPU time to reach an error of positions (reference: {}{})\n\n{}",
-                                contest.scene, contest.t_end,
-                                contest.reference_error > 0 ? fmt::format("{:.0e} m", contest.reference_error)
-                                                            : "no difference in double",
-                                contest.is_trusted ? ", trusted numbers among it" : "", table.text());
-  for (const double target : targets) {
-    const Outcome *ours = cheapest(contest, target, [](const Entry&e) { return !is_peer(e); }),
-                  *peer = cheapest(contest, target, is_peer);
-    if (ours && peer)
-      out += fmt::format("{:.0e} m: Simbody's best ({}) takes {:.2f} x the time of our best ({})\n", target,
-                         peer->entry.method, peer->seconds.median / ours->seconds.median, who(ours->entry));
-  }
-  for (const Outcome& o : contest.outcomes)
-    if (!o.solved()) out += fmt::format("{}, {}: {}\n", who(o.entry), o.entry.setting(), o.failure);
-  return out + "\n";
-}
-
 std::vector<std::string> columns() {
   return {"scene",       "t_end",          "reference_error", "engine",   "formulation", "method",
           "setting",     "position",       "orientation",     "velocity", "reaction",    "drift",
@@ -114,17 +50,17 @@ std::vector<std::string> columns() {
           "evaluations", "factorisations", "failure"};
 }
 
-std::vector<std::string> fields(const Contest& contest, const Outcome& o) {
+std::vector<std::string> fields(const SceneResult& result, const RunResult& o) {
   const auto number = [&](double x) { return o.solved() ? results_number(x) : "none"; };
   const auto optional = [](const std::optional<double>& x) { return x ? results_number(*x) : "none"; };
   const auto word = [](const std::string& s) { return s.empty() ? std::string("none") : s; };
-  return {contest.scene,
-          results_number(contest.t_end),
-          results_number(contest.reference_error),
-          o.entry.engine,
-          word(o.entry.formulation),
-          o.entry.method,
-          o.entry.setting(),
+  return {result.scene,
+          results_number(result.t_end),
+          results_number(result.reference_error),
+          o.settings.engine,
+          word(o.settings.formulation),
+          o.settings.method,
+          o.settings.setting(),
           number(o.errors.position),
           number(o.errors.orientation),
           number(o.errors.velocity),
@@ -141,22 +77,22 @@ std::vector<std::string> fields(const Contest& contest, const Outcome& o) {
           word(o.failure)};
 }
 
-std::string json(const std::vector<Contest>& contests, const std::string& errors) {
+std::string json(const std::vector<SceneResult>& results, const std::string& errors) {
   JsonWriter out;
   out.begin_object().begin_array("contests");
-  for (const Contest& c : contests) {
+  for (const SceneResult& c : results) {
     out.begin_object()
         .text("scene", c.scene)
         .number("t_end", c.t_end)
         .number("reference_error", c.reference_error)
         .flag("trusted_numbers", c.is_trusted);
     out.begin_array("runs");
-    for (const Outcome& o : c.outcomes) {
+    for (const RunResult& o : c.runs) {
       out.begin_object()
-          .text("engine", o.entry.engine)
-          .text("method", o.entry.method)
-          .text("setting", o.entry.setting());
-      if (!is_peer(o.entry)) out.text("formulation", o.entry.formulation);
+          .text("engine", o.settings.engine)
+          .text("method", o.settings.method)
+          .text("setting", o.settings.setting());
+      if (!is_peer(o.settings)) out.text("formulation", o.settings.formulation);
       if (o.solved()) {
         out.number("position", o.errors.position)
             .number("orientation", o.errors.orientation)
@@ -183,97 +119,28 @@ std::string json(const std::vector<Contest>& contests, const std::string& errors
   return out.end_object().str();
 }
 
-/// What one method's runs look like in a figure.
-struct Curve {
-  std::string name, points;
-  bool is_peer;
-  std::vector<std::string> failed_at;  ///< where runs that failed are marked, along the axis of errors
-
-  Curve(const Contest& contest, const Entry& method)
-      : name(who(method)), is_peer(precision::is_peer(method)) {
-    for (const Outcome& o : contest.outcomes) {
-      if (who(o.entry) != name) continue;
-      if (!o.solved()) {
-        failed_at.push_back(o.entry.rtol ? fmt::format("first {:.0e}", *o.entry.rtol) : "graph 0.98");
-      } else if (o.errors.position > contest.reference_error) {
-        points += fmt::format("{:.3e} {:.5g} {:.5g} {:.5g}\n", o.errors.position, o.seconds.median,
-                              o.seconds.low, o.seconds.high);
-      }
-    }
-  }
-};
-
-/// gnuplot's numbers.
-struct LineStyle {
-  int points, dashes;
-};
-constexpr std::array<LineStyle, 3> lines_of_ours{{{7, 1}, {9, 4}, {13, 3}}},
-    lines_of_peers{{{4, 2}, {8, 5}, {6, 2}}};
-
-/// Seconds over errors, a line a method: ours in r-omega and Simbody's. Runs that failed are crosses at the
-/// bottom, at the tolerance or, of given steps, at the right; the legend counts them.
-void plot(const Contest& contest, const std::filesystem::path& folder) {
-  std::vector<Curve> curves;
-  for (const Outcome& o : contest.outcomes) {
-    const bool is_shown = is_peer(o.entry) || o.entry.formulation == "r-omega";
-    const auto is_its = [&](const Curve& curve) { return curve.name == who(o.entry); };
-    if (is_shown && std::none_of(curves.begin(), curves.end(), is_its)) curves.emplace_back(contest, o.entry);
-  }
-  std::string data, crosses;
-  std::vector<std::string> lines;
-  int rows_of_crosses = 0;
-  std::size_t peers = 0;
-  for (std::size_t n = 0; n < curves.size(); ++n) {
-    const Curve& curve = curves[n];
-    // eight colors; when they are used up, other lines and points
-    const std::size_t among_its_kind = curve.is_peer ? peers++ : n - peers;
-    const std::size_t color = among_its_kind % 8 + 1;
-    const LineStyle style = (curve.is_peer ? lines_of_peers : lines_of_ours)[among_its_kind / 8 % 3];
-    if (!curve.points.empty()) data += fmt::format("$m{} << EOD\n{}EOD\n", n, curve.points);
-    // that none hides another's
-    if (!curve.failed_at.empty()) ++rows_of_crosses;
-    for (const std::string& at : curve.failed_at)
-      crosses += fmt::format("set label '' at {}, graph {:.3f} point pt 2 ps 0.6 lc {}\n", at,
-                             0.015 * rows_of_crosses, color);
-    const std::string counted = curve.failed_at.empty()
-                                    ? curve.name
-                                    : fmt::format("{} ({} failed)", curve.name, curve.failed_at.size());
-    lines.push_back(fmt::format("{} with yerrorlines lw 1.5 pt {} ps 0.5 lc {} dt {} title {}",
-                                curve.points.empty() ? "keyentry" : fmt::format("$m{} using 1:2:3:4", n),
-                                style.points, color, style.dashes, gnuplot_quoted(counted)));
-  }
-  for (const auto& [terminal, suffix] :
-       {std::pair("svg size 900,650 noenhanced font 'sans,11' background '#ffffff'", ".svg"),
-        {"pdfcairo size 16cm,11.5cm noenhanced font 'sans,9'", ".pdf"}})
-    run_gnuplot(fmt::format(
-        "{}{}set terminal {}\nset output {}\nset title {}\nset grid\nset logscale xy\nset format '%.0e'\n"
-        "set xlabel 'error of positions [m]; crosses: runs that failed, at their tolerance'\n"
-        "set ylabel 'CPU time [s]'\nset key outside right\nplot {}\n",
-        data, crosses, terminal, gnuplot_quoted((folder / (contest.scene + suffix)).string()),
-        gnuplot_quoted(fmt::format("{}, {} s", contest.scene, contest.t_end)), fmt::join(lines, ", \\\n  ")));
-}
-
 int run(const Program& program, const Options& options) {
   const std::vector<TimedMotion> all = motions(program);
-  const std::vector<Entry> entered = entries(options.quick);
+  const std::vector<RunSettings> entered = all_settings(options.quick);
   Progress progress("work_precision",
                     all.size() * (entered.size() + static_cast<std::size_t>(options.repetitions)));
   if (!options.plots.empty()) std::filesystem::create_directories(options.plots);
-  std::vector<Contest> contests;
+  std::vector<SceneResult> results;
   ErrorLines errors;
   for (const TimedMotion& motion : all) {
-    std::optional<Reference> reference;
+    std::optional<ReferenceMotion> reference;
     try {
       reference = reference_of(motion);
     } catch (const std::runtime_error& error) {
       errors.add(name_source(motion.scene.name, error.what()), "the reference");
       continue;
     }
-    contests.push_back({motion.scene.name, motion.t_end, reference->own_error, reference->is_trusted,
-                        contest(motion, *reference, entered, options.repetitions, [&] { progress.step(); })});
-    if (!program.json()) fmt::print("{}", cost_table(contests.back()));
+    results.push_back(
+        {motion.scene.name, motion.t_end, reference->own_error, reference->is_trusted,
+         measure_runs(motion, *reference, entered, options.repetitions, [&] { progress.step(); })});
+    if (!program.json()) fmt::print("{}", cost_table(results.back()));
     std::fflush(stdout);
-    if (!options.plots.empty()) plot(contests.back(), options.plots);
+    if (!options.plots.empty()) plot(results.back(), options.plots);
   }
   if (!program.json())
     fmt::print(
@@ -281,11 +148,11 @@ int run(const Program& program, const Options& options) {
         "A run of a second or more is timed once: its interval has no width.\n",
         errors.text(), options.repetitions, confidence(options.repetitions));
   ResultsFile file("work_precision", columns());
-  for (const Contest& c : contests)
-    for (const Outcome& o : c.outcomes) file.add(fields(c, o));
+  for (const SceneResult& c : results)
+    for (const RunResult& o : c.runs) file.add(fields(c, o));
   program.write(file);
-  if (program.json()) fmt::print("{}", json(contests, errors.text()));
-  return batch_exit(contests.size() == all.size(), true);
+  if (program.json()) fmt::print("{}", json(results, errors.text()));
+  return batch_exit(results.size() == all.size(), true);
 }
 
 }  // namespace

@@ -4,7 +4,9 @@
 
 namespace trivium::precision {
 
-std::vector<Entry> peer_entries(bool) { return {}; }
-PeerMotion peer_motion(const TimedMotion&, const Entry&) { throw std::runtime_error("Simbody is not there"); }
+std::vector<RunSettings> peer_settings(bool) { return {}; }
+PeerMotion peer_motion(const TimedMotion&, const RunSettings&) {
+  throw std::runtime_error("Simbody is not there");
+}
 
 }  // namespace trivium::precision

@@ -11,6 +11,7 @@
 #include "scenes/make_mechanism.hpp"
 #include "simulation/simulate.hpp"
 #include "validation/harness/interleaved_timing.hpp"
+
 namespace trivium::precision {
 
 namespace {
@@ -19,15 +20,15 @@ constexpr int outputs = 10;
 /// No run is repeated beyond this [s].
 constexpr double enough = 1;
 
-SimulationOptions options_of(const TimedMotion& motion, const Entry& entry) {
+SimulationOptions options_of(const TimedMotion& motion, const RunSettings& settings) {
   SimulationOptions options;
-  options.formulation = entry.formulation;
-  options.integrator = entry.method;
-  options.parameters = entry.parameters;
+  options.formulation = settings.formulation;
+  options.integrator = settings.method;
+  options.parameters = settings.parameters;
   options.end = motion.t_end;
   options.output_step = motion.t_end / outputs;
-  if (entry.rtol) options.tolerances = {*entry.rtol, *entry.rtol / 100};
-  if (entry.step) options.step = *entry.step * motion.t_end;
+  if (settings.rtol) options.tolerances = {*settings.rtol, *settings.rtol / 100};
+  if (settings.step) options.step = *settings.step * motion.t_end;
   return options;
 }
 
@@ -47,36 +48,36 @@ void add_errors(const MechanismState<double>& found, const MechanismState<double
   }
 }
 
-void measure_ours(const TimedMotion& motion, const Reference& reference, Outcome& outcome) {
+void measure_ours(const TimedMotion& motion, const ReferenceMotion& reference, RunResult& result) {
   Samples samples;
   const SimulationReport report =
-      simulate(make_model<double>(motion.scene), options_of(motion, outcome.entry), samples);
+      simulate(make_model<double>(motion.scene), options_of(motion, result.settings), samples);
   double reaction = 0;
   for (std::size_t k = 0; k < reference.samples.size(); ++k) {
-    add_errors(samples.all[k].state, reference.samples[k].state, outcome.errors);
+    add_errors(samples.all[k].state, reference.samples[k].state, result.errors);
     for (std::size_t j = 0; j < samples.all[k].reactions.size(); ++j)
       raise(reaction, (samples.all[k].reactions[j].force - reference.samples[k].reactions[j].force).norm());
   }
-  outcome.errors.reaction = reaction;
-  outcome.errors.drift = report.phi;
-  outcome.errors.energy = report.unaccounted_energy;
-  outcome.steps = report.counters.steps;
-  outcome.evaluations = report.counters.right_sides;
-  outcome.factorisations = report.factorisations;
+  result.errors.reaction = reaction;
+  result.errors.drift = report.phi;
+  result.errors.energy = report.unaccounted_energy;
+  result.steps = report.counters.steps;
+  result.evaluations = report.counters.right_sides;
+  result.factorisations = report.factorisations;
 }
 
-void measure_peer(const TimedMotion& motion, const Reference& reference, Outcome& outcome) {
-  const PeerMotion found = peer_motion(motion, outcome.entry);
+void measure_peer(const TimedMotion& motion, const ReferenceMotion& reference, RunResult& result) {
+  const PeerMotion found = peer_motion(motion, result.settings);
   for (std::size_t k = 0; k < found.states.size(); ++k)
-    add_errors(found.states[k], reference.samples[k + 1].state, outcome.errors);
-  outcome.steps = found.steps;
-  outcome.evaluations = found.evaluations;
+    add_errors(found.states[k], reference.samples[k + 1].state, result.errors);
+  result.steps = found.steps;
+  result.evaluations = found.evaluations;
 }
 
-double time_once(const TimedMotion& motion, const Entry& entry) {
-  if (entry.formulation.empty()) return peer_motion(motion, entry).seconds;
+double time_once(const TimedMotion& motion, const RunSettings& settings) {
+  if (settings.formulation.empty()) return peer_motion(motion, settings).seconds;
   SimulationObserver nobody;
-  SimulationOptions options = options_of(motion, entry);
+  SimulationOptions options = options_of(motion, settings);
   options.watches = false;
   return simulate(make_model<double>(motion.scene), options, nobody).seconds;
 }
@@ -89,7 +90,7 @@ Seconds summary(std::vector<double> seconds) {
 
 }  // namespace
 
-std::string Entry::setting() const {
+std::string RunSettings::setting() const {
   if (rtol) return fmt::format("rtol {:.0e}", *rtol);
   return fmt::format("h = T/{:.0f}", 1 / *step);
 }
@@ -101,7 +102,7 @@ std::vector<double> output_times(const TimedMotion& motion) {
   return times;
 }
 
-Reference reference_of(const TimedMotion& motion) {
+ReferenceMotion reference_of(const TimedMotion& motion) {
   Samples first, second;
   const auto model = make_model<Quad>(motion.scene);
   SimulationOptions options = options_of(motion, {"trivium", "r-omega", "rkf78", 1e-16, {}});
@@ -121,8 +122,8 @@ std::vector<double> tolerances(bool quick) {
   return {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
 }
 
-std::vector<Entry> entries(bool quick) {
-  std::vector<Entry> all;
+std::vector<RunSettings> all_settings(bool quick) {
+  std::vector<RunSettings> all;
   const auto steps = quick ? std::vector<double>{200} : std::vector<double>{200, 800, 3200};
   for (const char* formulation : {"r-omega", "r-p", "r-epsilon"}) {
     for (const char* method : {"dopri5", "rkf78", "bulirsch-stoer", "abm", "cvode-adams", "cvode-bdf",
@@ -139,35 +140,35 @@ std::vector<Entry> entries(bool quick) {
       for (const double n : steps) all.push_back({"trivium", formulation, method, {}, 1 / n, parameters});
     }
   }
-  const std::vector<Entry> peers = peer_entries(quick);
+  const std::vector<RunSettings> peers = peer_settings(quick);
   all.insert(all.end(), peers.begin(), peers.end());
   return all;
 }
 
-std::vector<Outcome> contest(const TimedMotion& motion, const Reference& reference,
-                             const std::vector<Entry>& entries, int repetitions,
-                             const std::function<void()>& step) {
-  std::vector<Outcome> outcomes;
-  for (const Entry& entry : entries) {
-    Outcome& outcome = outcomes.emplace_back(Outcome{entry, {}, {}, {}});
+std::vector<RunResult> measure_runs(const TimedMotion& motion, const ReferenceMotion& reference,
+                                    const std::vector<RunSettings>& all, int repetitions,
+                                    const std::function<void()>& step) {
+  std::vector<RunResult> runs;
+  for (const RunSettings& settings : all) {
+    RunResult& result = runs.emplace_back(RunResult{settings, {}, {}, {}});
     try {
-      (entry.formulation.empty() ? measure_peer : measure_ours)(motion, reference, outcome);
+      (settings.formulation.empty() ? measure_peer : measure_ours)(motion, reference, result);
     } catch (const std::runtime_error& error) {
-      outcome.failure = error.what();
+      result.failure = error.what();
     }
     step();
   }
-  std::vector<std::vector<double>> seconds(entries.size());
+  std::vector<std::vector<double>> seconds(all.size());
   interleave(
-      entries.size(), repetitions,
+      all.size(), repetitions,
       [&](std::size_t n) {
         const double spent = std::accumulate(seconds[n].begin(), seconds[n].end(), 0.0);
-        if (outcomes[n].solved() && spent < enough) seconds[n].push_back(time_once(motion, entries[n]));
+        if (runs[n].solved() && spent < enough) seconds[n].push_back(time_once(motion, all[n]));
       },
       step);
-  for (std::size_t n = 0; n < entries.size(); ++n)
-    if (outcomes[n].solved() && repetitions > 0) outcomes[n].seconds = summary(seconds[n]);
-  return outcomes;
+  for (std::size_t n = 0; n < all.size(); ++n)
+    if (runs[n].solved() && repetitions > 0) runs[n].seconds = summary(seconds[n]);
+  return runs;
 }
 
 double confidence(int repetitions) {

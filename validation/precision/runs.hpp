@@ -20,7 +20,7 @@ struct TimedMotion {
 };
 
 /// A method with one tolerance or step.
-struct Entry {
+struct RunSettings {
   std::string engine, formulation, method;  ///< no formulation: a peer's own coordinates
   std::optional<double> rtol, step;
   integrators::MethodParameters parameters = {};
@@ -44,8 +44,8 @@ struct Seconds {
   double low = 0, high = 0;  ///< the median's confidence interval (see confidence)
 };
 
-struct Outcome {
-  Entry entry;
+struct RunResult {
+  RunSettings settings;
   std::string failure;  ///< empty where it came to the end
   MotionErrors errors;
   Seconds seconds;
@@ -55,7 +55,7 @@ struct Outcome {
 };
 
 /// A motion's states (and ours' reactions) at the outputs.
-struct Reference {
+struct ReferenceMotion {
   std::vector<MotionSample> samples;
   /// [m], or [rad] where trusted numbers are angles: the most that another method at a tighter tolerance or
   /// trusted numbers make of it.
@@ -68,7 +68,7 @@ std::vector<double> output_times(const TimedMotion& motion);
 
 /// By Fehlberg's method in quad, confirmed by Bulirsch and Stoer's, and by trusted numbers where there are
 /// any.
-Reference reference_of(const TimedMotion& motion);
+ReferenceMotion reference_of(const TimedMotion& motion);
 
 /// How far [m, or rad of orientations] samples of a scene's motion are from trusted numbers
 /// (validation/reference/) at the times of both; nothing where there are none.
@@ -80,25 +80,25 @@ std::vector<double> tolerances(bool quick);
 inline constexpr std::array finest_tolerances{1e-12, 1e-13};
 
 /// Ours in three formulations, and Simbody's where it is there.
-std::vector<Entry> entries(bool quick);
+std::vector<RunSettings> all_settings(bool quick);
 
 /// The errors of each, once; then how long each takes, all in turn and in random order.
-std::vector<Outcome> contest(const TimedMotion& motion, const Reference& reference,
-                             const std::vector<Entry>& entries, int repetitions,
-                             const std::function<void()>& step);
+std::vector<RunResult> measure_runs(const TimedMotion& motion, const ReferenceMotion& reference,
+                                    const std::vector<RunSettings>& all, int repetitions,
+                                    const std::function<void()>& step);
 
 /// The chance [-] that the median of endless repetitions lies between the second least and second largest of
 /// so many (the least and the largest where there are fewer than 5).
 double confidence(int repetitions);
 
-// Simbody's part; where it was not there when this was built, it has no entries
-std::vector<Entry> peer_entries(bool quick);
+// Simbody's part; where it was not there when this was built, it has no settings
+std::vector<RunSettings> peer_settings(bool quick);
 struct PeerMotion {
   std::vector<MechanismState<double>> states;
   double seconds = 0;
   long steps = 0, evaluations = 0;
 };
 /// Throws a std::runtime_error.
-PeerMotion peer_motion(const TimedMotion& motion, const Entry& entry);
+PeerMotion peer_motion(const TimedMotion& motion, const RunSettings& settings);
 
 }  // namespace trivium::precision

@@ -3,6 +3,7 @@
 
 #include "bodies/numbers/scalar.hpp"
 #include "validation/precision/runs.hpp"
+#include "validation/simbody/motion.hpp"
 #include "validation/simbody/translation.hpp"
 
 namespace trivium::precision {
@@ -34,8 +35,8 @@ Vector3<double> vector(const simbody::Vector3& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 
-std::vector<Entry> peer_entries(bool quick) {
-  std::vector<Entry> all;
+std::vector<RunSettings> peer_settings(bool quick) {
+  std::vector<RunSettings> all;
   std::vector<double> accuracies = tolerances(quick);
   if (!quick) accuracies.insert(accuracies.end(), finest_tolerances.begin(), finest_tolerances.end());
   for (const Peer& peer : peers)
@@ -44,9 +45,10 @@ std::vector<Entry> peer_entries(bool quick) {
   return all;
 }
 
-PeerMotion peer_motion(const TimedMotion& motion, const Entry& entry) {
-  const simbody::Motion found = simbody::move(to_simbody(motion.scene, 0), simbody::Way::mobilizers,
-                                              integrator_of(entry.method), *entry.rtol, output_times(motion));
+PeerMotion peer_motion(const TimedMotion& motion, const RunSettings& settings) {
+  const simbody::Motion found =
+      simbody::move(to_simbody(motion.scene, 0), simbody::Way::mobilizers, integrator_of(settings.method),
+                    *settings.rtol, output_times(motion));
   PeerMotion out{{}, found.seconds, found.steps, found.realizations};
   for (const auto& bodies : found.states) {
     MechanismState<double>& state = out.states.emplace_back();

@@ -1,0 +1,76 @@
+#pragma once
+/// The order that a run shows: errors of r, v, lambda and the method's own lambda at steps that halve, and
+/// log2 of the ratio of neighbours. Decides down to which error an order is told from rounding, and how far
+/// it may be from the published one.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "simulation/simulate.hpp"
+#include "validation/convergence/published_orders.hpp"
+#include "validation/harness/consistent_scenes.hpp"
+
+namespace trivium::convergence {
+
+/// Observed and published orders may differ by this.
+constexpr double tolerance = 0.2;
+
+constexpr std::array<const char*, 4> quantities{"r", "v", "lambda", "raw lambda"};
+using Errors = std::array<double, 4>;
+
+/// Of one case in one formulation.
+struct OrderResult {
+  std::string scene, formulation, error;
+  Case of;
+  std::vector<double> h;
+  std::vector<Errors> errors;
+  Errors floor{};  ///< what rounding leaves of errors
+
+  bool solved() const { return error.empty(); }
+  bool has(int quantity) const { return quantity < 3 || of.raw_order > 0; }
+  double observed(int quantity, std::size_t level) const {
+    return std::log2(errors[level - 1][quantity] / errors[level][quantity]);
+  }
+  /// The finest level that shows an order; 0 where none does.
+  std::size_t level(int quantity) const {
+    std::size_t k = h.size() - 1;
+    while (k > 0 && !(errors[k][quantity] > floor[quantity])) --k;
+    return k;
+  }
+  bool is_rounding(int quantity) const { return level(quantity) == 0; }
+  double observed(int quantity) const { return observed(quantity, level(quantity)); }
+  /// Whether the formulation's mass matrix lets the order fall.
+  bool may_fall() const { return of.needs_constant_mass && !inertia_is_constant(formulation); }
+  int published(int quantity) const { return quantity == 3 ? of.raw_order : of.order; }
+  std::string expected(int quantity) const {
+    return may_fall() ? fmt::format("1..{}", published(quantity)) : std::to_string(published(quantity));
+  }
+  bool passed(int quantity) const {
+    if (is_rounding(quantity)) return true;
+    const double found = observed(quantity), p = published(quantity);
+    if (!may_fall()) return std::abs(found - p) <= tolerance;
+    // of r the part of order 1 is small, and may first cancel that of order 2; but errors do not grow
+    return found <= p + tolerance && found >= (quantity == 0 ? 0 : 1) - tolerance;
+  }
+  bool passed() const {
+    if (!solved()) return false;
+    for (int k = 0; k < 4; ++k)
+      if (has(k) && !passed(k)) return false;
+    return true;
+  }
+};
+
+/// The outputs of a run that errors are measured at: its middle and its end. In quad, or in double.
+std::vector<MotionSample> outputs_of(const scenes::Scene& scene, SimulationOptions options,
+                                     bool is_double = false);
+
+/// The errors of one method in one formulation at `levels` steps, each half of the one before, against the
+/// exact outputs. A run that fails is a result with an error.
+OrderResult measure(const NamedScene& named, const std::string& formulation, const Case& of, double t_end,
+                    int levels, const std::vector<MotionSample>& exact);
+
+}  // namespace trivium::convergence

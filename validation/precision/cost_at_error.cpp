@@ -1,0 +1,73 @@
+#include "validation/precision/cost_at_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/table.hpp"
+
+namespace trivium::precision {
+
+namespace {
+
+/// Errors of positions [m] that the costs are told for.
+constexpr std::array targets{1e-3, 1e-6, 1e-9, 1e-10};
+
+/// The cheapest of a contender's runs (or of all of ours, or all peers') that is as exact; null where none
+/// is.
+template <class Counts>
+const RunResult* cheapest(const SceneResult& result, double target, const Counts& counts) {
+  const RunResult* best = nullptr;
+  if (result.reference_error > target / 10) return best;  // not known so well
+  for (const RunResult& o : result.runs)
+    if (o.solved() && counts(o.settings) && o.errors.position <= target &&
+        (best == nullptr || o.seconds.median < best->seconds.median))
+      best = &o;
+  return best;
+}
+
+}  // namespace
+
+std::string who(const RunSettings& e) {
+  return e.formulation.empty() ? fmt::format("{} {}", e.engine, e.method)
+                               : fmt::format("{}, {}", e.method, e.formulation);
+}
+bool is_peer(const RunSettings& e) { return e.formulation.empty(); }
+
+std::string cost_table(const SceneResult& result) {
+  std::vector<std::string> header{"method"};
+  for (const double target : targets) header.push_back(fmt::format("{:.0e} m", target));
+  Table table(header);
+  std::vector<std::string> contenders;
+  for (const RunResult& o : result.runs)
+    if (std::find(contenders.begin(), contenders.end(), who(o.settings)) == contenders.end())
+      contenders.push_back(who(o.settings));
+  for (const std::string& contender : contenders) {
+    std::vector<std::string> row{contender};
+    for (const double target : targets) {
+      const RunResult* best =
+          cheapest(result, target, [&](const RunSettings& e) { return who(e) == contender; });
+      row.push_back(best ? fmt::format("{:.2f} ms ({})", 1e3 * best->seconds.median, best->settings.setting())
+                         : "-");
+    }
+    table.add(row);
+  }
+  std::string out = fmt::format("{}, {} s: CPU time to reach an error of positions (reference: {}{})\n\n{}",
+                                result.scene, result.t_end,
+                                result.reference_error > 0 ? fmt::format("{:.0e} m", result.reference_error)
+                                                           : "no difference in double",
+                                result.is_trusted ? ", trusted numbers among it" : "", table.text());
+  for (const double target : targets) {
+    const RunResult *ours = cheapest(result, target, [](const RunSettings&e) { return !is_peer(e); }),
+                    *peer = cheapest(result, target, is_peer);
+    if (ours && peer)
+      out += fmt::format("{:.0e} m: Simbody's best ({}) takes {:.2f} x the time of our best ({})\n", target,
+                         peer->settings.method, peer->seconds.median / ours->seconds.median,
+                         who(ours->settings));
+  }
+  for (const RunResult& o : result.runs)
+    if (!o.solved()) out += fmt::format("{}, {}: {}\n", who(o.settings), o.settings.setting(), o.failure);
+  return out + "\n";
+}
+
+}  // namespace trivium::precision
