@@ -6,7 +6,7 @@
 
 #include "formulations/side_by_side.hpp"
 #include "scenes/scene.hpp"
-#include "validation/simbody/model.hpp"
+#include "validation/simbody/way.hpp"
 
 namespace trivium {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "validation/simbody/comparison.hpp"
+#include "validation/simbody/solve.hpp"
 #include "validation/simbody/testing/one_body_scene.hpp"
 #include "validation/simbody/translation.hpp"
 

@@ -1,5 +1,7 @@
 #include "validation/simbody/mobilizer_tree.hpp"
 
+#include "validation/simbody/way.hpp"
+
 namespace trivium::simbody {
 
 namespace {

@@ -1,12 +1,13 @@
 #pragma once
 /// Rows as Simbody constraints: one custom constraint a row, or Simbody's own where it has one. Internal to
-/// the Simbody library; validation/simbody/model.hpp documents sign and scale.
+/// the Simbody library; multiplier_signs.hpp documents sign and scale.
 
 #include <Simbody.h>
 
 #include <vector>
 
 #include "validation/simbody/model.hpp"
+#include "validation/simbody/multiplier_signs.hpp"
 
 namespace trivium::simbody {
 
@@ -22,19 +23,6 @@ struct BodyMap {
     return matter.updMobilizedBody(body == ground ? SimTK::MobilizedBodyIndex(0)
                                                   : index[static_cast<std::size_t>(body)]);
   }
-};
-
-/// lambda[row] = scale * (a multiplier of a Simbody constraint).
-struct RowLink {
-  int row;
-  double scale;
-};
-
-/// A Simbody constraint, the joint that it belongs to, and the rows that its multipliers stand for.
-struct LinkedConstraint {
-  SimTK::ConstraintIndex index;
-  int joint;
-  std::vector<RowLink> rows;
 };
 
 /// One row as a custom constraint.
