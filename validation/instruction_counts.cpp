@@ -50,8 +50,11 @@ void walk(const Workload& w, int evaluations) {
     walk<ROmega<double>>(w, evaluations);
   else if (w.formulation == RP<double>::name)
     walk<RP<double>>(w, evaluations);
-  else
+  else if (w.formulation == REpsilon<double>::name)
     walk<REpsilon<double>>(w, evaluations);
+  else
+    throw ModelError(fmt::format("formulation \"{}\" is not counted; accepted: {}, {}, {}", w.formulation,
+                                 ROmega<double>::name, RP<double>::name, REpsilon<double>::name));
 }
 
 /// All instructions of this program when it walks a workload so often.

@@ -13,6 +13,7 @@
 #include "scenes/catalogue.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "validation/cost/peer_translation.hpp"
+#include "validation/cost/quad_solution.hpp"
 #include "validation/cost/state_sweep.hpp"
 #ifdef TRIVIUM_COST_MUJOCO
 #include "validation/cost/mujoco_engine.hpp"
@@ -110,10 +111,10 @@ class Ensemble {
     return portion;
   }
 
-  Exact exact(const MechanismState<double>& state) const {
+  QuadSolution exact(const MechanismState<double>& state) const {
     scenes::Scene here = scene;
     set_state(here, state);
-    return exact_solution(here);
+    return quad_solution(here);
   }
 
  private:
@@ -212,7 +213,7 @@ std::vector<Measurement> measure_ensemble(int states) {
     for (Sweep& sweep : all) sweep.take(portion);
     if (done == 0)
       for (int n = 0; n < checked_states; ++n) {
-        const Exact exact = ensemble.exact(portion.states[static_cast<std::size_t>(n)]);
+        const QuadSolution exact = ensemble.exact(portion.states[static_cast<std::size_t>(n)]);
         for (Sweep& sweep : all) {
           const double error = exact.error_of(sweep.r_ddot(n)), worst = sweep.row.error.value_or(0);
           sweep.row.error = error <= worst || std::isnan(worst) ? worst : error;  // a NaN goes in and stays

@@ -9,6 +9,7 @@
 
 #include "validation/cost/peer_translation.hpp"
 #include "validation/cost/peers.hpp"
+#include "validation/cost/quad_solution.hpp"
 #include "validation/cost/sparse.hpp"
 
 namespace trivium::cost {
@@ -34,7 +35,7 @@ std::vector<Entrant> entrants(const TimedScene& timed, const PeerScene& peer_sce
   for (const char* formulation : formulations)
     for (const Refined refined : {Refined::no, Refined::yes})
       all.push_back({of_ours(row, formulation, refined), [&timed, formulation, refined] {
-                       return our_engine(timed.scene, formulation, refined);
+                       return trivium_engine(timed.scene, formulation, refined);
                      }});
   for (const Peer& peer : peers()) {
     row.engine = peer.name;
@@ -55,7 +56,7 @@ double kilobytes_on_heap() {
 }
 
 /// The engine at work, once; nothing where it cannot, and then the row says why.
-std::unique_ptr<Engine> try_out(Entrant& entrant, const Exact& exact) {
+std::unique_ptr<Engine> try_out(Entrant& entrant, const QuadSolution& exact) {
   Measurement& row = entrant.row;
   try {
     entrant.make();  // an engine may keep what it read last: the heap is compared from the second on
@@ -101,7 +102,7 @@ void set_ratios(std::vector<Measurement>& rows) {
 }
 
 std::vector<Measurement> measure(const TimedScene& scene, const Timing& timing) {
-  const Exact exact = exact_solution(scene.scene);
+  const QuadSolution exact = quad_solution(scene.scene);
   const PeerScene peer_scene = to_peers(scene.scene);
   std::vector<Entrant> all = entrants(scene, peer_scene);
   std::vector<std::unique_ptr<Engine>> engines;

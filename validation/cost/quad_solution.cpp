@@ -1,3 +1,5 @@
+#include "validation/cost/quad_solution.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -5,20 +7,19 @@
 #include "formulations/r_omega.hpp"
 #include "formulations/side_by_side.hpp"
 #include "validation/cost/trivium_engine.hpp"
-#include "validation/cost/trivium_engines.hpp"
 
 namespace trivium::cost {
 
 namespace {
 
-Exact as_printed(const scenes::Scene& scene) {
+QuadSolution as_printed(const scenes::Scene& scene) {
   SolveOptions options;
   options.formulations = {std::string(ROmega<Quad>::name)};
   const SideBySide<Quad> printed =
       side_by_side(make_model<Quad>(scene), analyse_rows(make_model<double>(scene)), options);
   const auto& only = printed.formulations.front();
   if (!only.error.empty()) throw ModelError(only.error);
-  Exact exact;
+  QuadSolution exact;
   for (const auto& v : only.solution.r_ddot) exact.r_ddot.push_back(plain<Quad>(v));
   exact.lambda = plain<Quad>(only.solution.lambda);
   exact.unique = printed.rows.unique;
@@ -27,7 +28,7 @@ Exact as_printed(const scenes::Scene& scene) {
 
 }  // namespace
 
-double Exact::error_of(const std::vector<Vector3>& other) const {
+double QuadSolution::error_of(const std::vector<Vector3>& other) const {
   double difference = 0, size = 0;
   for (std::size_t b = 0; b < r_ddot.size(); ++b) {
     const Vector3 &x = r_ddot[b], &y = other[b];
@@ -38,7 +39,7 @@ double Exact::error_of(const std::vector<Vector3>& other) const {
   return difference == 0 ? 0 : difference / size;
 }
 
-double Exact::lambda_error_of(const std::vector<double>& other) const {
+double QuadSolution::lambda_error_of(const std::vector<double>& other) const {
   double difference = 0, size = 0;
   for (std::size_t k = 0; k < lambda.size(); ++k) {
     if (!unique[k]) continue;
@@ -48,9 +49,9 @@ double Exact::lambda_error_of(const std::vector<double>& other) const {
   return difference == 0 ? 0 : std::sqrt(difference / size);
 }
 
-Exact exact_solution(const scenes::Scene& scene) {
+QuadSolution quad_solution(const scenes::Scene& scene) {
   try {
-    OurEngine<ROmega<Quad>> quad(scene, Refined::yes);
+    TriviumEngine<ROmega<Quad>> quad(scene, Refined::yes);
     quad.evaluate();
     // which multipliers are unique does not take quad, and would take long there
     return {quad.r_ddot(), quad.lambda(), unique_multipliers(scene)};

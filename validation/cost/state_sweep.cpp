@@ -82,7 +82,8 @@ StateSweep sweep_in(const Mechanism<double>& mechanism, const std::string& formu
   };
   if (formulation == RP<double>::name) return in(std::type_identity<RP<S>>{});
   if (formulation == REpsilon<double>::name) return in(std::type_identity<REpsilon<S>>{});
-  return in(std::type_identity<ROmega<S>>{});
+  if (formulation == ROmega<double>::name) return in(std::type_identity<ROmega<S>>{});
+  throw_not_timed(formulation);
 }
 
 }  // namespace

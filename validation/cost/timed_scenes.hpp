@@ -1,5 +1,6 @@
 #pragma once
-/// The scenes that engines are timed on.
+/// The scenes that engines are timed on: members of a family of any size, made by their names, and scenes of
+/// the catalogue or of files. Decides which are timed where none is named.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-/// The structured solver of one formulation, in one Scalar, as an engine.
+/// The structured solver of one formulation, in one Scalar, as an engine: a template, for who needs another
+/// Scalar than trivium_engines.hpp has.
 
 #include <string>
 #include <vector>
@@ -27,11 +28,11 @@ inline Refinement refinement_of(Refined refined) {
 }
 
 template <class F>
-class OurEngine : public Engine {
+class TriviumEngine : public Engine {
  public:
   using S = typename F::Scalar;
 
-  OurEngine(const scenes::Scene& scene, Refined refined)
+  TriviumEngine(const scenes::Scene& scene, Refined refined)
       : mechanism_(make_mechanism<S>(scene)),
         state_(to_coordinates<F>(mechanism_, make_state<S>(scene), ChartOptions{})),
         solver_(mechanism_),
