@@ -1,5 +1,6 @@
 #pragma once
-/// Motions of the catalogue's scenes, kept. A support of the tests.
+/// Motions of the catalogue's scenes, kept, and the suites of tests that every formulation passes. A support
+/// of the tests.
 
 #include <gtest/gtest.h>
 
@@ -42,6 +43,33 @@ inline SimulationOptions tight(const std::string& formulation, const std::string
   options.tolerances = {rtol, rtol / 100};
   return options;
 }
+
+inline SimulationOptions stepping(const std::string& formulation, const std::string& method, double end,
+                                  double step) {
+  SimulationOptions options;
+  options.formulation = formulation;
+  options.integrator = method;
+  options.end = end;
+  options.step = step;
+  return options;
+}
+
+/// Largest distance of a body between the ends of two motions.
+inline double apart(const Motion& a, const Motion& b) {
+  double largest = 0;
+  for (std::size_t k = 0; k < a.end().state.pose.size(); ++k)
+    largest = std::max(largest, (a.end().state.pose[k].r - b.end().state.pose[k].r).norm());
+  return largest;
+}
+
+/// Those that take given steps and whose equations may be stiff.
+inline const std::vector<std::string> implicit_methods{
+    "generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "radau5", "radau9"};
+
+/// Run in every formulation; motions_test.cpp and implicit_motions_test.cpp instantiate them, once for all
+/// files.
+class InEveryFormulation : public testing::TestWithParam<std::string> {};
+class Implicit : public testing::TestWithParam<std::string> {};
 
 inline std::string formulation_in_a_name(const testing::TestParamInfo<std::string>& formulation) {
   std::string name = formulation.param;

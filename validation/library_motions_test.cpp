@@ -1,0 +1,102 @@
+/// Motions by the methods of SUNDIALS, in every formulation.
+
+#include <algorithm>
+#include <cmath>
+
+#include "validation/testing/catalogue_motion.hpp"
+
+namespace trivium {
+namespace {
+
+using test::apart, test::catalogue_scene, test::Implicit, test::Motion, test::tight;
+
+class Libraries : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Motions, Libraries, testing::ValuesIn(formulation_names()),
+                         test::formulation_in_a_name);
+
+const std::vector<std::string> of_sundials{"cvode-adams", "cvode-bdf", "arkode-erk", "arkode-dirk", "ida"};
+
+TEST_P(Implicit, BackwardDifferencesOfLibrariesChooseLongStepsInAStiffMotion) {
+  static const Motion exact(catalogue_scene("flyball_governor"), tight("r-omega", "rkf78", 1, 1e-11));
+  const Motion by_dopri5(catalogue_scene("flyball_governor"), tight(GetParam(), "dopri5", 1, 1e-7));
+  for (const char* method : {"cvode-bdf", "ida", "arkode-dirk"}) {
+    const Motion motion(catalogue_scene("flyball_governor"), tight(GetParam(), method, 1, 1e-7));
+    EXPECT_LE(apart(motion, exact), 5e-5) << method;
+    EXPECT_LE(motion.report.counters.steps + motion.report.counters.rejected_steps,
+              by_dopri5.report.counters.steps / 2)
+        << method;
+    // Newton's matrix is worth its name
+    EXPECT_LE(static_cast<double>(motion.report.counters.iterations),
+              method == std::string("arkode-dirk") ? 45.0 * static_cast<double>(motion.report.counters.steps)
+                                                   : 5.0 * static_cast<double>(motion.report.counters.steps))
+        << method;
+  }
+}
+
+TEST_P(Libraries, MotionsFollowTheToleranceOnTheirConstraints) {
+  for (const auto& [name, end] : {std::pair("spatial_slider_crank", 0.5),
+                                  {"bricard", 2.0},
+                                  {"stewart_platform", 0.5},
+                                  {"welded_rotor", 1.0}}) {
+    const Motion exact(catalogue_scene(name), tight("r-omega", "rkf78", end, 1e-12));
+    for (const std::string& method : of_sundials) {
+      double before = 1;
+      for (const double rtol : {1e-5, 1e-9}) {
+        const Motion motion(catalogue_scene(name), tight(GetParam(), method, end, rtol));
+        EXPECT_LE(apart(motion, exact), 1e3 * rtol) << name << " " << method;
+        EXPECT_LE(apart(motion, exact), before) << name << " " << method;
+        EXPECT_LE(motion.report.phi, 1e-13) << name << " " << method;
+        EXPECT_LE(motion.report.phi_dot, 1e-12) << name << " " << method;
+        EXPECT_LE(motion.report.normalisation, 1e-14) << name << " " << method;
+        before = apart(motion, exact) / 10;
+      }
+    }
+  }
+}
+
+// they step over outputs: these cost no steps, and are as exact as the end
+TEST_P(Libraries, OutputsBetweenStepsAreOfTheMethodsOwnAccuracy) {
+  SimulationOptions options = tight("r-omega", "rkf78", 1, 1e-12);
+  options.output_step = 0.01;
+  const Motion exact(catalogue_scene("double_pendulum"), options);
+  for (const char* method : {"cvode-adams", "cvode-bdf", "ida"}) {
+    options = tight(GetParam(), method, 1, 1e-8);
+    const Motion alone(catalogue_scene("double_pendulum"), options);
+    options.output_step = 0.01;
+    const Motion motion(catalogue_scene("double_pendulum"), options);
+    ASSERT_EQ(motion.samples.size(), exact.samples.size());
+    double largest = 0;
+    for (std::size_t k = 0; k < exact.samples.size(); ++k) {
+      EXPECT_EQ(motion.samples[k].state.t, exact.samples[k].state.t);
+      EXPECT_LE(motion.samples[k].phi, 1e-13) << method << " " << k;
+      for (std::size_t b = 0; b < 2; ++b)
+        largest =
+            std::max(largest, (motion.samples[k].state.pose[b].r - exact.samples[k].state.pose[b].r).norm());
+    }
+    EXPECT_LE(largest, 1e-6) << method;
+    EXPECT_EQ(motion.report.counters.steps, alone.report.counters.steps) << method;
+  }
+}
+
+TEST_P(Libraries, MultipliersOfIDAAreThoseOfTheState) {
+  SimulationOptions options = tight(GetParam(), "ida", 0.5, 1e-9);
+  options.output_step = 0.05;
+  const Motion motion(catalogue_scene("spatial_slider_crank"), options);
+  double largest = 0;
+  for (const MotionSample& sample : motion.samples)
+    largest = std::max(largest, sample.lambda.size() ? sample.lambda.cwiseAbs().maxCoeff() : 0.0);
+  EXPECT_LE(motion.report.lambda_gap, 1e-4 * largest);
+}
+
+TEST(LibrariesUnprojected, DriftAsTheTolerancesLetThem) {
+  for (const char* method : {"cvode-adams", "cvode-bdf", "arkode-erk", "arkode-dirk"}) {
+    SimulationOptions options = tight("r-p", method, 2, 1e-6);
+    options.projects = false;
+    const Motion motion(catalogue_scene("double_pendulum"), options);
+    EXPECT_GE(motion.report.phi, 1e-10) << method;
+    EXPECT_LE(motion.report.phi, 1e-3) << method;
+  }
+}
+
+}  // namespace
+}  // namespace trivium

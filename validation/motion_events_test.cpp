@@ -1,0 +1,92 @@
+/// Motions over events: velocities that jump, and kinks of functions of time.
+
+#include <cmath>
+
+#include "scenes/testing/scene_builders.hpp"
+#include "validation/testing/catalogue_motion.hpp"
+
+namespace trivium {
+namespace {
+
+using test::catalogue_scene, test::InEveryFormulation, test::Motion, test::tight;
+
+// hung straight below, the bob is struck through its hook: 1 m/s = J (1/m + l^2/I)
+TEST_P(InEveryFormulation, ADriverWhoseSpeedJumpsStrikesWithAnImpulse) {
+  const scenes::Scene scene = catalogue_scene("wellformed/jerked_trolley");
+  const double on_bob = 1 / (1.0 / 2 + 0.25 / 0.1), impulse = 3 + on_bob;
+  SimulationOptions options = tight(GetParam(), "rkf78", 0.5, 1e-10);
+  const Motion struck(scene, [&] {
+    options.end = 0.51;
+    options.output_step = 0.5;
+    return options;
+  }());
+  const MotionSample& after = struck.samples[1];
+  EXPECT_EQ(after.state.t, 0.5);
+  EXPECT_NEAR(after.state.twist[0].r_dot[0], 1.4, 1e-12);
+  EXPECT_NEAR(after.state.twist[1].r_dot[0], 0.4 + on_bob / 2, 1e-12);
+  EXPECT_NEAR(after.state.twist[1].omega_bar[1], 0.5 * on_bob / 0.1, 1e-11);
+  ASSERT_EQ(struck.report.impulses.size(), 1u);
+  EXPECT_EQ(struck.report.impulses[0].t, 0.5);
+  EXPECT_NEAR(struck.report.impulses[0].lambda[5], -impulse, 1e-11);  // after the rail's five rows
+  EXPECT_NEAR(after.energy - struck.samples[0].energy, impulse * (0.4 + 1.4) / 2, 1e-11);
+  EXPECT_LE(struck.report.unaccounted_energy, 1e-10);
+}
+
+// the state after it is that of the end
+TEST_P(InEveryFormulation, AJumpAtTheEndOfTheRunIsStillPassed) {
+  for (const char* method :
+       {"dopri5", "cvode-bdf", "ida", "radau5", "radau9", "hedop5", "generalized-alpha", "bdf"}) {
+    SimulationOptions options = tight(GetParam(), method, 0.5, 1e-9);
+    if (!integrators::find_method(method)->chooses_steps) options.step = 0.001;
+    const Motion motion(catalogue_scene("wellformed/jerked_trolley"), options);
+    ASSERT_EQ(motion.report.impulses.size(), 1u) << method;
+    EXPECT_NEAR(motion.end().state.twist[0].r_dot[0], 1.4, 1e-9) << method;
+  }
+}
+
+TEST_P(InEveryFormulation, EveryMethodGoesOverAJumpOfVelocities) {
+  const scenes::Scene scene = catalogue_scene("wellformed/jerked_trolley");
+  const Motion exact(scene, tight("r-omega", "rkf78", 1, 1e-12));
+  ASSERT_EQ(exact.report.impulses.size(), 2u);
+  for (const char* method : {"dopri5", "bulirsch-stoer", "abm", "cvode-adams", "cvode-bdf", "arkode-erk",
+                             "arkode-dirk", "ida", "radau5", "radau9", "generalized-alpha",
+                             "generalized-alpha-gl2", "bdf", "hem4", "hedop5", "rattle", "rattle4"}) {
+    if (std::string(method).starts_with("rattle") && !inertia_is_constant(GetParam())) continue;
+    SimulationOptions options = tight(GetParam(), method, 1, 1e-9);
+    const bool steps = !integrators::find_method(method)->chooses_steps;
+    if (steps) options.step = 0.001;
+    const Motion motion(scene, options);
+    ASSERT_EQ(motion.report.impulses.size(), 2u) << method;
+    for (int k = 0; k < 2; ++k)
+      EXPECT_NEAR(motion.report.impulses[k].lambda[5], exact.report.impulses[k].lambda[5],
+                  steps ? 1e-3 : 1e-6)
+          << method;
+    for (int b = 0; b < 2; ++b)
+      EXPECT_LE((motion.end().state.pose[b].r - exact.end().state.pose[b].r).norm(), steps ? 1e-4 : 1e-6)
+          << method;
+    EXPECT_LE(motion.report.phi, 1e-12) << method;
+    EXPECT_LE(motion.report.unaccounted_energy, steps ? 1e-4 : 1e-6) << method;
+    // at the event the method's own multipliers are those of before it
+    EXPECT_LE(motion.report.lambda_gap, steps ? 1e-2 : 1e-5) << method;
+  }
+}
+
+// the quintic's own pieces are integrated exactly by order 8, but not across their kinks
+TEST_P(InEveryFormulation, KinksOfAFunctionOfTimeAreLandedOn) {
+  scenes::Scene scene;
+  scene.name = "pushed";
+  scene.bodies.push_back(test::body("puck", 1, {1, 1, 1}));
+  scenes::Force push;
+  push.body = 0;
+  push.force[0] = TimeFunction::Step5{0.13, 0, 0.77, 1};
+  scene.effects.emplace_back(push);
+  SimulationOptions options;
+  options.formulation = GetParam();
+  options.integrator = "rkf78";
+  options.end = 1;
+  options.step = 0.25;
+  EXPECT_NEAR(Motion(scene, options).end().state.twist[0].r_dot[0], (0.77 - 0.13) / 2 + (1 - 0.77), 1e-14);
+}
+
+}  // namespace
+}  // namespace trivium

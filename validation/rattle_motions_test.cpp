@@ -1,0 +1,55 @@
+/// Motions by the symplectic methods: their energy, their order over events, and where they are refused.
+
+#include <cmath>
+
+#include "validation/testing/catalogue_motion.hpp"
+
+namespace trivium {
+namespace {
+
+using test::catalogue_scene, test::Motion, test::stepping, test::tight;
+
+// order 4 has parts that go back: none may see what is beyond an event
+TEST(Rattle, KeepsItsOrderOverEvents) {
+  const scenes::Scene scene = catalogue_scene("wellformed/jerked_trolley");
+  const Motion exact(scene, tight("r-omega", "rkf78", 1, 1e-13));
+  const auto error = [&](double h) {
+    SimulationOptions options = tight("r-omega", "rattle4", 1);
+    options.step = h;
+    const Motion motion(scene, options);
+    EXPECT_LE(motion.report.unaccounted_energy, 1e-3 * h);
+    return (motion.end().state.pose[1].r - exact.end().state.pose[1].r).norm();
+  };
+  const double coarse = error(0.05), fine = error(0.025);
+  EXPECT_NEAR(std::log2(coarse / fine), 4, 0.5);
+}
+
+TEST(Rattle, WorkIsOfTheMethodsOrder) {
+  const auto missing = [&](const char* method, double h) {
+    SimulationOptions options = tight("r-omega", method, 1);
+    options.step = h;
+    return Motion(catalogue_scene("driven_crank"), options).report.unaccounted_energy;
+  };
+  EXPECT_NEAR(std::log2(missing("rattle", 0.01) / missing("rattle", 0.005)), 2, 0.2);
+  EXPECT_NEAR(std::log2(missing("rattle4", 0.01) / missing("rattle4", 0.005)), 4, 0.2);
+}
+
+TEST(Rattle, KeepsTheEnergyBoundedAndTheConstraintsMet) {
+  for (const char* name : {"a01_pendulum", "heavy_top", "bricard"}) {
+    const double step = std::string(name) == "heavy_top" ? 1e-3 : 0.02;
+    const Motion some(catalogue_scene(name), stepping("r-omega", "rattle", 10, step));
+    const Motion more(catalogue_scene(name), stepping("r-omega", "rattle", 100, step));
+    EXPECT_LE(more.report.unaccounted_energy, 1.5 * some.report.unaccounted_energy) << name;
+    EXPECT_LE(more.report.phi, 1e-13) << name;
+    EXPECT_LE(more.report.phi_dot, 1e-11) << name;
+  }
+}
+
+TEST(Rattle, IsRefusedWhereTheMassMatrixDependsOnThePosition) {
+  for (const char* formulation : {"r-p", "r-epsilon"})
+    EXPECT_THROW(Motion(catalogue_scene("heavy_top"), stepping(formulation, "rattle", 0.1, 0.001)),
+                 integrators::UsageError);
+}
+
+}  // namespace
+}  // namespace trivium

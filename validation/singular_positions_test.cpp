@@ -1,0 +1,99 @@
+/// Motions where rows lose their rank or a chart its meaning: singular positions are passed, and drift makes
+/// none.
+
+#include <cmath>
+
+#include "scenes/testing/scene_builders.hpp"
+#include "validation/harness/trusted_numbers.hpp"
+#include "validation/testing/catalogue_motion.hpp"
+
+namespace trivium {
+namespace {
+
+using test::catalogue_scene, test::InEveryFormulation, test::Motion, test::tight;
+
+TEST_P(InEveryFormulation, FortyFourBarsPassTheirSingularPositions) {
+  const Reference exact(TRIVIUM_REFERENCE_DIR, "n_four_bar_40");
+  SimulationOptions options = tight(GetParam(), "dopri5", 10, 1e-9);
+  options.output_step = 5;
+  const Motion motion(catalogue_scene("n_four_bar_40"), options);
+  // the last coupler's centre is at (39.5, 0) from B0
+  for (const auto& [sample, row] : {std::pair(1, 50), {2, 100}}) {
+    ASSERT_EQ(exact["t"][row], motion.samples[sample].state.t);
+    const auto& r = motion.samples[sample].state.pose.back().r;
+    EXPECT_LE(std::hypot(r[0] - 39.5 - exact["x"][row], r[1] - exact["y"][row]), 1e-6);
+  }
+  EXPECT_FALSE(motion.report.passages.empty());
+}
+
+// one of its loops needs one row of two, and each of these vanishes somewhere: neither place is singular
+TEST_P(InEveryFormulation, ChoicesOfRowsThatVanishAreNoSingularPositions) {
+  const Motion motion(catalogue_scene("parallelogram"), tight(GetParam(), "rkf78", 2));
+  EXPECT_TRUE(motion.report.passages.empty());
+  EXPECT_LE(motion.report.unaccounted_energy, 1e-9);
+  EXPECT_LE(motion.report.phi, 1e-11);  // after every step, those beside the place where it lies flat too
+}
+
+// cos(theta) = f(t) at f = -1: the crank goes on, in all formulations, at all tolerances
+TEST_P(InEveryFormulation, ACosineDriverPassesItsDeadPoint) {
+  for (const double rtol : {1e-6, 1e-8, 1e-10}) {
+    const Motion motion(catalogue_scene("uwsbel_four_link"), tight(GetParam(), "dopri5", 1, rtol));
+    EXPECT_NEAR(motion.end().state.pose[2].r[0], -2.43744228108569, 1e-9) << rtol;
+    EXPECT_LE(motion.end().phi, 1e-13);
+  }
+}
+
+// rounding of a body far away or fast is none of the others'
+TEST_P(InEveryFormulation, AnotherBodySpoilsNoSingularPosition) {
+  const Reference exact(TRIVIUM_REFERENCE_DIR, "n_four_bar_1");
+  scenes::Scene scene = catalogue_scene("n_four_bar_1");
+  scene.bodies.push_back(test::body("stone", 1e-3, {1, 1, 1}, {1000, 0, 0}));
+  scene.bodies.back().velocity = {300, 0, 0};
+  scene.bodies.back().angular_velocity = {1, 0, 0};
+  const Motion motion(scene, tight(GetParam(), "dopri5", 10, 1e-10));
+  const auto& r = motion.end().state.pose[2].r;
+  EXPECT_LE(std::hypot(r[0] - 0.5 - exact["x"].back(), r[1] - exact["y"].back()), 1e-6);
+}
+
+TEST(TheRawChart, IsAnErrorThatNamesTheBodyWhereItIsSingular) {
+  SimulationOptions options = tight("r-epsilon", "dopri5", 5, 1e-9);
+  options.charts = {*parse_euler_sequence("313"), false};
+  try {
+    const Motion motion(catalogue_scene("heavy_top"), options);  // starts upright
+    FAIL() << "reached " << motion.report.reached;
+  } catch (const ModelError& error) {
+    EXPECT_NE(std::string(error.what()).find("body \"top\""), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("re-framing"), std::string::npos) << error.what();
+  }
+  options.charts.reframe = true;
+  const Motion motion(catalogue_scene("heavy_top"), options);
+  EXPECT_TRUE(motion.report.complete);
+  EXPECT_GT(motion.report.reframings, 0);
+}
+
+TEST_P(InEveryFormulation, DriftStaysWhereProjectionIsOffAndIsReported) {
+  SimulationOptions options = tight(GetParam(), "dopri5", 5, 1e-6);
+  const Motion projected(catalogue_scene("heavy_top"), options);
+  EXPECT_LE(projected.report.phi, 1e-13);
+  options.projects = false;
+  const Motion drifting(catalogue_scene("heavy_top"), options);
+  EXPECT_GT(drifting.report.phi, 1e-6);
+  options.baumgarte = {30, 30};
+  const Motion stabilised(catalogue_scene("heavy_top"), options);
+  EXPECT_LT(stabilised.report.phi, drifting.report.phi / 10);
+}
+
+// off the constraints redundant rows look independent; how many are redundant does not change
+TEST_P(InEveryFormulation, DriftMakesNoRedundantRowIndependent) {
+  // the parallelogram until shortly before it lies flat
+  for (const auto& [name, end] : {std::pair("parallelogram", 1.525), {"bricard", 5}, {"four_bar", 5}}) {
+    SimulationOptions options = tight(GetParam(), "dopri5", end, 1e-6);
+    options.projects = false;
+    const Motion motion(catalogue_scene(name), options);
+    EXPECT_LE(motion.report.unaccounted_energy, 0.01) << name;
+    EXPECT_TRUE(motion.report.passages.empty());
+  }
+}
+
+}  // namespace
+}  // namespace trivium
