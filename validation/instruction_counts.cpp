@@ -12,9 +12,7 @@
 #include "base/json_writer.hpp"
 #include "base/progress.hpp"
 #include "base/table.hpp"
-#include "formulations/r_epsilon.hpp"
-#include "formulations/r_omega.hpp"
-#include "formulations/r_p.hpp"
+#include "formulations/formulation_list.hpp"
 #include "formulations/structured/acceleration_solver.hpp"
 #include "scenes/generators.hpp"
 #include "scenes/make_mechanism.hpp"
@@ -46,15 +44,7 @@ void walk(const Workload& w, int evaluations) {
 }
 
 void walk(const Workload& w, int evaluations) {
-  if (w.formulation == ROmega<double>::name)
-    walk<ROmega<double>>(w, evaluations);
-  else if (w.formulation == RP<double>::name)
-    walk<RP<double>>(w, evaluations);
-  else if (w.formulation == REpsilon<double>::name)
-    walk<REpsilon<double>>(w, evaluations);
-  else
-    throw ModelError(fmt::format("formulation \"{}\" is not counted; accepted: {}, {}, {}", w.formulation,
-                                 ROmega<double>::name, RP<double>::name, REpsilon<double>::name));
+  with_formulation<double>(w.formulation, [&]<class F>() { walk<F>(w, evaluations); });
 }
 
 /// All instructions of this program when it walks a workload so often.

@@ -16,7 +16,7 @@ INSTANTIATE_TEST_SUITE_P(Motions, InEveryFormulation, testing::ValuesIn(formulat
                          test::formulation_in_a_name);
 
 TEST_P(InEveryFormulation, ThePendulumIsThatOfEllipticFunctions) {
-  const Reference exact(TRIVIUM_REFERENCE_DIR, "a01_pendulum");
+  const TrustedNumbers exact(TRIVIUM_REFERENCE_DIR, "a01_pendulum");
   for (const char* method : {"dopri5", "rkf78", "bulirsch-stoer", "abm"}) {
     SimulationOptions options = tight(GetParam(), method, 10);
     options.output_step = 0.1;
@@ -33,7 +33,7 @@ TEST_P(InEveryFormulation, ThePendulumIsThatOfEllipticFunctions) {
 }
 
 TEST_P(InEveryFormulation, TheHeavyTopIsThatOfTheReference) {
-  const Reference exact(TRIVIUM_REFERENCE_DIR, "heavy_top");
+  const TrustedNumbers exact(TRIVIUM_REFERENCE_DIR, "heavy_top");
   SimulationOptions options = tight(GetParam(), "rkf78", 2);
   options.output_step = 0.02;
   const Motion motion(catalogue_scene("heavy_top"), options);
@@ -48,7 +48,7 @@ TEST_P(InEveryFormulation, TheHeavyTopIsThatOfTheReference) {
 }
 
 TEST_P(InEveryFormulation, TheSpatialSliderCrankIsThatOfTheReference) {
-  const Reference exact(TRIVIUM_REFERENCE_DIR, "spatial_slider_crank");
+  const TrustedNumbers exact(TRIVIUM_REFERENCE_DIR, "spatial_slider_crank");
   SimulationOptions options = tight(GetParam(), "rkf78", 5);
   options.output_step = 0.1;
   const Motion motion(catalogue_scene("spatial_slider_crank"), options);
@@ -58,7 +58,7 @@ TEST_P(InEveryFormulation, TheSpatialSliderCrankIsThatOfTheReference) {
 }
 
 TEST_P(InEveryFormulation, AndrewsSqueezerIsThatOfTheReference) {
-  const Reference exact(TRIVIUM_REFERENCE_DIR, "andrews_squeezer");
+  const TrustedNumbers exact(TRIVIUM_REFERENCE_DIR, "andrews_squeezer");
   const Motion motion(catalogue_scene("andrews_squeezer"), tight(GetParam(), "rkf78", 0.03, 1e-13));
   const auto angles = andrews_angles(exact);
   for (std::size_t b = 0; b < angles.size(); ++b)
@@ -156,7 +156,7 @@ TEST_P(InEveryFormulation, TheSizeOfAMechanismChangesNothing) {
 }
 
 TEST(Simulation, InQuadGoesBeyondDouble) {
-  const Reference exact(TRIVIUM_REFERENCE_DIR, "spatial_slider_crank");
+  const TrustedNumbers exact(TRIVIUM_REFERENCE_DIR, "spatial_slider_crank");
   const Motion motion(catalogue_scene("spatial_slider_crank"), tight("r-p", "rkf78", 0.5, 1e-17), in_quad);
   EXPECT_NEAR(motion.end().state.pose[2].r[0], exact["slider_x"][5], 4e-16);
   EXPECT_LE(motion.report.phi, 1e-30);

@@ -76,7 +76,7 @@ PrecisionResult solve_in(const NamedScene& named, const char* scalar) {
   return rung;
 }
 
-std::vector<PrecisionResult> climb_all(const NamedScene& scene) {
+std::vector<PrecisionResult> solve_in_all(const NamedScene& scene) {
   return {solve_in<float>(scene, "float"), solve_in<double>(scene, "double"),
           solve_in<long double>(scene, "long double"), solve_in<Quad>(scene, "quad"),
           solve_in<Real50>(scene, "50 digits")};
@@ -151,7 +151,7 @@ int run(const Program& program, bool large) {
   std::size_t per_scene = 1;
   Progress progress("precision_ladder", scenes.size());
   for (const NamedScene& scene : scenes) {
-    const std::vector<PrecisionResult> ladder = climb_all(scene);
+    const std::vector<PrecisionResult> ladder = solve_in_all(scene);
     per_scene = ladder.size();
     rungs.insert(rungs.end(), ladder.begin(), ladder.end());
     progress.step();

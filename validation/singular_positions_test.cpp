@@ -13,7 +13,7 @@ namespace {
 using test::catalogue_scene, test::InEveryFormulation, test::Motion, test::tight;
 
 TEST_P(InEveryFormulation, FortyFourBarsPassTheirSingularPositions) {
-  const Reference exact(TRIVIUM_REFERENCE_DIR, "n_four_bar_40");
+  const TrustedNumbers exact(TRIVIUM_REFERENCE_DIR, "n_four_bar_40");
   SimulationOptions options = tight(GetParam(), "dopri5", 10, 1e-9);
   options.output_step = 5;
   const Motion motion(catalogue_scene("n_four_bar_40"), options);
@@ -45,7 +45,7 @@ TEST_P(InEveryFormulation, ACosineDriverPassesItsDeadPoint) {
 
 // rounding of a body far away or fast is none of the others'
 TEST_P(InEveryFormulation, AnotherBodySpoilsNoSingularPosition) {
-  const Reference exact(TRIVIUM_REFERENCE_DIR, "n_four_bar_1");
+  const TrustedNumbers exact(TRIVIUM_REFERENCE_DIR, "n_four_bar_1");
   scenes::Scene scene = catalogue_scene("n_four_bar_1");
   scene.bodies.push_back(test::body("stone", 1e-3, {1, 1, 1}, {1000, 0, 0}));
   scene.bodies.back().velocity = {300, 0, 0};

@@ -12,7 +12,7 @@ namespace trivium::analytic {
 /// and torque on the ground, as MSC ADAMS has them: to about 5e-6 m, on the universal joint to 1e-3 m, as the
 /// exact motions of the same pendulums show. `looser`: how much more is granted there.
 void adams(const std::string& name, double looser, const std::string& formulation, Errors& errors) {
-  const Reference file(reference_directory(), name);
+  const TrustedNumbers file(reference_directory(), name);
   const scenes::Scene scene = catalogue_scene(name);
   const auto mechanism = make_mechanism<double>(scene);
   AccelerationSolver<ROmega<double>> solver(mechanism);

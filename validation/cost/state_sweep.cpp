@@ -8,6 +8,7 @@
 #include "formulations/r_omega.hpp"
 #include "formulations/r_p.hpp"
 #include "formulations/structured/acceleration_solver_impl.hpp"
+#include "formulations/formulation_list.hpp"
 #include "formulations/structured/graph_solver_impl.hpp"
 #include "mechanism/mechanism_cast.hpp"
 #include "mechanism/state_batch.hpp"
@@ -75,15 +76,11 @@ class Sweep {
 
 template <class S>
 StateSweep sweep_in(const Mechanism<double>& mechanism, const std::string& formulation, Refined refined) {
-  const auto in = [&]<class F>(std::type_identity<F>) {
+  return with_formulation<S>(formulation, [&]<class F>() {
     const auto sweep = std::make_shared<Sweep<F>>(mechanism, refinement_of(refined));
     return StateSweep{[sweep](const States& states) { sweep->take(states); }, [sweep] { sweep->all(); },
                       [sweep](int n) { return sweep->r_ddot(n); }};
-  };
-  if (formulation == RP<double>::name) return in(std::type_identity<RP<S>>{});
-  if (formulation == REpsilon<double>::name) return in(std::type_identity<REpsilon<S>>{});
-  if (formulation == ROmega<double>::name) return in(std::type_identity<ROmega<S>>{});
-  throw_not_timed(formulation);
+  });
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct StateSweep {
 
 inline constexpr int register_lanes = native_lanes<double>;
 
-/// In the formulation of that name; throws a ModelError where that is not timed.
+/// In the formulation of that name; throws a ModelError where there is none.
 StateSweep one_by_one(const Mechanism<double>& mechanism, const std::string& formulation, Refined refined);
 /// `register_lanes` at once; the states' number is a multiple of that.
 StateSweep in_batches(const Mechanism<double>& mechanism, const std::string& formulation, Refined refined);

@@ -1,6 +1,5 @@
 #pragma once
-/// The structured solver as an engine, in the formulation of a name. Decides which formulations are timed;
-/// any other name is an error.
+/// The structured solver as an engine, in the formulation of a name. Decides which formulations are timed.
 
 #include <array>
 #include <memory>
@@ -16,10 +15,8 @@ enum class Refined { no, yes };
 
 /// The formulations that are timed.
 inline constexpr std::array formulations{"r-omega", "r-p", "r-epsilon"};
-/// Throws a ModelError that says which formulations are timed: this one is not.
-[[noreturn]] void throw_not_timed(const std::string& formulation);
 
-/// Throws ModelError, also where the formulation is not timed.
+/// Throws a ModelError, also where there is no such formulation.
 std::unique_ptr<Engine> trivium_engine(const scenes::Scene& scene, const std::string& formulation,
                                        Refined refined);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The scenes that a validation works on: named or of the catalogue, all of them read and found consistent
-/// before any is computed.
+/// The scenes that a validation works on: named, or of the catalogue. All of them are read, and their states
+/// found to satisfy the constraints, before any is computed: a run of hours does not end at its last scene.
 
 #include <string>
 #include <vector>

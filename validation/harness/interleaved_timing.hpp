@@ -1,6 +1,6 @@
 #pragma once
-/// Work that is repeated to be timed, all of it in turn and in random order, so that what else the machine
-/// does meets it alike.
+/// The order in which pieces of work are repeated to be timed: all of them in turn and in random order, so
+/// that whatever else the machine does slows all of them alike. The median of the times is taken.
 
 #include <algorithm>
 #include <numeric>

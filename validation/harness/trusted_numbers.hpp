@@ -1,5 +1,6 @@
 #pragma once
-/// Trusted numbers (validation/reference/*.csv; each says where it comes from).
+/// Numbers of other codes and of publications that motions are compared with: the tables of
+/// validation/reference/*.csv, each of which says where its numbers come from.
 
 #include <array>
 #include <cmath>
@@ -17,12 +18,12 @@ namespace trivium {
 std::string reference_directory();
 
 /// A table of numbers by column; a first column of names is `name`.
-struct Reference {
+struct TrustedNumbers {
   std::vector<std::string> names;
   std::map<std::string, std::vector<double>> columns;
 
   /// Throws a std::runtime_error where there is no such file.
-  Reference(const std::string& directory, const std::string& name) {
+  TrustedNumbers(const std::string& directory, const std::string& name) {
     const std::string path = directory + "/" + name + ".csv";
     std::ifstream file(path);
     if (!file) throw std::runtime_error(path + ": cannot be read; TRIVIUM_REFERENCE names its folder");
@@ -55,7 +56,7 @@ struct Reference {
 };
 
 /// Of Andrews' squeezer at the file's only time: every body's angle [rad] about z, in the scene's order.
-inline std::array<double, 7> andrews_angles(const Reference& file) {
+inline std::array<double, 7> andrews_angles(const TrustedNumbers& file) {
   const auto value = [&](const char* name) { return file.value(name); };
   return {value("beta"),  value("beta") + value("theta"),    value("gamma"),  value("phi") + value("delta"),
           value("delta"), value("omega") + value("epsilon"), value("epsilon")};

@@ -12,17 +12,17 @@ namespace trivium::precision {
 namespace {
 
 /// What a sample's state has against the file's row, or against its only values.
-using Apart = std::function<double(const MotionSample&, const trivium::Reference&, std::size_t row)>;
+using Apart = std::function<double(const MotionSample&, const TrustedNumbers&, std::size_t row)>;
 
 /// In the plane, of one body's centre from a point that the file has.
 Apart place_of(std::size_t body, double x, double y) {
-  return [=](const MotionSample& sample, const trivium::Reference& file, std::size_t row) {
+  return [=](const MotionSample& sample, const TrustedNumbers& file, std::size_t row) {
     const auto& r = sample.state.pose[body].r;
     return std::hypot(r[0] - x - file["x"][row], r[1] - y - file["y"][row]);
   };
 }
 
-double andrews(const MotionSample& sample, const trivium::Reference& file, std::size_t) {
+double andrews(const MotionSample& sample, const TrustedNumbers& file, std::size_t) {
   const auto angles = andrews_angles(file);
   double most = 0;
   for (std::size_t b = 0; b < angles.size(); ++b)
@@ -45,7 +45,7 @@ std::optional<double> apart_from_trusted(const std::string& scene, const std::ve
                                                       {"andrews_squeezer", {andrews, 0.03}}};
   const auto found = trusted.find(scene);
   if (found == trusted.end()) return {};
-  const trivium::Reference file(reference_directory(), scene);
+  const TrustedNumbers file(reference_directory(), scene);
   const auto& [apart, only_time] = found->second;
   const std::vector<double> times = only_time ? std::vector{*only_time} : file["t"];
   std::optional<double> most;

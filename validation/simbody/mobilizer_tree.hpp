@@ -1,5 +1,6 @@
 #pragma once
-/// The spanning tree of a model's joint graph and its mobilizers. Internal to the Simbody library.
+/// The spanning tree of a model's joint graph and its mobilizers. Decides which joints become mobilizers, and
+/// which closing rows the tree satisfies identically. Internal to the Simbody library.
 
 #include "validation/simbody/rows.hpp"
 

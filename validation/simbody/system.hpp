@@ -1,7 +1,7 @@
 #pragma once
 /// A model rebuilt in Simbody: a spanning tree of mobilizers, constraints for the rows that are left, forces,
-/// and the state that all of them share. Decides which closing rows the tree satisfies identically, and
-/// disables these. Internal to the Simbody library.
+/// and the state that all of them share. Closing rows that the tree satisfies identically are disabled.
+/// Internal to the Simbody library.
 
 #include <Simbody.h>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The ways in which a model is rebuilt in Simbody: decides which joints become mobilizers and which rows
-/// become constraints. Plain C++17, like model.hpp.
+/// The ways in which a model is rebuilt in Simbody: what becomes a mobilizer, and what a constraint
+/// (mobilizer_tree.hpp decides for each joint). Plain C++17, like model.hpp.
 
 #include <stdexcept>
 #include <vector>
