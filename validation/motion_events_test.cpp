@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "integrators/methods.hpp"
 #include "scenes/testing/scene_builders.hpp"
 #include "validation/testing/catalogue_motion.hpp"
 
