@@ -3,6 +3,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 
+#include "formulations/analysis/rank_tolerance.hpp"
+#include "formulations/analysis/tangent_system.hpp"
 #include "scenes/make_mechanism.hpp"
 
 namespace trivium {
