@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 
+#include "base/error.hpp"
 #include "formulations/equations_of_motion_impl.hpp"
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"
@@ -76,11 +77,16 @@ class Sweep {
 
 template <class S>
 StateSweep sweep_in(const Mechanism<double>& mechanism, const std::string& formulation, Refined refined) {
-  return with_formulation<S>(formulation, [&]<class F>() {
+  const auto in = [&]<class F>(std::type_identity<F>) {
     const auto sweep = std::make_shared<Sweep<F>>(mechanism, refinement_of(refined));
     return StateSweep{[sweep](const States& states) { sweep->take(states); }, [sweep] { sweep->all(); },
                       [sweep](int n) { return sweep->r_ddot(n); }};
-  });
+  };
+  if (formulation == ROmega<double>::name) return in(std::type_identity<ROmega<S>>{});
+  if (formulation == RP<double>::name) return in(std::type_identity<RP<S>>{});
+  if (formulation == REpsilon<double>::name) return in(std::type_identity<REpsilon<S>>{});
+  throw ModelError("no sweep over states in formulation \"" + formulation +
+                   "\"; accepted: r-omega, r-p, r-epsilon");
 }
 
 }  // namespace
