@@ -5,11 +5,11 @@
 
 #include "base/error.hpp"
 #include "formulations/equations_of_motion_impl.hpp"
+#include "formulations/formulation_list.hpp"
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/r_p.hpp"
 #include "formulations/structured/acceleration_solver_impl.hpp"
-#include "formulations/formulation_list.hpp"
 #include "formulations/structured/graph_solver_impl.hpp"
 #include "mechanism/mechanism_cast.hpp"
 #include "mechanism/state_batch.hpp"
