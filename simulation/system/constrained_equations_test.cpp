@@ -95,7 +95,7 @@ TYPED_TEST(Constrained, NewtonMeetsPositionsByTheirShare) {
     step.imbalance(y);
     // what is left is of the square of that, or of the angle that bodies turn in the step
     double turned = 0;
-    for (const Twist<double>& twist : form.to_mechanism_state(0, from).twist)
+    for (const Twist<double>& twist : form.first_order().to_mechanism_state(0, from).twist)
       turned = std::max(turned, h * twist.omega_bar.norm());
     EXPECT_LE(form.relative_row_violation(), (5e-3 + turned) * before) << name;
   }
@@ -185,8 +185,8 @@ TYPED_TEST(Constrained, WorkRateIsThatOfTheFirstOrderForm) {
     StateVector y_dot;
     form.derivative(0, form.start(), y_dot);
     step.imbalance(form.start());
-    EXPECT_NEAR(form.work_rate(step.lambda), y_dot[form.motion_size()],
-                1e-9 * (1 + std::abs(y_dot[form.motion_size()])))
+    EXPECT_NEAR(form.work_rate(step.lambda), y_dot[form.first_order().motion_size()],
+                1e-9 * (1 + std::abs(y_dot[form.first_order().motion_size()])))
         << name;
   }
 }

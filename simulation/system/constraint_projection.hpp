@@ -1,12 +1,18 @@
 #pragma once
-/// The least change, in the mass metric, that takes a state to its constraints:
+/// One linear step back onto the constraints: the change x of a state that is least in the metric of the mass
+/// matrix, x^T M x,
 ///
 ///   M x + Phi_q^T mu = 0,   Phi_q x = -Phi  (positions)   or   Phi_q x = -(Phi_q q' - nu)  (velocities)
 ///
-/// which is the acceleration solver's own matrix.
+/// The matrix is the acceleration solver's own. How often the step is repeated, and when the violation is
+/// small enough, is decided in integrators/projection_iteration.hpp.
+
+#include <span>
+#include <vector>
 
 #include "formulations/structured/acceleration_solver.hpp"
 #include "simulation/system/constraint_violation.hpp"
+#include "simulation/system/state_layout.hpp"
 
 namespace trivium {
 
@@ -71,6 +77,26 @@ class ConstraintProjection {
   void solve() {
     for (Vector6<S>& row : violation_.edge) row = -row;
     solver_.factors().solve(violation_, change_);
+  }
+  /// Undoes what was measured last, in y, whose bodies are in these states; the matrix is factored there
+  /// where asked, else it is that of before.
+  void correct_positions(const StateLayout<F>& layout, const std::vector<BodyState<F>>& state, VectorX<S>& y,
+                         bool factors) {
+    if (factors) factor();
+    solve();
+    for (int b = 0; b < layout.nb(); ++b) {
+      layout.place(y, b) << state[b].r + r_change(b),
+          F::retract(state[b].chart, layout.orientation(y, b), q_change(b));
+    }
+  }
+  void correct_velocities(const StateLayout<F>& layout, const std::vector<BodyState<F>>& state, VectorX<S>& y,
+                          bool factors) {
+    if (factors) factor();
+    solve();
+    for (int b = 0; b < layout.nb(); ++b) {
+      typename F::Unknown v = layout.velocity(y, b) + q_change(b);
+      layout.rate(y, b) << state[b].r_dot + r_change(b), v;
+    }
   }
   /// mu of the change, by the mechanism's rows.
   void copy_multipliers(VectorX<S>& mu) const {

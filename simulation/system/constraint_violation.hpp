@@ -1,7 +1,10 @@
 #pragma once
-/// How far a state is from its constraints, row by row, in metres or radians (per second) whatever a row's
-/// scale; and beside the numbers of what moves together, lengths beside lengths and turns beside turns, so
-/// that rounding is some u whatever the size of a mechanism.
+/// How far a state is from its constraints: the largest |Phi_k| or |Phi_k'| in metres or radians (per
+/// second), whatever a row's scale. It is also measured relative to the component (bodies that rows connect)
+/// that the row belongs to: a row of lengths by the component's lengths or speeds, a row of angles by 1 or
+/// its angular velocities. Rounding is then a few u, whatever the size of a mechanism.
+/// integrators/projection_iteration.hpp decides by the relative measure; the metric of the way back is that
+/// of constraint_projection.hpp.
 
 #include <array>
 #include <cmath>
@@ -23,8 +26,8 @@ class ConstraintViolation {
         graph_(graph),
         scale_(graph.edges.size()),
         turns_(graph.edges.size()),
-        assembly_(assemblies_of(graph)),
-        extent_(assembly_.size()) {
+        component_(assemblies_of(graph)),
+        extent_(component_.size()) {
     measure_reaches();
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {
       scale_[e].setOnes();
@@ -47,7 +50,7 @@ class ConstraintViolation {
       extent.spin = extent.fastest_spin / 1000;
     }
     for (int b = 0; b < mechanism_.nb(); ++b) {
-      Extent& extent = extent_[assembly_[b]];
+      Extent& extent = extent_[component_[b]];
       extent.length = larger(extent.length, S(body[b].r.norm() + extent.reach));
       const S v = body[b].r_dot.norm(), omega = body[b].omega_bar.norm();
       extent.speed = larger(extent.speed, S(v + omega * extent.reach));
@@ -70,7 +73,7 @@ class ConstraintViolation {
   S measure_velocities(const GraphVector<S>& phi_dot) {
     return largest(phi_dot, [](const Extent& of, bool is_turn) { return is_turn ? of.spin : of.speed; });
   }
-  /// Of the last measure, the largest beside the lengths, turns or speeds of the row's own assembly.
+  /// Of the last measure, the largest beside the lengths, turns or speeds of the row's own component.
   const S& relative() const { return relative_; }
   /// The row of the last measure; "none" where there are none.
   const std::string& worst_row() const {
@@ -79,15 +82,15 @@ class ConstraintViolation {
   }
 
   /// Bodies that rows connect, not through the ground, have the same number, below nb.
-  int component_of(int body) const { return assembly_[body]; }
-  /// The largest distance [m] of a joint's point from the centre of its body, in the body's assembly; the
+  int component_of(int body) const { return component_[body]; }
+  /// The largest distance [m] of a joint's point from the centre of its body, in the body's component; the
   /// ground has no centre.
-  const S& arm_of(int body) const { return extent_[assembly_[body]].arm; }
-  /// How far [m] from the origin the points of the body's assembly are.
-  const S& length_of(int body) const { return extent_[assembly_[body]].length; }
+  const S& arm_of(int body) const { return extent_[component_[body]].arm; }
+  /// How far [m] from the origin the points of the body's component are.
+  const S& length_of(int body) const { return extent_[component_[body]].length; }
 
  private:
-  /// How large an assembly's numbers are.
+  /// How large a component's numbers are.
   struct Extent {
     S arm{0}, reach{0};  ///< of the points of its joints: on bodies, and on the ground, too
     S length{0}, speed{0}, fastest{0}, spin{0}, fastest_spin{0};
@@ -96,7 +99,7 @@ class ConstraintViolation {
   void measure_reaches() {
     const int nb = mechanism_.nb();
     for (const Joint<S>& joint : mechanism_.joints) {
-      Extent& extent = extent_[assembly_[joint.i == nb ? joint.j : joint.i]];
+      Extent& extent = extent_[component_[joint.i == nb ? joint.j : joint.i]];
       for (const auto& [body, point] :
            {std::pair(joint.i, joint.frame_i.point), {joint.j, joint.frame_j.point}}) {
         extent.reach = larger(extent.reach, S(point.norm()));
@@ -113,7 +116,7 @@ class ConstraintViolation {
     for (std::size_t e = 0; e < values.edge.size(); ++e) {
       const GraphEdge& edge = graph_.edges[e];
       if (edge.is_soft) continue;
-      const Extent& extent = extent_[assembly_[edge.i == mechanism_.nb() ? edge.j : edge.i]];
+      const Extent& extent = extent_[component_[edge.i == mechanism_.nb() ? edge.j : edge.i]];
       for (int k = 0; k < edge.size(); ++k) {
         const S size = abs(values.edge[e][k]) / scale_[e][k], made_of = size_of(extent, turns_[e][k]);
         if (!(size <= relative_ * made_of)) relative_ = made_of > S(0) ? S(size / made_of) : size;
@@ -129,7 +132,7 @@ class ConstraintViolation {
   const BodyJointGraph& graph_;
   std::vector<Vector6<S>> scale_;
   std::vector<std::array<bool, 6>> turns_;  ///< whether the row is an angle's
-  std::vector<int> assembly_;               ///< by body, the ground last
+  std::vector<int> component_;              ///< by body, the ground last
   std::vector<Extent> extent_;
   S relative_{0};
   EdgeRow worst_{0, 0};

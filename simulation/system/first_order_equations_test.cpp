@@ -155,7 +155,7 @@ TYPED_TEST(FirstOrder, CorrectsByTheLeastChangeInTheMassMetric) {
     const MatrixX<double> free = rows.kernel();
     StateVector y = form.start();
     Random random(seed);
-    for (Eigen::Index k = FirstOrderEquations<TypeParam>::positions * form.nb(); k < form.motion_size(); ++k)
+    for (Eigen::Index k = StateLayout<TypeParam>::positions * form.nb(); k < form.motion_size(); ++k)
       y[k] += random.uniform();
     form.normalise(y);
     const auto before = form.to_mechanism_state(0, y);
@@ -225,7 +225,7 @@ TYPED_TEST(FirstOrder, AReframedBodyIsWhereItWas) {
     auto form = form_of<TypeParam>(scene);
     StateVector y = form.start();
     // body 1 turns to where its angles are 0.1 from having no rates
-    if constexpr (TypeParam::orientation_size == 3) y[FirstOrderEquations<TypeParam>::positions + 4] = 0.1;
+    if constexpr (TypeParam::orientation_size == 3) y[StateLayout<TypeParam>::positions + 4] = 0.1;
     const auto before = form.to_mechanism_state(0, y);
     const VectorX<double> lambda = form.solved(0, y).lambda();
     const bool changed = form.accept_state(0, y);
@@ -247,7 +247,7 @@ TEST(ARawChart, IsSuspectedNearItsSingularity) {
   auto form = form_of<F>(scene, {{{}, false}, {}});
   StateVector y = form.start();
   EXPECT_EQ(form.diagnose(0, y), "");
-  y[FirstOrderEquations<F>::positions + 4] = 1e-3;
+  y[StateLayout<F>::positions + 4] = 1e-3;
   EXPECT_NE(form.diagnose(0, y).find("\"" + scene.bodies[1].name + "\""), std::string::npos)
       << form.diagnose(0, y);
   EXPECT_FALSE(form.accept_state(0, y));

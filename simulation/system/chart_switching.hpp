@@ -1,0 +1,69 @@
+#pragma once
+/// Changes of chart along a motion. A body whose Euler angles come nearer to their singularity than
+/// reframing_distance gets another chart, chosen as at the start (formulations/euler_chart.hpp), and its
+/// numbers in y are written anew. Where charts are kept instead, `near_singularity` names such a body.
+/// Formulations without charts (NoChart) have nothing to change.
+
+#include <fmt/format.h>
+
+#include <concepts>
+#include <string>
+#include <vector>
+
+#include "formulations/euler_chart.hpp"
+#include "simulation/system/state_layout.hpp"
+
+namespace trivium {
+
+template <Formulation F>
+class ChartSwitching {
+ public:
+  using S = typename F::Scalar;
+  using StateVector = VectorX<S>;
+
+  explicit ChartSwitching(const ChartOptions& options) : options_(options) {}
+
+  bool is_on() const { return options_.reframe; }
+  /// How many changes there were.
+  int changes() const { return changes_; }
+
+  /// Changes the charts of bodies that are near their singularity. The bodies' states are y's. Returns
+  /// whether y is in other coordinates now.
+  bool change(const StateLayout<F>& layout, std::vector<BodyState<F>>& state, StateVector& y) {
+    bool changed = false;
+    for (int b = 0; b < layout.nb(); ++b) {
+      BodyState<F>& body = state[b];
+      if (!(F::chart_distance(body.chart, body.q) < S(reframing_distance))) continue;
+      const Vector4<S> p = F::to_euler_parameters(body.chart, body.q);
+      const Vector3<S> omega_bar = F::kinematics(body.chart, body.r, body.r_dot, body.q).omega_bar;
+      body.chart = F::choose_chart(options_, p);
+      body.q = F::from_pose(body.chart, p, omega_bar);
+      layout.place(y, b).tail(F::orientation_size) = F::orientation_of(body.chart, p);
+      layout.rate(y, b).tail(F::rotational_unknowns) = F::velocity_of(body.chart, body.q);
+      changed = true;
+      ++changes_;
+    }
+    return changed;
+  }
+
+  /// Says which body is near its chart's singularity; empty where none is.
+  static std::string near_singularity(const Mechanism<S>& mechanism, const std::vector<BodyState<F>>& state,
+                                      const S& t) {
+    if constexpr (!std::same_as<typename F::Chart, NoChart>)
+      for (int b = 0; b < mechanism.nb(); ++b) {
+        const S distance = F::chart_distance(state[b].chart, state[b].q);
+        if (distance < S(reframing_distance))
+          return fmt::format(
+              "body \"{}\" at t = {}: its Euler angles are {:.1e} from where they have no rates; leave "
+              "re-framing on, or choose another sequence",
+              mechanism.body_names[b], static_cast<double>(t), static_cast<double>(distance));
+      }
+    return {};
+  }
+
+ private:
+  ChartOptions options_;
+  int changes_ = 0;
+};
+
+}  // namespace trivium

@@ -1,0 +1,114 @@
+#pragma once
+/// The residual of the equations of motion, body by body, and how large it is beside the forces at work:
+///
+///   residual = Q - force - Phi_q^T lambda,   where the force stands for M v'
+///
+/// Decided here: what of a residual is rounding. Springs that hold each other, and levers that are
+/// differences of places far from the origin, leave residuals that the forces on a body do not show.
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "simulation/system/constraint_violation.hpp"
+#include "simulation/system/spring_rows.hpp"
+
+namespace trivium {
+
+template <Formulation F>
+class ForceBalance {
+ public:
+  using S = typename F::Scalar;
+  using StateVector = VectorX<S>;
+  using Layout = StateLayout<F>;
+
+  /// Both must outlive this.
+  ForceBalance(const Mechanism<S>& mechanism, const EliminationPlan& plan)
+      : mechanism_(mechanism), plan_(plan), on_(mechanism.nb() + 1), size_(mechanism.nb() + 1) {}
+
+  /// Puts Q - force - Phi_q^T lambda of every body into the right side. Returns the largest imbalance of a
+  /// body, as a share of the forces or moments on the bodies that it is connected with.
+  S measure(const GraphAssembly<F>& assembly, const std::vector<Wrench<S>>& wrenches,
+            const SpringRows<F>& springs, const ConstraintViolation<S>& components, const StateVector& force,
+            const StateVector& lambda, GraphVector<S>& right_side) {
+    apply_multipliers(assembly, lambda);
+    for (BalanceSize& size : size_) size = {};
+    const S u = std::numeric_limits<S>::epsilon();
+    S all_left(0);
+    for (int b = 0; b < mechanism_.nb(); ++b) {
+      const typename F::Reduced& body = assembly.body()[b];
+      const Vector3<S> inertia = F::reduced(body, Layout::q_of(force, b));
+      const Vector3<S> applied = F::reduced(body, F::applied_force(body, wrenches[b].n_bar) +
+                                                      F::velocity_force(body, mechanism_.bodies[b].inertia));
+      const Vector3<S> held_r = unpadded<S>(on_[b].r), held_x = unpadded<S>(on_[b].x);
+      const Vector3<S> left_r = wrenches[b].F - Layout::r_of(force, b) - held_r,
+                       left_x = applied - inertia - held_x;
+      right_side.body[b] = {padded<S>(left_r), padded<S>(left_x)};
+      const auto norm = [&](const Vector3<S>& x) { return F::moment(body, x).norm(); };
+      BalanceSize& size = size_[components.component_of(b)];
+      size.force =
+          larger(size.force, S(wrenches[b].F.norm() + Layout::r_of(force, b).norm() + held_r.norm()));
+      size.moment = larger(size.moment, S(norm(applied) + norm(inertia) + norm(held_x)));
+      all_left += left_r.squaredNorm() + left_x.squaredNorm();
+      // springs that hold each other may leave no force that their own rounding could be measured by
+      size.force_left = larger(size.force_left, S(left_r.norm() - u * springs.size_of(b).force));
+      size.moment_left = larger(size.moment_left, S(norm(left_x) - u * springs.size_of(b).moment));
+    }
+    // comparisons pass over what is no number
+    if (!(all_left <= std::numeric_limits<S>::max())) return std::numeric_limits<S>::max();
+    S largest(0);
+    for (int b = 0; b < mechanism_.nb(); ++b) {
+      const BalanceSize& size = size_[components.component_of(b)];
+      const auto raise = [&](const S& left, const S& whole) {
+        if (left > largest * whole) largest = left / whole;
+      };
+      raise(size.force_left, size.force);
+      // arms are differences of places
+      raise(S(size.moment_left - u * components.length_of(b) * size.force),
+            S(size.moment + components.arm_of(b) * size.force));
+    }
+    return largest;
+  }
+
+ private:
+  /// What the multipliers do to the bodies, into on_.
+  void apply_multipliers(const GraphAssembly<F>& assembly, const StateVector& lambda) {
+    std::fill(on_.begin(), on_.end(), BodyPart<S>{});
+    for (std::size_t e = 0; e < plan_.graph.edges.size(); ++e) {
+      const GraphEdge& edge = plan_.graph.edges[e];
+      if (edge.is_soft || plan_.rows_slot[e] < 0) continue;
+      const EdgeRows<S>& rows = assembly.matrix().rows[plan_.rows_slot[e]];
+      for (int k = 0; k < edge.size(); ++k) {
+        const S& multiplier = lambda[edge.rows[k]];
+        on_[edge.i] += {multiplier * rows.C_i.r.col(k), multiplier * rows.C_i.x.col(k)};
+        on_[edge.j] += {multiplier * rows.C_j.r.col(k), multiplier * rows.C_j.x.col(k)};
+      }
+    }
+    for (const auto& link : assembly.links()) {
+      const GraphEdge& edge = plan_.graph.edges[link.edge];
+      const PointRows<S>& rows = assembly.matrix().point[link.link];
+      const EliminationPlan::Link& bodies = plan_.links[link.link];
+      Padded<S> f = Padded<S>::Zero();
+      for (int k = 0; k < 3; ++k) f[k] = rows.sign * lambda[edge.rows[k]];
+      Padded<S> on_child = times<S, 3>(rows.L_child, f), on_parent = -times<S, 3>(rows.L_parent, f);
+      for (int k = 3; k < edge.size(); ++k) {
+        on_child += lambda[edge.rows[k]] * rows.W_child.col(k - 3);
+        on_parent += lambda[edge.rows[k]] * rows.W_parent.col(k - 3);
+      }
+      on_[bodies.body] += {f, on_child};
+      on_[bodies.parent] += {Padded<S>(-f), on_parent};
+    }
+  }
+
+  /// Of a component, the largest of a body: all that acts on it, and what does not balance.
+  struct BalanceSize {
+    S force{0}, moment{0}, force_left{0}, moment_left{0};
+  };
+
+  const Mechanism<S>& mechanism_;
+  const EliminationPlan& plan_;
+  std::vector<BodyPart<S>> on_;  ///< by body: what the multipliers do
+  std::vector<BalanceSize> size_;
+};
+
+}  // namespace trivium
