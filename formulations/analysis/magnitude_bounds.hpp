@@ -1,5 +1,6 @@
 #pragma once
-/// What could cause lambda if nothing cancelled.
+/// What could cause lambda if nothing cancelled: bounds of Q, gamma and the rows' gradients in a tangent
+/// system, by magnitudes alone. Decides in what unit a lambda is measured that is left of terms which cancel.
 
 #include "formulations/analysis/tangent_system.hpp"
 

@@ -73,7 +73,7 @@ struct ScaledJacobian {
 
 /// The last rows, as far as possible, that the others determine: rows of the null basis picked from the end
 /// so that they stay well conditioned.
-std::vector<int> choose_redundant(const MatrixX<double>& Z) {
+std::vector<int> choose_dependent(const MatrixX<double>& Z) {
   const Eigen::Index d = Z.cols();
   for (double threshold = 0.1;; threshold /= 10) {
     std::vector<int> chosen;
@@ -105,7 +105,7 @@ void decide_rank(const ScaledJacobian& scaled, RowAnalysis& out) {
   const int rank = static_cast<int>(qr.rank()), defect = nc - rank;
   out.rank = rank;
 
-  // a row without a gradient holds nothing: it is redundant, and has no share in the null basis
+  // a row without a gradient holds nothing: it is dependent, and has no share in the null basis
   std::vector<Eigen::Index> dependent;
   for (int d = 0; d < defect; ++d) {
     const int k = qr.colsPermutation().indices()[rank + d];
@@ -129,13 +129,13 @@ void decide_rank(const ScaledJacobian& scaled, RowAnalysis& out) {
         out.unique[k] = false;
       else
         Z.row(k).setZero();
-    out.redundant = choose_redundant(Z);
+    out.dependent = choose_dependent(Z);
   }
   for (int k = 0; k < nc; ++k)
-    if (row_scale[k] == 0) out.redundant.push_back(k);
-  std::sort(out.redundant.begin(), out.redundant.end());
+    if (row_scale[k] == 0) out.dependent.push_back(k);
+  std::sort(out.dependent.begin(), out.dependent.end());
   for (int k = 0; k < nc; ++k)
-    if (!std::binary_search(out.redundant.begin(), out.redundant.end(), k)) out.independent.push_back(k);
+    if (!std::binary_search(out.dependent.begin(), out.dependent.end(), k)) out.independent.push_back(k);
 
   // to combinations of the rows themselves, orthonormal in E
   const VectorX<double> to_E = out.E.cwiseProduct(row_scale);
@@ -162,14 +162,14 @@ MatrixX<double> combination_of(const ScaledJacobian& scaled, const std::vector<i
          scaled.columns.asDiagonal();
 }
 
-/// Redundant rows: gamma_k against what the independent rows make of it.
+/// Dependent rows: gamma_k against what the independent rows make of it.
 void find_contradictions(const TangentSystem& s, const ScaledJacobian& scaled, RowAnalysis& out) {
   const VectorX<double>&columns = scaled.columns, &row_scale = scaled.rows;
   const VectorX<double> gamma = (row_scale.array() > 0).select(row_scale, 1.0).cwiseProduct(s.gamma);
   // the least acceleration that meets the independent rows shows what they make of the others
   const VectorX<double> acceleration = out.combination.transpose() * s.gamma(out.independent);
   const double largest = std::max(gamma.cwiseAbs().maxCoeff(), acceleration.cwiseQuotient(columns).norm());
-  for (int k : out.redundant)
+  for (int k : out.dependent)
     if (std::abs(row_scale[k] * s.Phi.row(k).dot(acceleration) - gamma[k]) >
         contradiction_tolerance * largest + contradiction_floor)
       out.contradictory.push_back(k);
@@ -187,7 +187,7 @@ RowAnalysis analyse_rows(const TangentSystem& s) {
   }
   const ScaledJacobian scaled(s);
   decide_rank(scaled, out);
-  if (!out.redundant.empty()) {
+  if (!out.dependent.empty()) {
     out.combination = combination_of(scaled, out.independent);
     find_contradictions(s, scaled, out);
   }

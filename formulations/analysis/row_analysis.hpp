@@ -14,15 +14,15 @@ namespace trivium {
 
 struct RowAnalysis : RowNorms {
   int rank = 0;
-  std::vector<int> independent, redundant;  ///< rows in file order; a redundant one depends on earlier rows
+  std::vector<int> independent, dependent;  ///< rows in file order; a dependent one follows from earlier rows
   std::vector<bool> unique;                 ///< row k of null(Phi^T) is zero: lambda_k is unique
   /// nc x (nc - rank): E N is orthonormal, Phi^T N = 0, zero in unique rows. lambda is unique up to N y. A
   /// row without a gradient has no column here; its lambda acts on nothing and is 0.
   MatrixX<double> null_basis;
   /// rank x 6 nb: the coefficients c of least |Phi_independent^T c - w| for a w; empty where no row is
-  /// redundant.
+  /// dependent.
   MatrixX<double> combination;
-  /// Redundant rows whose right side contradicts that of the rows they follow from: no acceleration satisfies
+  /// Dependent rows whose right side contradicts that of the rows they follow from: no acceleration satisfies
   /// all.
   std::vector<int> contradictory;
   double kappa = 1;  ///< condition number of E^-1 S E^-1 over its nonzero singular values

@@ -82,7 +82,7 @@ TEST(RowAnalysis, OfADoorOnTwoHingesHasRankFiveOfTen) {
   const RowAnalysis rows = analyse_rows(make_model<double>(scene));
   EXPECT_EQ(rows.rank, 5);
   EXPECT_EQ(rows.independent, (std::vector<int>{0, 1, 2, 3, 4}));
-  EXPECT_EQ(names(scene, rows.redundant),
+  EXPECT_EQ(names(scene, rows.dependent),
             (std::vector<std::string>{"hinge 1.cd(e_x)", "hinge 1.cd(e_y)", "hinge 1.cd(e_z)",
                                       "hinge 1.dp1(u_i, z_j)", "hinge 1.dp1(v_i, z_j)"}));
   EXPECT_EQ(rows.unique, std::vector<bool>(10, false));
@@ -94,13 +94,13 @@ TEST(RowAnalysis, OfASpatialFourBarHasRankSeventeenOfTwenty) {
   const auto scene = four_bar();
   const RowAnalysis rows = analyse_rows(make_model<double>(scene));
   EXPECT_EQ(rows.rank, 17);
-  EXPECT_EQ(rows.redundant.size(), 3u);
+  EXPECT_EQ(rows.dependent.size(), 3u);
   // what a planar linkage determines are the forces in its plane: cd(e_x) and cd(e_y) of every joint
   std::vector<bool> in_plane;
   for (int joint = 0; joint < 4; ++joint)
     for (const bool unique : {true, true, false, false, false}) in_plane.push_back(unique);
   EXPECT_EQ(rows.unique, in_plane);
-  for (int k : rows.redundant) EXPECT_FALSE(rows.unique[k]);
+  for (int k : rows.dependent) EXPECT_FALSE(rows.unique[k]);
   expect_null_basis(tangent(scene), rows);
 }
 
@@ -114,7 +114,7 @@ TEST(RowAnalysis, OfIndependentRowsFindsAllUnique) {
         const RowAnalysis rows = analyse_rows(make_model<double>(scene));
         const std::size_t nc = rows.unique.size();
         RC_ASSERT(rows.rank == static_cast<int>(nc));
-        RC_ASSERT(rows.redundant.empty());
+        RC_ASSERT(rows.dependent.empty());
         RC_ASSERT(rows.unique == std::vector<bool>(nc, true));
         RC_ASSERT(rows.null_basis.cols() == 0);
         RC_ASSERT(rows.kappa >= 1.0);
@@ -134,7 +134,7 @@ TEST(RowAnalysis, OfDoubledJointsFindsWhatIsRedundant) {
         const auto scene = test::random_scene(seed, options);
         const RowAnalysis rows = analyse_rows(make_model<double>(scene));
         RC_ASSERT(rows.rank == single.rank);
-        RC_ASSERT(rows.rank + static_cast<int>(rows.redundant.size()) ==
+        RC_ASSERT(rows.rank + static_cast<int>(rows.dependent.size()) ==
                   static_cast<int>(rows.unique.size()));
         // the doubles stand last in the file, and the later of dependent rows are the redundant ones
         for (int k = 0; k < rows.rank; ++k) RC_ASSERT(rows.independent[k] == single.independent[k]);
@@ -149,13 +149,13 @@ TEST(RowAnalysis, DoesNotDependOnTheUnitOfLength) {
                       metres = analyse_rows(make_model<double>(door({0, 2, 5})));
     EXPECT_EQ(hinges.rank, 5);
     EXPECT_EQ(hinges.unique, metres.unique);
-    EXPECT_EQ(hinges.redundant, metres.redundant);
+    EXPECT_EQ(hinges.dependent, metres.dependent);
     EXPECT_NEAR(hinges.kappa, metres.kappa, 1e-9 * metres.kappa);
     const RowAnalysis bars = analyse_rows(make_model<double>(four_bar(unit))),
                       bars_1 = analyse_rows(make_model<double>(four_bar()));
     EXPECT_EQ(bars.rank, 17);
     EXPECT_EQ(bars.unique, bars_1.unique);
-    EXPECT_EQ(bars.redundant, bars_1.redundant);
+    EXPECT_EQ(bars.dependent, bars_1.dependent);
     EXPECT_NEAR(bars.kappa, bars_1.kappa, 1e-9 * bars_1.kappa);
   }
 }
@@ -220,7 +220,7 @@ TEST(RowAnalysis, OfNothingIsEmpty) {
   scene.bodies = {test::body("free", 1)};
   const RowAnalysis rows = analyse_rows(make_model<double>(scene));
   EXPECT_EQ(rows.rank, 0);
-  EXPECT_TRUE(rows.unique.empty() && rows.independent.empty() && rows.redundant.empty());
+  EXPECT_TRUE(rows.unique.empty() && rows.independent.empty() && rows.dependent.empty());
   EXPECT_EQ(rows.kappa, 1);
 }
 
@@ -237,7 +237,7 @@ TEST(RowAnalysis, OfARowWithoutGradientHasRankZero) {
   const RowAnalysis rows = analyse_rows(make_model<double>(scene));
   EXPECT_EQ(rows.rank, 0);
   EXPECT_EQ(rows.kappa, 1);
-  EXPECT_EQ(rows.redundant, std::vector<int>{0});
+  EXPECT_EQ(rows.dependent, std::vector<int>{0});
   EXPECT_EQ(rows.unique, std::vector<bool>{false});
 }
 
@@ -252,7 +252,7 @@ TEST(RowAnalysis, ARowWithoutGradientDoesNotDisturbTheOthers) {
   scene.effects = {test::gravity(10)};
   const RowAnalysis rows = analyse_rows(make_model<double>(scene));
   EXPECT_EQ(rows.rank, 3);
-  EXPECT_EQ(rows.redundant, (std::vector<int>{3, 4, 5, 6}));
+  EXPECT_EQ(rows.dependent, (std::vector<int>{3, 4, 5, 6}));
   EXPECT_EQ(rows.unique, std::vector<bool>(7, false));
   // two balls share the weight of 20 N evenly: lambda = -10 each, and none where there is nothing to hold
   VectorX<double> expected(7);

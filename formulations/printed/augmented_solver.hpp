@@ -16,7 +16,7 @@
 namespace trivium {
 
 /// One formulation's augmented system at one state, and what a solution of it means. The system is solved
-/// with its redundant rows left out: x is a solution of that reduced system, in printed order.
+/// with its dependent rows left out: x is a solution of that reduced system, in printed order.
 template <Formulation F>
 class AugmentedEquations {
  public:
@@ -32,10 +32,10 @@ class AugmentedEquations {
   MatrixX<S> reduced_matrix() const;
   VectorX<S> reduced_right_side() const;
 
-  /// All unknowns, lambda 0 in redundant rows.
+  /// All unknowns, lambda 0 in dependent rows.
   VectorX<S> expand(const VectorX<S>& x) const;
   VectorX<S> reduce(const VectorX<S>& full) const;
-  /// b - K x over all equations and unknowns, redundant rows among them.
+  /// b - K x over all equations and unknowns, dependent rows among them.
   VectorX<S> defect(const VectorX<S>& full) const;
   /// The unknowns by name.
   Unknowns<F> split(const VectorX<S>& full) const;
@@ -64,7 +64,7 @@ class AugmentedSolver : public AugmentedEquations<F> {
 
   /// All unknowns in printed order, lambda of minimum norm among the equivalent.
   VectorX<S> solve() const;
-  /// Redundant rows left out; throws a ModelError where the matrix is numerically singular.
+  /// Dependent rows left out; throws a ModelError where the matrix is numerically singular.
   VectorX<S> solve_reduced() const;
   /// The reduced K^-1 b by the factors at hand, unrefined.
   VectorX<S> substitute(const VectorX<S>& b) const;

@@ -23,7 +23,7 @@ AugmentedEquations<F>::AugmentedEquations(const Mechanism<S>& mechanism, const M
 
 template <Formulation F>
 auto AugmentedEquations<F>::reduced_matrix() const -> MatrixX<S> {
-  return rows_.redundant.empty() ? K_ : MatrixX<S>(K_(kept_, kept_));
+  return rows_.dependent.empty() ? K_ : MatrixX<S>(K_(kept_, kept_));
 }
 template <Formulation F>
 auto AugmentedEquations<F>::reduced_right_side() const -> VectorX<S> {
@@ -62,7 +62,7 @@ auto AugmentedEquations<F>::accelerations_of(const VectorX<S>& full) const -> Ph
 }
 template <Formulation F>
 MatrixFreeResidual AugmentedEquations<F>::residual(const VectorX<S>& full) const {
-  return matrix_free_residual<F>(mechanism_, eom_, split(full), rows_.redundant);
+  return matrix_free_residual<F>(mechanism_, eom_, split(full), rows_.dependent);
 }
 
 template <Formulation F>

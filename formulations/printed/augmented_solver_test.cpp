@@ -59,7 +59,7 @@ TYPED_TEST(Solutions, MatrixFreeResidualIsAtRoundingLevel) {
         RC_ASSERT(residual.bodies <= 1e-13);
         RC_ASSERT(residual.rows <= 1e-13);
         // what was left out holds by itself, to what the consistency of the scene is worth
-        RC_ASSERT(residual.redundant_rows <= 1e-11 * s.rows.kappa);
+        RC_ASSERT(residual.dependent_rows <= 1e-11 * s.rows.kappa);
       },
       60);
 }
@@ -141,14 +141,14 @@ TYPED_TEST(Solutions, LambdaHasMinimumNormAmongTheEquivalent) {
   using F = TypeParam;
   for (int seed = 0; seed < 20; ++seed) {
     const Solved<F> s(test::random_scene(seed, {.bodies = 3, .closings = 1, .doubled = 1}));
-    ASSERT_FALSE(s.rows.redundant.empty());
+    ASSERT_FALSE(s.rows.dependent.empty());
     const VectorX<double> E_lambda = s.rows.E.cwiseProduct(s.u.lambda);
     const MatrixX<double> EN = s.rows.E.asDiagonal() * s.rows.null_basis;
     EXPECT_LE((EN.transpose() * E_lambda).cwiseAbs().maxCoeff(), 1e-12 * E_lambda.norm());
     // the same forces as with the redundant multipliers at zero
     const Unknowns<F> plain = s.solver.split(s.solver.expand(s.solver.solve_reduced()));
     const TangentSystem tangent = tangent_system(s.mechanism, s.state);
-    for (int k : s.rows.redundant) EXPECT_EQ(plain.lambda[k], 0);
+    for (int k : s.rows.dependent) EXPECT_EQ(plain.lambda[k], 0);
     EXPECT_LE(distance(tangent.Phi.transpose() * plain.lambda, tangent.Phi.transpose() * s.u.lambda),
               1e-11 * force_scale(s));
     for (std::size_t k = 0; k < s.rows.unique.size(); ++k)
@@ -166,7 +166,7 @@ TEST(NonUniqueLambda, IsAsPreciseAsTheScalar) {
     const auto scene = test::random_scene(seed, {.bodies = 2, .closings = 1, .doubled = 1});
     SolveOptions options;
     const auto result = test::solve_scene<Quad>(scene, options, false);
-    ASSERT_FALSE(result.rows.redundant.empty());
+    ASSERT_FALSE(result.rows.dependent.empty());
     const auto& reference = result.formulations[0].solution.lambda;
     const auto in_double = test::solve_scene<double>(scene, options, false);
     for (std::size_t f = 0; f < result.formulations.size(); ++f) {

@@ -25,7 +25,7 @@ VectorX<typename F::Scalar> ambiguity_of(const AugmentedSolver<F>& solver,
   const VectorX<H> missed = higher.defect(scalar_cast<H>(full));
   VectorX<S> change = scalar_cast<S>(VectorX<H>(higher.defect(scalar_cast<H>(shared)) - missed));
   VectorX<S> redundant = VectorX<S>::Zero(nc);
-  for (int k : solver.rows().redundant) redundant[k] = static_cast<S>(missed.tail(nc)[k]);
+  for (int k : solver.rows().dependent) redundant[k] = static_cast<S>(missed.tail(nc)[k]);
   change.tail(nc) = -solver.redundancy().disagreement(redundant);
   return solver.substitute(solver.reduce(change));
 }

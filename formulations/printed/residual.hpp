@@ -13,15 +13,15 @@ namespace trivium {
 
 /// The matrix-free form: the residual of every body's own equations and of every row, nothing assembled. A
 /// body's is relative to the sum of its terms' magnitudes; a row's to the sum of its own, with accelerations
-/// as large as those terms could make them. Rows listed in `redundant` are measured apart.
+/// as large as those terms could make them. Rows listed in `dependent` are measured apart.
 struct MatrixFreeResidual {
-  double bodies = 0, rows = 0, redundant_rows = 0;
+  double bodies = 0, rows = 0, dependent_rows = 0;
 };
 
 template <Formulation F>
 MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar>& mechanism,
                                         const EquationsOfMotion<F>& eom, const Unknowns<F>& u,
-                                        const std::vector<int>& redundant = {}) {
+                                        const std::vector<int>& dependent = {}) {
   using S = typename F::Scalar;
   using std::abs;
   const int nb = eom.nb();
@@ -59,8 +59,8 @@ MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar>& mec
     const double ratio = static_cast<double>(S(value / scale));
     if (std::isnan(ratio) || ratio > worst) worst = ratio;  // a NaN goes in and stays
   };
-  std::vector<bool> is_redundant(mechanism.rows.size(), false);
-  for (int k : redundant) is_redundant[k] = true;
+  std::vector<bool> is_dependent(mechanism.rows.size(), false);
+  for (int k : dependent) is_dependent[k] = true;
   for (int k = 0; k < eom.nc(); ++k) {
     const auto [i, j] = eom.pair[k];
     const auto& row = eom.row[k];
@@ -90,7 +90,7 @@ MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar>& mec
     if (row_scale[k] > largest) largest = row_scale[k];
   }
   for (int k = 0; k < eom.nc(); ++k)
-    raise(is_redundant[k] ? residual.redundant_rows : residual.rows, row_residual[k], row_scale[k]);
+    raise(is_dependent[k] ? residual.dependent_rows : residual.rows, row_residual[k], row_scale[k]);
   largest = S(0);
   for (int b = 0; b < nb; ++b)
     for (const S& scale : {balance[b].r_scale, balance[b].q_scale})

@@ -129,7 +129,7 @@ class SceneBuilder {
   }
   bool is_independent() const {
     const auto system = tangent_system(make_mechanism<double>(scene_), make_state<double>(scene_));
-    return analyse_rows(system).redundant.empty();
+    return analyse_rows(system).dependent.empty();
   }
   void remove_last() {
     scene_.constraints.pop_back();

@@ -71,7 +71,7 @@ struct Report {
   }
   std::vector<std::string> redundant() const {
     return names([](const RowAnalysis& r, int k) {
-      return std::find(r.redundant.begin(), r.redundant.end(), k) != r.redundant.end();
+      return std::find(r.dependent.begin(), r.dependent.end(), k) != r.dependent.end();
     });
   }
   std::vector<std::string> not_unique() const {
@@ -149,7 +149,7 @@ std::string Report::text() const {
                        analysis->mu.minCoeff(), analysis->mu.maxCoeff());
   for (const std::string& body : unphysical())
     out += fmt::format("unphysical inertia  body \"{}\", by its own word\n", body);
-  if (analysis && !analysis->redundant.empty()) {
+  if (analysis && !analysis->dependent.empty()) {
     out += fmt::format("redundant rows      {}\n", fmt::join(redundant(), ", "));
     out += fmt::format("not unique lambda   {}\n", fmt::join(not_unique(), ", "));
   }

@@ -134,7 +134,7 @@ std::string Report<Scalar>::json() const {
       .end_object();
   json.number("condition", result.rows.kappa).texts("rows", mechanism.row_names);
   std::vector<std::string> redundant;
-  for (int k : result.rows.redundant) redundant.push_back(mechanism.row_names[k]);
+  for (int k : result.rows.dependent) redundant.push_back(mechanism.row_names[k]);
   json.texts("redundant", redundant).texts("warnings", warnings()).end_object();
   return json.str();
 }
@@ -209,9 +209,9 @@ std::string Report<Scalar>::text() const {
         "\nlargest difference between formulations: lambda {}, r'' {:.1e}, omega_bar' {:.1e}\n",
         result.any_unique() ? fmt::format("{:.1e}", d.lambda) : "none", d.r_ddot, d.omega_bar_dot);
   }
-  if (!result.rows.redundant.empty()) {
+  if (!result.rows.dependent.empty()) {
     out += "redundant rows (they follow from the others):";
-    for (int k : result.rows.redundant) out += " " + mechanism.row_names[k];
+    for (int k : result.rows.dependent) out += " " + mechanism.row_names[k];
     out +=
         "\nmultipliers marked \"not unique\" are the ones of minimum |E lambda|, E^2 = diag(Phi M^-1 "
         "Phi^T)\n";

@@ -72,7 +72,7 @@ ReactionFrame::Vector6 ReactionFrame::metric_wrench(int body, const Reaction<dou
 }
 
 bool ReactionFrame::is_unique(const Joint<double>& joint) const {
-  if (rows_.redundant.empty()) return true;
+  if (rows_.dependent.empty()) return true;
   const MatrixX<double> wrench = Phi_.middleRows(joint.first_row, joint.rows).transpose() *
                                  rows_.null_basis.middleRows(joint.first_row, joint.rows);
   const MatrixX<double> scaled = rows_.acceleration_scale.cwiseInverse().asDiagonal() * wrench;
