@@ -2,29 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <memory>
-#include <optional>
+#include <stdexcept>
 
 #include "base/command_line.hpp"
 #include "base/exit_code.hpp"
-#include "base/json_writer.hpp"
-#include "base/number_text.hpp"
-#include "base/progress.hpp"
 #include "base/standard_output.hpp"
-#include "base/table.hpp"
-#include "formulations/side_by_side.hpp"
+#include "bodies/rotations/euler_sequence.hpp"
+#include "formulations/formulation_list.hpp"
 #include "integrators/methods.hpp"
-#include "scenes/make_mechanism.hpp"
-#include "simulation/motion_csv.hpp"
 #include "simulation/simulate.hpp"
 #include "trivium/command/commands.hpp"
-#include "trivium/command/motion_plot.hpp"
+#include "trivium/command/interrupt.hpp"
+#include "trivium/command/motion_output.hpp"
+#include "trivium/command/motion_report.hpp"
 #include "trivium/command/scene_argument.hpp"
 
 namespace trivium {
@@ -38,220 +31,7 @@ struct SimulateArguments : SceneArguments {
   bool raw_chart = false, no_projection = false, full_newton = false, json = false;
 };
 
-/// Set by the first Ctrl-C (or SIGTERM), which ends the run after the step at hand; one two seconds later or
-/// more ends the program. Those between are taken for the same one, sent to a process and to its group.
-volatile std::sig_atomic_t interrupted = 0;
-volatile std::time_t interrupted_at = 0;
-extern "C" void interrupt(int signal) {
-  const std::time_t now = std::time(nullptr);
-  if (interrupted == 0) {
-    interrupted_at = now;
-    interrupted = 1;
-  } else if (now > interrupted_at + 1) {
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
-  }
-}
-constexpr int exit_interrupted = 130;
 constexpr int outputs_of_a_figure = 500;
-
-bool has_own_lambda(const SimulationOptions& options) {
-  return integrators::find_method(options.integrator)->has_own_lambda;
-}
-
-/// What leaves the run: the file, the figure, and a bar that says how far it is.
-class Watcher : public SimulationObserver {
- public:
-  Watcher(const SimulateArguments& arguments, const Mechanism<double>& mechanism)
-      : arguments_(arguments), progress_("simulating", most_ticks) {
-    if (!arguments.out.empty()) csv_.emplace(mechanism, has_own_lambda(arguments.options), arguments.out);
-    if (!arguments.plot.empty())
-      plot_.emplace(mechanism, fmt::format("{}: {}, {}", mechanism.name, arguments.options.formulation,
-                                           arguments.options.integrator));
-  }
-
-  void sample(const MotionSample& sample) override {
-    if (csv_) csv_->add(sample);
-    if (plot_) plot_->add(sample);
-    last_ = sample.state.t;
-  }
-  bool step(double t) override {
-    const SimulationOptions& o = arguments_.options;
-    for (const double done = (t - arguments_.t) / (o.end - arguments_.t) * most_ticks;
-         static_cast<double>(ticks_) < done; ++ticks_)
-      progress_.step();
-    return interrupted == 0;
-  }
-  /// Writes what it has; says what it could not. Returns whether it could.
-  bool keep() {
-    try {
-      if (csv_) csv_->keep();
-      if (plot_) plot_->write(arguments_.plot);
-      return true;
-    } catch (const std::runtime_error& error) {
-      complain(error.what());
-      return false;
-    }
-  }
-  /// The last state that it has; none where the motion did not begin.
-  const std::optional<double>& last() const { return last_; }
-
- private:
-  static constexpr int most_ticks = 1000;
-  const SimulateArguments& arguments_;
-  Progress progress_;
-  int ticks_ = 0;
-  std::optional<double> last_;
-  std::optional<MotionCsv> csv_;
-  std::optional<MotionPlot> plot_;
-};
-
-/// More than a thousandth of what moves, and than rounding of the energies.
-bool balance_is_large(const SimulationReport& report) {
-  const double energies =
-      std::max({std::abs(report.energy_start), std::abs(report.energy_end), std::abs(report.work)});
-  return !(report.unaccounted_energy <= 1e-3 * report.largest_kinetic + 1e-12 * energies);
-}
-
-std::vector<std::string> warnings_of(const SimulationReport& report) {
-  std::vector<std::string> out;
-  if (!report.passages.empty()) {
-    out.push_back(
-        fmt::format("the motion passed {}, the first near t = {:.6g}: rows that depend on others there were "
-                    "left out, and it "
-                    "went on as its velocities had it",
-                    counted(report.passages.size(), "singular position", "singular positions"),
-                    report.passages.front().t));
-  }
-  if (balance_is_large(report))
-    out.push_back(fmt::format(
-        "{:.1e} J are not accounted for, beside {:.1e} J of kinetic energy: the motion is not accurate; take "
-        "tighter tolerances or smaller steps{}{}",
-        report.unaccounted_energy, report.largest_kinetic, report.near_singular_chart.empty() ? "" : "; ",
-        report.near_singular_chart));
-  // index 3 leaves velocities off by its own error
-  const auto drifts = [](double left) { return left > 1e-6; };
-  if (drifts(report.phi) || (!report.is_implicit && drifts(report.phi_dot)))
-    out.push_back(fmt::format("constraints are violated by up to {:.1e} (positions) and {:.1e} (velocities)",
-                              report.phi, report.phi_dot));
-  return out;
-}
-
-/// An object that begins with what was asked for.
-JsonWriter json_of_run(const SimulateArguments& arguments, const Mechanism<double>& mechanism) {
-  const SimulationOptions& o = arguments.options;
-  JsonWriter json;
-  json.begin_object()
-      .text("scene", mechanism.name)
-      .text("formulation", o.formulation)
-      .text("integrator", o.integrator)
-      .number("t_start", arguments.t)
-      .number("t_end", o.end);
-  return json;
-}
-
-std::string json_of(const SimulateArguments& arguments, const Mechanism<double>& mechanism,
-                    const SimulationReport& r) {
-  const SimulationOptions& o = arguments.options;
-  JsonWriter json = json_of_run(arguments, mechanism);
-  json.number("reached", r.reached).flag("complete", r.complete);
-  if (o.step)
-    json.number("step", *o.step);
-  else
-    json.number("rtol", o.tolerances.rtol).number("atol", o.tolerances.atol);
-  const integrators::MethodParameters& p = o.parameters;
-  if (p.order) json.number("order", *p.order);
-  if (p.rho) json.number("rho", *p.rho);
-  if (p.alpha) json.number("alpha", *p.alpha);
-  if (r.is_implicit) json.flag("full_newton", p.full_newton.value_or(false));
-  json.flag("projection", r.is_projected);
-  if (o.baumgarte)
-    json.begin_object("baumgarte")
-        .number("alpha", o.baumgarte->alpha)
-        .number("beta", o.baumgarte->beta)
-        .end_object();
-  json.number("steps", r.counters.steps)
-      .number("rejected_steps", r.counters.rejected_steps)
-      .number("right_sides", r.counters.right_sides)
-      .number("newton_iterations", r.counters.iterations)
-      .number("jacobians", r.jacobians)
-      .number("factorisations", r.factorisations)
-      .number("projection_changes", r.projection.changes)
-      .number("restarts", r.counters.restarts)
-      .number("reframings", r.reframings);
-  json.begin_object("drift")
-      .number("phi", r.phi)
-      .number("phi_dot", r.phi_dot)
-      .number("phi_before_projection", r.projection.position)
-      .number("phi_dot_before_projection", r.projection.velocity)
-      .number("normalisation", r.normalisation);
-  if (r.has_own_lambda) json.number("raw_lambda", r.lambda_gap);
-  json.end_object();
-  json.begin_object("energy").number("start", r.energy_start).number("end", r.energy_end);
-  if (r.does_work) json.number("work", r.work);
-  json.number("unaccounted", r.unaccounted_energy).end_object();
-  json.begin_array("singular_positions");
-  for (const SingularPassage& passage : r.passages)
-    json.begin_object().number("t", passage.t).number("rows", passage.rows).end_object();
-  json.end_array();
-  json.begin_array("impulses");
-  for (const Impulse<double>& impulse : r.impulses)
-    json.begin_object().number("t", impulse.t).numbers("lambda", impulse.lambda).end_object();
-  json.end_array();
-  json.texts("rows", mechanism.row_names).texts("warnings", warnings_of(r)).end_object();
-  return json.str();
-}
-
-std::string json_of_failure(const SimulateArguments& arguments, const Mechanism<double>& mechanism,
-                            const std::optional<double>& last, const char* error) {
-  JsonWriter json = json_of_run(arguments, mechanism);
-  json.flag("complete", false);
-  if (last) json.number("last_output", *last);
-  return json.text("error", error).end_object().str();
-}
-
-std::string text_of(const SimulateArguments& arguments, const Mechanism<double>& mechanism,
-                    const SimulationReport& r) {
-  const SimulationOptions& o = arguments.options;
-  const std::string steps = o.step ? fmt::format("steps of {} s", *o.step)
-                                   : fmt::format("rtol {}, atol {}", o.tolerances.rtol, o.tolerances.atol);
-  std::string out = fmt::format("{}: t = {} to {}, {}\n\n", mechanism.name, arguments.t, r.reached, steps);
-  Table table({"", fmt::format("{}, {}", o.formulation, o.integrator)});
-  const auto add = [&](const std::string& name, const std::string& value) { table.add({name, value}); };
-  add("steps", fmt::format("{}", r.counters.steps));
-  add("rejected steps", fmt::format("{}", r.counters.rejected_steps));
-  add("right sides", fmt::format("{}", r.counters.right_sides));
-  if (r.counters.iterations > 0) add("Newton iterations", fmt::format("{}", r.counters.iterations));
-  if (r.jacobians > 0) add("Jacobians (Newton's matrices)", fmt::format("{}", r.jacobians));
-  add("factorisations", fmt::format("{}", r.factorisations));
-  if (r.is_projected) add("changes by projection", fmt::format("{}", r.projection.changes));
-  add("restarts", fmt::format("{}", r.counters.restarts));
-  if (r.reframings > 0) add("re-framed bodies", fmt::format("{}", r.reframings));
-  add("largest violation of positions [m, rad]", fmt::format("{:.1e}", r.phi));
-  add("of velocities [m/s, rad/s]", fmt::format("{:.1e}", r.phi_dot));
-  if (r.is_projected) {
-    add("of positions before projection", fmt::format("{:.1e}", r.projection.position));
-    add("of velocities before projection", fmt::format("{:.1e}", r.projection.velocity));
-  }
-  if (r.has_own_lambda) add("largest |raw lambda - lambda of (q, v)|", fmt::format("{:.1e}", r.lambda_gap));
-  if (r.normalisation > 0) add("of p . p = 1", fmt::format("{:.1e}", r.normalisation));
-  add("energy at the start [J]", fmt::format("{:.12g}", r.energy_start));
-  add("energy at the end [J]", fmt::format("{:.12g}", r.energy_end));
-  if (r.does_work) add("work done on it [J]", fmt::format("{:.12g}", r.work));
-  add(r.does_work ? "largest change not accounted for [J]" : "largest change of energy [J]",
-      fmt::format("{:.1e}", r.unaccounted_energy));
-  out += table.text();
-  for (const Impulse<double>& impulse : r.impulses) {
-    out += fmt::format(
-        "\nvelocities jumped with a driver at t = {}: impulses [N s or N m s, over the row's scale]\n",
-        impulse.t);
-    Table rows({"row", "impulse"});
-    for (std::size_t k = 0; k < mechanism.row_names.size(); ++k)
-      rows.add({mechanism.row_names[k], fmt::format("{:.9g}", impulse.lambda[static_cast<Eigen::Index>(k)])});
-    out += rows.text();
-  }
-  return out;
-}
 
 int run_simulate(const SimulateArguments& given) {
   SimulateArguments arguments = given;
@@ -262,27 +42,20 @@ int run_simulate(const SimulateArguments& given) {
   if (!arguments.plot.empty() && !options.output_step && options.end > arguments.t)
     options.output_step = (options.end - arguments.t) / outputs_of_a_figure;
   if (!arguments.baumgarte.empty()) options.baumgarte = {arguments.baumgarte[0], arguments.baumgarte[1]};
-  const scenes::Scene scene = load_state(arguments);
-  const auto model = make_model<double>(scene, arguments.t);
-  if (!report_consistency(arguments, consistency_of(model))) return exit_input_error;
-  const Mechanism<double>& mechanism = model.mechanism;
-  Watcher watcher(arguments, mechanism);
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, interrupt);
-  const auto say_what_is_kept = [&] {
-    if (arguments.out.empty()) return;
-    fmt::print(stderr, "{} holds {}\n", arguments.out,
-               watcher.last() ? fmt::format("the motion until t = {}", *watcher.last())
-                              : std::string("no state: the motion did not begin"));
-  };
+  const Model<double> model = load(arguments).model;
+  if (!report_consistency(arguments, check_consistency(model.mechanism, model.state)))
+    return exit_input_error;
+  const MotionReport of{model.mechanism, arguments.t, options};
+  MotionOutput output(model.mechanism, arguments.t, options, arguments.out, arguments.plot);
+  catch_interrupts();
   try {
-    const SimulationReport report = simulate(model, options, watcher);
+    const SimulationReport report = simulate(model, options, output);
     for (const std::string& warning : warnings_of(report)) fmt::print(stderr, "warning: {}\n", warning);
-    fmt::print(
-        "{}", arguments.json ? json_of(arguments, mechanism, report) : text_of(arguments, mechanism, report));
-    const bool is_kept = watcher.keep();
+    fmt::print("{}", arguments.json ? of.json(report) : of.text(report));
+    const bool is_kept = output.keep();
     if (report.complete) return is_kept ? exit_done : exit_output_lost;
     fmt::print(stderr, "interrupted at t = {}\n", report.reached);
-    if (is_kept) say_what_is_kept();
+    if (is_kept) output.say_what_is_kept();
     return exit_interrupted;
   } catch (const integrators::UsageError& error) {
     complain(error.what());
@@ -290,8 +63,8 @@ int run_simulate(const SimulateArguments& given) {
   } catch (const std::runtime_error& error) {
     // of the model or of the method; what was computed until then is kept
     complain(name_source(arguments.scene, error.what()));
-    if (arguments.json) fmt::print("{}", json_of_failure(arguments, mechanism, watcher.last(), error.what()));
-    if (watcher.keep()) say_what_is_kept();
+    if (arguments.json) fmt::print("{}", of.failure_json(output.last(), error.what()));
+    if (output.keep()) output.say_what_is_kept();
     return exit_solver_failed;
   }
 }

@@ -1,0 +1,32 @@
+/// `trivium check` as a user meets it.
+
+#include "trivium/command/testing/run_program.hpp"
+
+namespace trivium::test {
+namespace {
+
+TEST(Check, ReportsRankRedundancyAndSparsity) {
+  const Outcome r = run("trivium check n_four_bar_40 --json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const json c = json::parse(r.out);
+  EXPECT_EQ(c["rank"], 485);
+  EXPECT_EQ(c["redundant"].size(), 120u);
+  for (const json& matrix : c["augmented_matrix"]) EXPECT_LT(matrix["percent"], 3.0) << matrix["formulation"];
+}
+
+/// The rank is decided on a dense matrix; what is sparse is reported of a scene of any size.
+TEST(Check, ReportsAllButTheRankOfALargeScene) {
+  const std::string file = temporary("tree.json").string();
+  ASSERT_EQ(run("trivium generate tree 1000 --out " + file).exit_code, 0);
+  const Outcome r = run("trivium check " + file + " --json");
+  EXPECT_EQ(r.exit_code, 0);
+  EXPECT_NE(r.err.find("rank and redundant rows are not determined"), std::string::npos) << r.err;
+  const json c = json::parse(r.out);
+  EXPECT_EQ(c["nb"], 1000);
+  EXPECT_TRUE(c["consistent"]);
+  EXPECT_FALSE(c.contains("rank"));
+  EXPECT_NE(run("trivium check " + file).out.find("not determined"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace trivium::test

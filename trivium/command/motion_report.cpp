@@ -1,0 +1,160 @@
+#include "trivium/command/motion_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number_text.hpp"
+#include "base/table.hpp"
+
+namespace trivium {
+
+namespace {
+
+/// More than a thousandth of what moves, and than rounding of the energies.
+bool balance_is_large(const SimulationReport& report) {
+  const double energies =
+      std::max({std::abs(report.energy_start), std::abs(report.energy_end), std::abs(report.work)});
+  return !(report.unaccounted_energy <= 1e-3 * report.largest_kinetic + 1e-12 * energies);
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const SimulationReport& report) {
+  std::vector<std::string> out;
+  if (!report.passages.empty()) {
+    out.push_back(
+        fmt::format("the motion passed {}, the first near t = {:.6g}: rows that depend on others there were "
+                    "left out, and it "
+                    "went on as its velocities had it",
+                    counted(report.passages.size(), "singular position", "singular positions"),
+                    report.passages.front().t));
+  }
+  if (balance_is_large(report))
+    out.push_back(fmt::format(
+        "{:.1e} J are not accounted for, beside {:.1e} J of kinetic energy: the motion is not accurate; take "
+        "tighter tolerances or smaller steps{}{}",
+        report.unaccounted_energy, report.largest_kinetic, report.near_singular_chart.empty() ? "" : "; ",
+        report.near_singular_chart));
+  // index 3 leaves velocities off by its own error
+  const auto drifts = [](double left) { return left > 1e-6; };
+  if (drifts(report.phi) || (!report.is_implicit && drifts(report.phi_dot)))
+    out.push_back(fmt::format("constraints are violated by up to {:.1e} (positions) and {:.1e} (velocities)",
+                              report.phi, report.phi_dot));
+  return out;
+}
+
+JsonWriter MotionReport::begin_json() const {
+  const SimulationOptions& o = options;
+  JsonWriter json;
+  json.begin_object()
+      .text("scene", mechanism.name)
+      .text("formulation", o.formulation)
+      .text("integrator", o.integrator)
+      .number("t_start", t_start)
+      .number("t_end", o.end);
+  return json;
+}
+
+std::string MotionReport::json(const SimulationReport& r) const {
+  const SimulationOptions& o = options;
+  JsonWriter json = begin_json();
+  json.number("reached", r.reached).flag("complete", r.complete);
+  if (o.step)
+    json.number("step", *o.step);
+  else
+    json.number("rtol", o.tolerances.rtol).number("atol", o.tolerances.atol);
+  const integrators::MethodParameters& p = o.parameters;
+  if (p.order) json.number("order", *p.order);
+  if (p.rho) json.number("rho", *p.rho);
+  if (p.alpha) json.number("alpha", *p.alpha);
+  if (r.is_implicit) json.flag("full_newton", p.full_newton.value_or(false));
+  json.flag("projection", r.is_projected);
+  if (o.baumgarte)
+    json.begin_object("baumgarte")
+        .number("alpha", o.baumgarte->alpha)
+        .number("beta", o.baumgarte->beta)
+        .end_object();
+  json.number("steps", r.counters.steps)
+      .number("rejected_steps", r.counters.rejected_steps)
+      .number("right_sides", r.counters.right_sides)
+      .number("newton_iterations", r.counters.iterations)
+      .number("jacobians", r.jacobians)
+      .number("factorisations", r.factorisations)
+      .number("projection_changes", r.projection.changes)
+      .number("restarts", r.counters.restarts)
+      .number("reframings", r.reframings);
+  json.begin_object("drift")
+      .number("phi", r.phi)
+      .number("phi_dot", r.phi_dot)
+      .number("phi_before_projection", r.projection.position)
+      .number("phi_dot_before_projection", r.projection.velocity)
+      .number("normalisation", r.normalisation);
+  if (r.has_own_lambda) json.number("raw_lambda", r.lambda_gap);
+  json.end_object();
+  json.begin_object("energy").number("start", r.energy_start).number("end", r.energy_end);
+  if (r.does_work) json.number("work", r.work);
+  json.number("unaccounted", r.unaccounted_energy).end_object();
+  json.begin_array("singular_positions");
+  for (const SingularPassage& passage : r.passages)
+    json.begin_object().number("t", passage.t).number("rows", passage.rows).end_object();
+  json.end_array();
+  json.begin_array("impulses");
+  for (const Impulse<double>& impulse : r.impulses)
+    json.begin_object().number("t", impulse.t).numbers("lambda", impulse.lambda).end_object();
+  json.end_array();
+  json.texts("rows", mechanism.row_names).texts("warnings", warnings_of(r)).end_object();
+  return json.str();
+}
+
+std::string MotionReport::failure_json(const std::optional<double>& last, const char* error) const {
+  JsonWriter json = begin_json();
+  json.flag("complete", false);
+  if (last) json.number("last_output", *last);
+  return json.text("error", error).end_object().str();
+}
+
+std::string MotionReport::text(const SimulationReport& r) const {
+  const SimulationOptions& o = options;
+  const std::string steps = o.step ? fmt::format("steps of {} s", *o.step)
+                                   : fmt::format("rtol {}, atol {}", o.tolerances.rtol, o.tolerances.atol);
+  std::string out = fmt::format("{}: t = {} to {}, {}\n\n", mechanism.name, t_start, r.reached, steps);
+  Table table({"", fmt::format("{}, {}", o.formulation, o.integrator)});
+  const auto add = [&](const std::string& name, const std::string& value) { table.add({name, value}); };
+  add("steps", fmt::format("{}", r.counters.steps));
+  add("rejected steps", fmt::format("{}", r.counters.rejected_steps));
+  add("right sides", fmt::format("{}", r.counters.right_sides));
+  if (r.counters.iterations > 0) add("Newton iterations", fmt::format("{}", r.counters.iterations));
+  if (r.jacobians > 0) add("Jacobians (Newton's matrices)", fmt::format("{}", r.jacobians));
+  add("factorisations", fmt::format("{}", r.factorisations));
+  if (r.is_projected) add("changes by projection", fmt::format("{}", r.projection.changes));
+  add("restarts", fmt::format("{}", r.counters.restarts));
+  if (r.reframings > 0) add("re-framed bodies", fmt::format("{}", r.reframings));
+  add("largest violation of positions [m, rad]", fmt::format("{:.1e}", r.phi));
+  add("of velocities [m/s, rad/s]", fmt::format("{:.1e}", r.phi_dot));
+  if (r.is_projected) {
+    add("of positions before projection", fmt::format("{:.1e}", r.projection.position));
+    add("of velocities before projection", fmt::format("{:.1e}", r.projection.velocity));
+  }
+  if (r.has_own_lambda) add("largest |raw lambda - lambda of (q, v)|", fmt::format("{:.1e}", r.lambda_gap));
+  if (r.normalisation > 0) add("of p . p = 1", fmt::format("{:.1e}", r.normalisation));
+  add("energy at the start [J]", fmt::format("{:.12g}", r.energy_start));
+  add("energy at the end [J]", fmt::format("{:.12g}", r.energy_end));
+  if (r.does_work) add("work done on it [J]", fmt::format("{:.12g}", r.work));
+  add(r.does_work ? "largest change not accounted for [J]" : "largest change of energy [J]",
+      fmt::format("{:.1e}", r.unaccounted_energy));
+  out += table.text();
+  for (const Impulse<double>& impulse : r.impulses) {
+    out += fmt::format(
+        "\nvelocities jumped with a driver at t = {}: impulses [N s or N m s, over the row's scale]\n",
+        impulse.t);
+    Table rows({"row", "impulse"});
+    for (std::size_t k = 0; k < mechanism.row_names.size(); ++k)
+      rows.add({mechanism.row_names[k], fmt::format("{:.9g}", impulse.lambda[static_cast<Eigen::Index>(k)])});
+    out += rows.text();
+  }
+  return out;
+}
+
+}  // namespace trivium

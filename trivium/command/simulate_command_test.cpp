@@ -1,0 +1,212 @@
+/// `trivium simulate` as a user meets it: the files that it leaves, its report, and how a run ends.
+
+#include "trivium/command/testing/run_program.hpp"
+
+namespace trivium::test {
+namespace {
+
+/// The fields of every line of a CSV without quoted fields.
+std::vector<std::vector<std::string>> csv_lines(const fs::path& file) {
+  std::vector<std::vector<std::string>> lines;
+  std::istringstream text(slurp(file));
+  for (std::string line; std::getline(text, line);) {
+    std::istringstream fields(line);
+    lines.emplace_back();
+    for (std::string field; std::getline(fields, field, ',');) lines.back().push_back(field);
+  }
+  return lines;
+}
+
+TEST(Simulate, WritesEveryBodyReactionAndMultiplierAtExactTimes) {
+  const fs::path file = fresh("motion.csv");
+  const Outcome r =
+      run("trivium simulate spatial_slider_crank --formulation r-p --integrator rkf78 --t-end 0.5 "
+          "--output-step 0.125 --out " +
+          file.string() + " --json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  const auto lines = csv_lines(file);
+  ASSERT_EQ(lines.size(), 6u);
+  const std::vector<std::string> start(lines[0].begin(), lines[0].begin() + 15);
+  EXPECT_EQ(start, (std::vector<std::string>{"t", "crank.x", "crank.y", "crank.z", "crank.e0", "crank.e1",
+                                             "crank.e2", "crank.e3", "crank.vx", "crank.vy", "crank.vz",
+                                             "crank.wx", "crank.wy", "crank.wz", "rod.x"}));
+  EXPECT_EQ(lines[0][1 + 3 * 13], "A.fx");
+  const std::vector<std::string> end(lines[0].end() - 3, lines[0].end());
+  EXPECT_EQ(end, (std::vector<std::string>{"energy", "phi", "phi_dot"}));
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    EXPECT_EQ(lines[k].size(), lines[0].size());
+    EXPECT_EQ(std::stod(lines[k][0]), 0.125 * static_cast<double>(k - 1));
+    EXPECT_LE(std::stod(lines[k].back()), 1e-12);
+  }
+  const json s = json::parse(r.out);
+  EXPECT_TRUE(s["complete"]);
+  for (const char* counter :
+       {"steps", "rejected_steps", "right_sides", "jacobians", "factorisations", "projection_changes"})
+    EXPECT_TRUE(s[counter].is_number_integer()) << counter;
+  EXPECT_LE(s["drift"]["phi"], 1e-13);
+  EXPECT_LE(s["energy"]["unaccounted"], 1e-6);
+  EXPECT_EQ(s["rows"].size(), 17u);
+}
+
+TEST(Simulate, WritesAnImplicitMethodsOwnLambdaBesideThatOfTheState) {
+  const fs::path file = fresh("motion.csv");
+  const Outcome r =
+      run("trivium simulate spatial_slider_crank --integrator generalized-alpha --step 0.005 --t-end 0.5 "
+          "--output-step 0.125 --out " +
+          file.string() + " --json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const auto lines = csv_lines(file);
+  ASSERT_EQ(lines.size(), 6u);
+  EXPECT_EQ(lines[0].back(), "raw_lambda[16]");
+  const auto at = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::find(lines[0].begin(), lines[0].end(), name) - lines[0].begin());
+  };
+  for (const int k : {0, 1, 7}) {
+    const double raw = std::stod(lines.back()[at("raw_lambda[" + std::to_string(k) + "]")]),
+                 again = std::stod(lines.back()[at("lambda[" + std::to_string(k) + "]")]);
+    EXPECT_NE(raw, again);
+    EXPECT_NEAR(raw, again, 0.05 * (1 + std::abs(again)));
+  }
+  const json s = json::parse(r.out);
+  EXPECT_GT(s["newton_iterations"], 100);
+  EXPECT_GT(s["drift"]["raw_lambda"], 0);
+  EXPECT_LE(s["drift"]["phi"], 1e-13);
+  EXPECT_FALSE(s["projection"]);
+}
+
+// p and -p are one orientation; what is written moves without jumps
+TEST(Simulate, WritesEulerParametersThatDoNotJump) {
+  const fs::path file = fresh("motion.csv");
+  ASSERT_EQ(run("trivium simulate heavy_top --formulation r-epsilon --t-end 1 --output-step 0.001 --out " +
+                file.string())
+                .exit_code,
+            0);
+  const auto lines = csv_lines(file);
+  ASSERT_EQ(lines.size(), 1002u);
+  for (std::size_t k = 2; k < lines.size(); ++k)
+    for (std::size_t e = 4; e < 8; ++e)
+      EXPECT_LE(std::abs(std::stod(lines[k][e]) - std::stod(lines[k - 1][e])), 0.1) << lines[k][0];
+}
+
+TEST(Simulate, CtrlCLeavesTheMotionSoFar) {
+  const fs::path file = fresh("motion.csv"), errors = fresh("said");
+  const Outcome r = run("trivium simulate stewart_platform --t-end 1e6 --output-step 0.01 --out " +
+                        file.string() + " 2>" + errors.string() + " & sleep 1; kill -INT $!; wait $!");
+  EXPECT_EQ(r.exit_code, 130);
+  EXPECT_NE(slurp(errors).find("interrupted at t = "), std::string::npos) << slurp(errors);
+  const auto lines = csv_lines(file);
+  ASSERT_GT(lines.size(), 10u);
+  for (const auto& line : lines) EXPECT_EQ(line.size(), lines[0].size());
+}
+
+// and its last state, wherever that is between outputs
+TEST(Simulate, CtrlCReportsTheStateThatWasReached) {
+  const fs::path file = fresh("motion.csv"), report = fresh("report");
+  const Outcome r = run("trivium simulate stewart_platform --t-end 1e6 --output-step 1e5 --json --out " +
+                        file.string() + " >" + report.string() + " & sleep 1; kill -INT $!; wait $!");
+  EXPECT_EQ(r.exit_code, 130);
+  const auto lines = csv_lines(file);
+  ASSERT_EQ(lines.size(), 3u);
+  const json s = json::parse(slurp(report));
+  EXPECT_EQ(std::stod(lines[2][0]), s["reached"]);
+  EXPECT_NEAR(s["energy"]["end"].get<double>() - s["energy"]["start"].get<double>(), s["energy"]["work"],
+              1e-3);
+}
+
+TEST(Simulate, AMotionThatCannotGoOnIsKeptUntilThere) {
+  // a bead on a spring without length: its force has no direction where it arrives
+  const std::string scene = temporary_scene("caught.json", R"({"trivium": 1, "name": "caught",
+    "bodies": [{"name": "bead", "mass": 1, "inertia": [1, 1, 1], "position": [1, 0, 0], "velocity": [-1, 0, 0]}],
+    "effects": [{"type": "spring_damper", "name": "catcher", "i": {"body": "ground"}, "j": {"body": "bead"}, "damping": 1e6}]})");
+  const fs::path file = fresh("motion.csv");
+  const Outcome r = run("trivium simulate " + scene +
+                        " --t-end 10 --integrator rkf78 --step 0.5 --output-step 0.5 --out " + file.string());
+  EXPECT_EQ(r.exit_code, 3);
+  EXPECT_EQ(r.out, "");
+  EXPECT_TRUE(r.err.starts_with("error: " + scene + ": ")) << r.err;
+  EXPECT_NE(r.err.find("holds the motion until t = "), std::string::npos) << r.err;
+  EXPECT_GE(csv_lines(file).size(), 2u);
+}
+
+TEST(Simulate, AMotionThatCannotGoOnSaysSoInJson) {
+  const Outcome r = run("trivium simulate heavy_top --integrator hem4 --step 0.5 --t-end 5 --json");
+  EXPECT_EQ(r.exit_code, 3);
+  const json s = json::parse(r.out);
+  EXPECT_FALSE(s["complete"]);
+  EXPECT_EQ(s["last_output"], 0);
+  EXPECT_NE(r.err.find(s["error"].get<std::string>()), std::string::npos) << r.out;
+}
+
+// no rows to name, and squares that are no numbers
+TEST(Simulate, AMotionThatGrowsWithoutBoundIsAnErrorOfTheSolver) {
+  const std::string scene = temporary_scene("bound.json", R"({"trivium": 1, "name": "bound",
+    "bodies": [{"name": "a", "mass": 1, "inertia": [1, 1, 1], "position": [0, 0, 0]},
+               {"name": "b", "mass": 1, "inertia": [1, 1, 1], "position": [1, 0, 0], "velocity": [0, 1, 0]}],
+    "effects": [{"type": "spring_damper", "name": "stiff", "i": {"body": "a"}, "j": {"body": "b"},
+                 "stiffness": 1e9, "damping": 1e6, "free_length": 0.9}]})");
+  for (const char* method : {"dopri5", "hem4", "hedop5", "rattle", "arkode-erk"}) {
+    const Outcome r = run("trivium simulate " + scene + " --t-end 10 --step 0.01 --integrator " + method);
+    EXPECT_EQ(r.exit_code, 3) << method << r.out;
+    EXPECT_NE(r.err, "") << method;
+  }
+}
+
+// the one word of the method's would be of forces or rows
+TEST(Simulate, AKeptChartThatIsSingularIsNamedWhateverTheMethod) {
+  const std::string scene = temporary_scene("gimbal.json", R"({"trivium": 1, "name": "gimbal",
+    "bodies": [{"name": "stone", "mass": 2, "inertia": [0.1, 0.2, 0.3], "position": [0, 0, 0],
+                "orientation": {"axis_angle": {"axis": [1, 0, 0], "angle": 0.5}},
+                "angular_velocity": [-1, 0, 1e-5]}]})");
+  for (const char* method : {"dopri5", "abm", "bdf", "hem4", "generalized-alpha", "radau5", "arkode-dirk"}) {
+    const Outcome r = run("trivium simulate " + scene + " --formulation r-epsilon --no-reframe --step 0.01 " +
+                          "--t-end 2 --integrator " + method);
+    EXPECT_EQ(r.exit_code, 3) << method;
+    EXPECT_NE(r.err.find("body \"stone\" at t = "), std::string::npos) << r.err;
+    EXPECT_NE(r.err.find("leave re-framing on"), std::string::npos) << r.err;
+    EXPECT_EQ(run("trivium simulate " + scene +
+                  " --formulation r-epsilon --step 0.01 --t-end 2 --integrator " + method)
+                  .exit_code,
+              0)
+        << method;
+  }
+}
+
+TEST(Simulate, AnInconsistentStartIsAnInputErrorUnlessAssembled) {
+  const std::string scene = moving_wrongly();
+  EXPECT_EQ(run("trivium simulate " + scene + " --t-end 0.1").exit_code, 2);
+  EXPECT_EQ(run("trivium simulate " + scene + " --t-end 0.1 --assemble").exit_code, 0);
+}
+
+TEST(Simulate, SaysWhichSingularPositionsItPassed) {
+  const Outcome r = run("trivium simulate n_four_bar_1 --t-end 2 --rtol 1e-10 --atol 1e-12 --json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_NE(r.err.find("warning: the motion passed"), std::string::npos) << r.err;
+  EXPECT_GE(json::parse(r.out)["singular_positions"].size(), 1u);
+}
+
+// gnuplot would run what a newline lets out of a string
+TEST(Simulate, NamesOfASceneAreTextInItsFigure) {
+  if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot";
+  const fs::path file = fresh("motion.svg"), made = fresh("made");
+  const std::string scene =
+      temporary_scene("named.json", R"({"trivium": 1, "name": "x'\nsystem('touch )" + made.string() +
+                                        R"(')\n", "bodies": [{"name": "b`touch )" + made.string() +
+                                        R"(`\n", "mass": 1, "inertia": [1, 1, 1], "position": [0, 0, 0]}]})");
+  const Outcome r = run("trivium simulate " + scene + " --t-end 1 --output-step 0.1 --plot " + file.string());
+  EXPECT_EQ(r.exit_code, 0) << r.err;  // a body at rest: nothing to see, but no error
+  EXPECT_FALSE(fs::exists(made));
+  EXPECT_NE(slurp(file).find("</svg>"), std::string::npos);
+}
+
+TEST(Simulate, DrawsTheMotion) {
+  if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot";
+  const fs::path file = fresh("motion.svg");
+  const Outcome r = run("trivium simulate four_bar --t-end 1 --plot " + file.string());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_NE(slurp(file).find("</svg>"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace trivium::test

@@ -1,0 +1,36 @@
+#pragma once
+/// What `trivium solve` says of the solution at one state, as text and as JSON: accelerations, lambda and
+/// reactions of every formulation, their estimated errors, redundant rows. Decides what is warned about.
+
+#include <string>
+#include <vector>
+
+#include "base/json_writer.hpp"
+#include "formulations/side_by_side.hpp"
+#include "scenes/scene.hpp"
+
+namespace trivium {
+
+/// Compiled once for each Scalar that the command offers.
+template <class Scalar>
+struct SolveReport {
+  const scenes::Scene& scene;
+  double t;
+  const std::string& scalar;  ///< its name on the command line
+  const Mechanism<Scalar>& mechanism;
+  const SideBySide<Scalar>& result;
+
+  std::vector<std::string> warnings() const;
+  std::string text() const;
+  std::string json() const;
+
+ private:
+  int dof() const { return 6 * mechanism.nb() - result.rows.rank; }
+  std::vector<const FormulationResult<Scalar>*> solved() const;
+  void write_formulation(JsonWriter& json, const FormulationResult<Scalar>& f) const;
+  std::string lambda_table() const;
+  std::string acceleration_table() const;
+  std::string reaction_table() const;
+};
+
+}  // namespace trivium
