@@ -11,8 +11,6 @@ namespace trivium {
 struct OptionCheck {
   std::function<std::string(const std::string&)> error_of;  ///< of a value as typed; empty: accepted
   std::string name;                                         ///< behind the type in the help text
-
-  std::string operator()(const std::string& value) const { return error_of(value); }
 };
 
 /// Accepts a finite number.

@@ -198,7 +198,7 @@ int main(int argc, char** argv) {
       "is timed.",
       "acceleration_cost", "chains, ladders, a tree, the Stewart platform, a ring, a hub and the ensemble");
   cost::Options options;
-  program.options().add_flag("--quick", options.quick, "Fewer sizes and shorter repetitions");
-  program.options().add_option("--plot", options.plots, "Write chain.svg and ladder.svg to this folder");
+  program.options().add_flag("--quick", &options.quick, "Fewer sizes and shorter repetitions");
+  program.options().add_option("--plot", &options.plots, "Write chain.svg and ladder.svg to this folder");
   return program.run(argc, argv, [&] { return cost::Run(program, options)(); });
 }

@@ -158,18 +158,18 @@ int main(int argc, char** argv) {
   Program program("Does every method converge with its published order, in every formulation?",
                   "convergence_order", "spatial_slider_crank, and double_pendulum for hedop5");
   convergence::Options options;
-  program.options().add_option("--t-end", options.t_end, "The end of the runs [s]")->capture_default_str();
+  program.options().add_option("--t-end", &options.t_end, "The end of the runs [s]").show_default();
   program.options()
-      .add_option("--levels", options.levels, "How many steps, each half of the one before")
-      ->check(CLI::Range(2, 8))
-      ->capture_default_str();
+      .add_option("--levels", &options.levels, "How many steps, each half of the one before")
+      .between(2, 8)
+      .show_default();
   program.options()
-      .add_option("--method", options.methods, "These methods alone")
-      ->check(CLI::IsMember(integrators::method_names()));
-  program.options().add_option("--plot", options.plot, "Draw errors over steps to this SVG file");
+      .add_option("--method", &options.methods, "These methods alone")
+      .one_of(integrators::method_names());
+  program.options().add_option("--plot", &options.plot, "Draw errors over steps to this SVG file");
   program.options()
-      .add_option("--plotted", options.plotted, "The formulation that is drawn")
-      ->check(CLI::IsMember(formulation_names()))
-      ->capture_default_str();
+      .add_option("--plotted", &options.plotted, "The formulation that is drawn")
+      .one_of(formulation_names())
+      .show_default();
   return program.run(argc, argv, [&] { return convergence::run(program, options); });
 }

@@ -193,11 +193,11 @@ int main(int argc, char** argv) {
       "formulation_speed",
       "the four models of Kissel, Taves and Negrut, and spatial ones with free degrees of freedom");
   Options options;
-  program.options().add_option("--step", options.step, "The step [s]")->capture_default_str();
-  program.options().add_option("--t-end", options.t_end, "The end of the runs [s]")->capture_default_str();
+  program.options().add_option("--step", &options.step, "The step [s]").show_default();
+  program.options().add_option("--t-end", &options.t_end, "The end of the runs [s]").show_default();
   program.options()
-      .add_option("--repetitions", options.repetitions, "Of every run")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+      .add_option("--repetitions", &options.repetitions, "Of every run")
+      .between(1, 1000)
+      .show_default();
   return program.run(argc, argv, [&] { return run(program, options); });
 }

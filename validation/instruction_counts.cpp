@@ -138,12 +138,12 @@ int main(int argc, char** argv) {
   Workload workload;
   int evaluations = 0;
   // what the program calls itself with, under valgrind
-  CLI::App& options = program.options();
-  options.add_option("--walk", workload.scene)->group("");
-  options.add_option("--size", workload.n)->group("");
-  options.add_option("--formulation", workload.formulation)->group("");
-  options.add_option("--evaluations", evaluations)->group("");
-  options.add_flag("--refined", workload.refined)->group("");
+  ProgramOptions& options = program.options();
+  options.add_option("--walk", &workload.scene).hide();
+  options.add_option("--size", &workload.n).hide();
+  options.add_option("--formulation", &workload.formulation).hide();
+  options.add_option("--evaluations", &evaluations).hide();
+  options.add_flag("--refined", &workload.refined).hide();
   return program.run(argc, argv, [&] {
     if (workload.scene.empty()) return run(program);
     walk(workload, evaluations);

@@ -248,13 +248,13 @@ int main(int argc, char** argv) {
   Program program("Is lambda the same number in every formulation?", "lambda_invariance");
   Arguments arguments;
   program.options()
-      .add_option("--random", arguments.random,
+      .add_option("--random", &arguments.random,
                   "How many random mechanisms beside them (default 200, or 0 where scenes are named)")
-      ->check(whole_number(1'000'000'000));
+      .check(whole_number(1'000'000'000));
   program.options()
-      .add_option("--seed", arguments.seed, "Seed of the first random mechanism")
-      ->check(whole_number(std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
-  program.options().add_flag("--all", arguments.all_rows, "A line for every random mechanism too");
+      .add_option("--seed", &arguments.seed, "Seed of the first random mechanism")
+      .check(whole_number(std::numeric_limits<std::uint64_t>::max()))
+      .show_default();
+  program.options().add_flag("--all", &arguments.all_rows, "A line for every random mechanism too");
   return program.run(argc, argv, [&] { return run(program, arguments); });
 }

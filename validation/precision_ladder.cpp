@@ -175,6 +175,6 @@ int main(int argc, char** argv) {
   Program program("Does the difference between the formulations fall with the precision?", "precision_ladder",
                   "the catalogue up to 30 bodies");
   bool large = false;
-  program.options().add_flag("--large", large, "The catalogue's scenes beyond 30 bodies too (minutes)");
+  program.options().add_flag("--large", &large, "The catalogue's scenes beyond 30 bodies too (minutes)");
   return program.run(argc, argv, [&] { return run(program, large); });
 }

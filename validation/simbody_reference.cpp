@@ -183,6 +183,6 @@ int main(int argc, char** argv) {
   using namespace trivium;
   Program program("Accelerations, multipliers and reactions of scenes against Simbody", "simbody_reference");
   double t = 0;
-  program.options().add_option("--t,--time", t, "The time of the scenes' states [s]")->check(finite_time());
+  program.options().add_option("--t,--time", &t, "The time of the scenes' states [s]").check(finite_time());
   return program.run(argc, argv, [&] { return run(program, t); });
 }

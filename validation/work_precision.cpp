@@ -165,12 +165,12 @@ int main(int argc, char** argv) {
                   "work_precision", "two_bars, IFToMM A01 to A05 and the Stewart platform");
   precision::Options options;
   program.options().add_flag(
-      "--quick", options.quick,
+      "--quick", &options.quick,
       "Two tolerances and one step for every method; Simbody's of order 1 and 2 are left out");
   program.options()
-      .add_option("--repetitions", options.repetitions, "Of every run that is timed")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  program.options().add_option("--plot", options.plots, "Write SCENE.svg and SCENE.pdf to this folder");
+      .add_option("--repetitions", &options.repetitions, "Of every run that is timed")
+      .between(1, 1000)
+      .show_default();
+  program.options().add_option("--plot", &options.plots, "Write SCENE.svg and SCENE.pdf to this folder");
   return program.run(argc, argv, [&] { return precision::run(program, options); });
 }

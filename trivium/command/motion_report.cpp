@@ -7,16 +7,16 @@
 
 #include "base/number_text.hpp"
 #include "base/table.hpp"
+#include "simulation/system/energy_account.hpp"
 
 namespace trivium {
 
 namespace {
 
-/// More than a thousandth of what moves, and than rounding of the energies.
-bool balance_is_large(const SimulationReport& report) {
+bool loses_energy(const SimulationReport& report) {
   const double energies =
       std::max({std::abs(report.energy_start), std::abs(report.energy_end), std::abs(report.work)});
-  return !(report.unaccounted_energy <= 1e-3 * report.largest_kinetic + 1e-12 * energies);
+  return energy_is_lost(report.unaccounted_energy, report.largest_kinetic, energies);
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ std::vector<std::string> warnings_of(const SimulationReport& report) {
                     counted(report.passages.size(), "singular position", "singular positions"),
                     report.passages.front().t));
   }
-  if (balance_is_large(report))
+  if (loses_energy(report))
     out.push_back(fmt::format(
         "{:.1e} J are not accounted for, beside {:.1e} J of kinetic energy: the motion is not accurate; take "
         "tighter tolerances or smaller steps{}{}",

@@ -2,12 +2,12 @@
 /// What the validation executables have in common: their command line, the scenes that it names, and how they
 /// end.
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "base/command_line.hpp"
+#include "base/program_options.hpp"
 #include "results/tools/results_writer.hpp"
 #include "validation/harness/consistent_scenes.hpp"
 
@@ -20,7 +20,7 @@ class Program {
   Program(const std::string& question, const std::string& name,
           const std::string& default_scenes = "the whole catalogue");
 
-  CLI::App& options() { return app_; }
+  ProgramOptions& options() { return options_; }
   int run(int argc, char** argv, const std::function<int()>& answer);
 
   bool names_scenes() const { return !names_.empty(); }
@@ -34,7 +34,7 @@ class Program {
   void write(const ResultsFile& results) const;
 
  private:
-  CLI::App app_;
+  ProgramOptions options_;
   std::vector<std::string> names_;
   bool json_ = false;
   std::string csv_;
