@@ -228,7 +228,7 @@ int run(const Program& program, const Arguments& arguments) {
   }
   for (std::size_t k = 0; k < random_count; ++k) {
     const std::uint64_t seed = arguments.seed + k;
-    const RandomMechanism random = random_mechanism(seed);
+    const scenes::RandomScene random = random_mechanism(seed);
     survey.add(ask(fmt::format("random mechanism of seed {}", seed), random.scene, random.t));
     progress.step();
   }

@@ -1,0 +1,43 @@
+#pragma once
+/// Random numbers, directions and rotations of a seed. They do not depend on the standard library's
+/// distributions, so that a seed means the same everywhere.
+
+#include <cstdint>
+#include <random>
+
+#include "bodies/numbers/vectors.hpp"
+
+namespace trivium::scenes {
+
+class RandomDraw {
+ public:
+  using V = trivium::Vector3<double>;
+  using M = trivium::Matrix3<double>;
+
+  explicit RandomDraw(std::uint64_t seed) : engine_(seed) {}
+  double uniform(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1.0p-53;
+  }
+  int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
+  bool chance(double p) { return uniform(0, 1) < p; }
+  V vector(double size = 1) { return size * V(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)); }
+  V direction() {
+    for (;;)
+      if (const V v = vector(); v.norm() > 0.2 && v.norm() < 1) return v.normalized();
+  }
+  M rotation() {
+    const V z = direction();
+    V x = direction();
+    while (x.cross(z).norm() < 0.2) x = direction();
+    M R;
+    R.col(2) = z;
+    R.col(0) = (x - z.dot(x) * z).normalized();
+    R.col(1) = z.cross(R.col(0));
+    return R;
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+}  // namespace trivium::scenes

@@ -1,0 +1,284 @@
+#include "scenes/random_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "bodies/rotations/so3.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "scenes/random_draw.hpp"
+
+namespace trivium::scenes {
+
+namespace {
+
+using V = RandomDraw::V;
+using M = RandomDraw::M;
+
+Vector3 plain(const V& v) { return {v[0], v[1], v[2]}; }
+
+/// Parallel vectors of a dp1 and coincident points of a d are singularities of that one row; its scaling to
+/// unit size hides them from kappa, so rows are drawn this far from them [sine; m].
+constexpr double far_from_singular = 0.2;
+
+class Builder {
+ public:
+  Builder(std::uint64_t seed, const RandomOptions& options) : draw_(seed), options_(options) {
+    out_.t = draw_.uniform(-2, 2);
+  }
+
+  RandomScene build() {
+    const int nb = 1 + draw_.below(options_.most_bodies);
+    for (int b = 0; b < nb; ++b) add_body();
+    for (int b = 0; b < nb; ++b)
+      if (!draw_.chance(0.05)) add_joint(draw_.chance(0.3) ? ground : draw_.below(b + 1) - 1, b);
+    const int loops = draw_.chance(0.6) ? 1 + draw_.below(1 + nb / 2) : 0;
+    for (int k = 0; k < loops; ++k) close_loop();
+    if (options_.effects) add_effects();
+    return std::move(out_);
+  }
+
+ private:
+  void add_body() {
+    Body body;
+    body.name = fmt::format("body_{}", out_.scene.bodies.size() + 1);
+    const double half_decades = std::log10(options_.mass_ratio) / 2;
+    body.mass = std::pow(10.0, draw_.uniform(-half_decades, half_decades));
+    const V edge(draw_.uniform(0.1, 1), draw_.uniform(0.1, 1), draw_.uniform(0.1, 1));
+    const V square = edge.cwiseAbs2();
+    const M R = draw_.rotation();
+    const M J = R *
+                (body.mass / 12 * V(square[1] + square[2], square[0] + square[2], square[0] + square[1]))
+                    .asDiagonal() *
+                R.transpose();
+    Matrix3 inertia;
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) inertia[r][c] = J(std::max(r, c), std::min(r, c));
+    body.inertia = inertia;
+    body.position = plain(draw_.vector(2));
+    const Vector4<double> p = euler_parameters<double>(draw_.rotation());
+    body.orientation = EulerParameters{{p[0], p[1], p[2], p[3]}};
+    body.velocity = plain(draw_.vector(3));
+    body.angular_velocity = plain(draw_.vector(5));
+    out_.scene.bodies.push_back(body);
+    A_.push_back(rotation_matrix(p));
+    r_.push_back(V(body.position[0], body.position[1], body.position[2]));
+  }
+
+  V to_body(int body, const V& global) const {
+    return body == ground ? global : V(A_[body].transpose() * global);
+  }
+  V point_in(int body, const V& global) const {
+    return body == ground ? global : V(A_[body].transpose() * (global - r_[body]));
+  }
+  V place_near(int body) { return (body == ground ? V(V::Zero()) : r_[body]) + draw_.vector(1); }
+
+  Side side(int body, const V& point, const V& axis, const V& x) const {
+    Side s;
+    s.body = body;
+    s.point = plain(point_in(body, point));
+    s.axis = plain(to_body(body, axis));
+    s.x = plain(to_body(body, x));
+    return s;
+  }
+  Constraint& add(ConstraintType type, const Side& i, const Side& j) {
+    Constraint c;
+    c.type = type;
+    c.name = fmt::format("c{}", out_.scene.constraints.size() + 1);
+    c.i = i;
+    c.j = j;
+    out_.scene.constraints.push_back(c);
+    return out_.scene.constraints.back();
+  }
+
+  /// A function of time that is `value` at t, moving if `moving`.
+  TimeFunction through(double value, bool moving) {
+    if (!moving) return value;
+    const double w = draw_.uniform(0.5, 3), phase = draw_.uniform(-3, 3),
+                 amplitude = draw_.uniform(-0.5, 0.5);
+    if (draw_.chance(0.5))
+      return TimeFunction::Harmonic{value - amplitude * std::sin(w * out_.t + phase), amplitude, w, phase};
+    const double c1 = draw_.uniform(-1, 1), c2 = draw_.uniform(-0.5, 0.5);
+    return TimeFunction::Polynomial{{value - c1 * out_.t - c2 * out_.t * out_.t, c1, c2}};
+  }
+
+  /// A joint of any type between two bodies, fitted to where they are.
+  void add_joint(int i, int j) {
+    if (draw_.chance(0.5)) std::swap(i, j);
+    constexpr ConstraintType types[] = {
+        ConstraintType::revolute,      ConstraintType::revolute, ConstraintType::spherical,
+        ConstraintType::universal,     ConstraintType::fixed,    ConstraintType::cylindrical,
+        ConstraintType::translational, ConstraintType::planar,   ConstraintType::in_line,
+        ConstraintType::in_plane,      ConstraintType::distance, ConstraintType::dp1,
+        ConstraintType::dp2,           ConstraintType::d,        ConstraintType::cd};
+    add_joint_of(types[draw_.below(std::size(types))], i, j);
+  }
+
+  void add_joint_of(ConstraintType type, int i, int j) {
+    const V P = place_near(j == ground ? i : j);
+    V Q = place_near(j == ground ? i : j);
+    while ((Q - P).norm() < far_from_singular) Q = place_near(j == ground ? i : j);
+    const M R = draw_.rotation();
+    const V x = R.col(0), y = R.col(1), z = R.col(2);
+    const double angle = draw_.uniform(-3, 3);
+    const V turned_x = std::cos(angle) * x + std::sin(angle) * y;
+    const double along = draw_.uniform(-1, 1), across = draw_.uniform(-1, 1);
+    const bool moving = draw_.chance(0.3);
+    switch (type) {
+      case ConstraintType::spherical:
+        add_points(type, i, P, j, P);
+        break;
+      case ConstraintType::universal:
+        add(type, side(i, P, z, x), side(j, P, x, y));
+        break;
+      case ConstraintType::revolute:
+        add(type, side(i, P, z, x), side(j, P, z, turned_x));
+        if (draw_.chance(0.2)) add_driver(side(i, P, z, x), side(j, P, z, turned_x), angle);
+        break;
+      case ConstraintType::cylindrical:
+        add(type, side(i, P, z, x), side(j, P + along * z, z, turned_x));
+        break;
+      case ConstraintType::translational:
+        add(type, side(i, P, z, x), side(j, P + along * z, z, x));
+        break;
+      case ConstraintType::fixed:
+        add(type, side(i, P, z, x), side(j, P, z, x));
+        break;
+      case ConstraintType::planar:
+        add(type, side(i, P, z, x), side(j, P + along * x + across * y, z, turned_x));
+        break;
+      case ConstraintType::in_line:
+        add_axis_and_point(type, i, P, z, x, j, P + along * z);
+        break;
+      case ConstraintType::in_plane:
+        add_axis_and_point(type, i, P, z, x, j, P + along * x + across * y);
+        break;
+      case ConstraintType::distance:
+        add_points(type, i, P, j, Q).distance = (Q - P).norm();
+        break;
+      case ConstraintType::d:
+        add_points(type, i, P, j, Q).f = through((Q - P).squaredNorm(), moving);
+        break;
+      case ConstraintType::cd: {
+        const V c = draw_.vector(2);
+        Constraint& row = add_points(type, i, P, j, Q);
+        row.direction = plain(c);
+        row.f = through(c.dot(Q - P), moving);
+        break;
+      }
+      case ConstraintType::dp1: {
+        const V a = draw_.vector(2) + x;
+        V b = draw_.vector(2) + y;
+        while (a.cross(b).norm() < far_from_singular * a.norm() * b.norm()) b = draw_.vector(2) + y;
+        Side si, sj;
+        si.body = i, si.vector = plain(to_body(i, a));
+        sj.body = j, sj.vector = plain(to_body(j, b));
+        add(type, si, sj).f = through(a.dot(b), moving);
+        break;
+      }
+      case ConstraintType::dp2: {
+        const V a = draw_.vector(2) + x;
+        Side si, sj;
+        si.body = i, si.point = plain(point_in(i, P)), si.vector = plain(to_body(i, a));
+        sj.body = j, sj.point = plain(point_in(j, Q));
+        add(type, si, sj).f = through(a.dot(Q - P), moving);
+        break;
+      }
+      case ConstraintType::rotation_driver:
+        break;  // comes with its revolute
+    }
+  }
+
+  Constraint& add_points(ConstraintType type, int i, const V& P, int j, const V& Q) {
+    Side si, sj;
+    si.body = i, si.point = plain(point_in(i, P));
+    sj.body = j, sj.point = plain(point_in(j, Q));
+    return add(type, si, sj);
+  }
+  void add_axis_and_point(ConstraintType type, int i, const V& P, const V& z, const V& x, int j, const V& Q) {
+    Side sj;
+    sj.body = j, sj.point = plain(point_in(j, Q));
+    add(type, side(i, P, z, x), sj);
+  }
+  void add_driver(const Side& i, const Side& j, double angle) {
+    add(ConstraintType::rotation_driver, i, j).angle = through(angle, true);
+  }
+
+  /// One more joint between bodies that are joined already, as long as degrees of freedom are left.
+  void close_loop() {
+    const int nb = static_cast<int>(out_.scene.bodies.size());
+    const int j = draw_.below(nb);
+    int i = draw_.below(nb + 1) - 1;
+    if (i == j) i = ground;
+    const Scene before = out_.scene;
+    if (options_.redundant && draw_.chance(0.15) && !before.constraints.empty())
+      repeat(before.constraints[draw_.below(static_cast<int>(before.constraints.size()))]);
+    else
+      add_joint(i, j);
+    if (make_mechanism<double>(out_.scene).nc() >= 6 * nb) out_.scene = before;
+  }
+
+  /// A joint on the same axis as another one, a little further along it.
+  void repeat(const Constraint& original) {
+    if (original.type != ConstraintType::revolute && original.type != ConstraintType::cylindrical) return;
+    Constraint copy = original;
+    copy.name = fmt::format("c{}", out_.scene.constraints.size() + 1);
+    const auto shift = [](Side& s, double by) {
+      const V axis = V(s.axis->data()).normalized();
+      s.point = plain(V(s.point->data()) + by * axis);
+    };
+    shift(copy.i, 0.5);
+    shift(copy.j, 0.5);
+    out_.scene.constraints.push_back(copy);
+  }
+
+  void add_effects() {
+    const int nb = static_cast<int>(out_.scene.bodies.size());
+    if (draw_.chance(0.9)) out_.scene.effects.push_back(Gravity{"", plain(9.81 * draw_.direction())});
+    const auto components = [&](double size) {
+      return std::array<TimeFunction, 3>{through(draw_.uniform(-size, size), draw_.chance(0.5)),
+                                         draw_.uniform(-size, size), draw_.uniform(-size, size)};
+    };
+    const auto frame = [&] { return draw_.chance(0.5) ? Frame::global : Frame::body; };
+    if (draw_.chance(0.4))
+      out_.scene.effects.push_back(
+          Force{"", draw_.below(nb), plain(draw_.vector(1)), components(20), frame()});
+    if (draw_.chance(0.4)) out_.scene.effects.push_back(Torque{"", draw_.below(nb), components(5), frame()});
+    if (draw_.chance(0.5)) add_spring();
+    for (std::size_t k = 0; k < out_.scene.constraints.size(); ++k) {
+      const ConstraintType type = out_.scene.constraints[k].type;
+      if ((type == ConstraintType::revolute || type == ConstraintType::cylindrical) && draw_.chance(0.3))
+        out_.scene.effects.push_back(TorsionalSpringDamper{"", static_cast<int>(k), draw_.uniform(0, 50),
+                                                           draw_.uniform(0, 2), draw_.uniform(-1, 1),
+                                                           through(draw_.uniform(-1, 1), true)});
+    }
+  }
+  void add_spring() {
+    const int j = draw_.below(static_cast<int>(out_.scene.bodies.size()));
+    SpringDamper spring;
+    spring.i.body = ground;
+    spring.i.point = plain(draw_.vector(3) + V(4, 0, 0));
+    spring.j.body = j;
+    spring.j.point = plain(draw_.vector(0.5));
+    spring.stiffness = draw_.uniform(0, 200);
+    spring.damping = draw_.uniform(0, 10);
+    spring.free_length = draw_.uniform(0, 2);
+    spring.actuator = through(draw_.uniform(-5, 5), draw_.chance(0.5));
+    out_.scene.effects.push_back(spring);
+  }
+
+  RandomDraw draw_;
+  RandomOptions options_;
+  RandomScene out_;
+  std::vector<M> A_;
+  std::vector<V> r_;
+};
+
+}  // namespace
+
+RandomScene random_scene(std::uint64_t seed, const RandomOptions& options) {
+  return Builder(seed, options).build();
+}
+
+}  // namespace trivium::scenes
