@@ -1,4 +1,4 @@
-#include "formulations/side_by_side_impl.hpp"
+#include "formulations/instances/side_by_side_impl.hpp"
 
 #include "bodies/numbers/scalar.hpp"
 
