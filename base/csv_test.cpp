@@ -10,8 +10,9 @@ namespace trivium {
 namespace {
 
 TEST(Csv, FieldsAreReadBackAsWritten) {
-  const std::vector<std::vector<std::string>> records{
-      {"name", "value"}, {"a, b", "1"}, {"say \"no\"", ""}, {"two\nlines", "\""}, {"", "after nothing"}, {"a\r", ""}};
+  const std::vector<std::vector<std::string>> records{{"name", "value"},     {"a, b", "1"},
+                                                      {"say \"no\"", ""},    {"two\nlines", "\""},
+                                                      {"", "after nothing"}, {"a\r", ""}};
   std::string text;
   for (const auto& record : records) text += csv_line(record);
   EXPECT_EQ(parse_csv(text), records);

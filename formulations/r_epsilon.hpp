@@ -1,13 +1,13 @@
 #pragma once
 /// r-epsilon: r'' and the second derivative epsilon'' of three Euler angles, in any of the twelve body-fixed
-/// sequences, each body in its own chart A = A(epsilon) C (euler_chart.hpp). Haug (1989), section 9.3 and
-/// problem 11.2: the equations as printed, solved for epsilon''. Near its singularity (distance theta) this
-/// form loses lambda as u / theta^3; r_epsilon_omega_first loses u / theta.
+/// sequences, each body in its own chart A = A(epsilon) C (euler_chart_choice.hpp). Haug (1989), section 9.3
+/// and problem 11.2: the equations as printed, solved for epsilon''. Near its singularity (distance theta)
+/// this form loses lambda as u / theta^3; r_epsilon_omega_first loses u / theta.
 
 #include "bodies/rigid_body.hpp"
 #include "bodies/rotations/euler_angles.hpp"
 #include "constraints/body_kinematics.hpp"
-#include "formulations/euler_chart.hpp"
+#include "formulations/euler_chart_choice.hpp"
 
 namespace trivium {
 

@@ -52,12 +52,10 @@ class MotionWatch {
     const auto raise = [](double& largest, double now) {
       if (!(now <= largest)) largest = now;
     };
-    using std::abs;
     raise(report_.normalisation, static_cast<double>(first_order().normalisation_violation(y)));
     raise(report_.phi, seen.phi);
     raise(report_.phi_dot, seen.phi_dot);
-    raise(report_.unaccounted_energy,
-          static_cast<double>(S(abs(seen.energy.total() - at_start_.total() - seen.energy.work))));
+    raise(report_.unaccounted_energy, static_cast<double>(unaccounted_energy(seen.energy, at_start_)));
     raise(report_.largest_kinetic, static_cast<double>(seen.energy.kinetic));
     report_.energy_end = static_cast<double>(seen.energy.total());
     report_.work = static_cast<double>(seen.energy.work);

@@ -15,8 +15,8 @@
 #include "base/table.hpp"
 #include "formulations/side_by_side.hpp"
 #include "scenes/make_mechanism.hpp"
+#include "validation/harness/consistent_random_scene.hpp"
 #include "validation/harness/program.hpp"
-#include "validation/harness/random_mechanism.hpp"
 
 namespace trivium {
 
@@ -228,7 +228,7 @@ int run(const Program& program, const Arguments& arguments) {
   }
   for (std::size_t k = 0; k < random_count; ++k) {
     const std::uint64_t seed = arguments.seed + k;
-    const scenes::RandomScene random = random_mechanism(seed);
+    const scenes::RandomScene random = consistent_random_scene(seed);
     survey.add(ask(fmt::format("random mechanism of seed {}", seed), random.scene, random.t));
     progress.step();
   }

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "formulations/analysis/condition_number.hpp"
 #include "formulations/analysis/magnitude_bounds.hpp"
 
 namespace trivium {
@@ -194,13 +195,7 @@ RowAnalysis analyse_rows(const TangentSystem& s) {
 
   MatrixX<double> W = metric.half_solve(s.Phi.transpose());
   W = W * inverse_or_zero(out.E).asDiagonal();
-  const MatrixX<double> S = W.transpose() * W;
-  const VectorX<double> singular_values =
-      Eigen::SelfAdjointEigenSolver<MatrixX<double>>(S, Eigen::EigenvaluesOnly).eigenvalues();
-  const Eigen::Index nc = s.Phi.rows();
-  if (out.rank == 0) return out;
-  const double largest = singular_values[nc - 1], smallest = singular_values[nc - out.rank];
-  out.kappa = largest / std::max(smallest, largest * 1e-16);
+  out.kappa = condition_number(W, out.rank);
   return out;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// Charts as a formulation's caller sees them: what may be asked for, and the chart of a formulation that has
-/// none. Which chart a body gets is decided in euler_chart.hpp.
+/// none. Which chart a body gets is decided in euler_chart_choice.hpp.
 
 #include <string_view>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Changes of chart along a motion. A body whose Euler angles come nearer to their singularity than
-/// reframing_distance gets another chart, chosen as at the start (formulations/euler_chart.hpp), and its
-/// numbers in y are written anew. Where charts are kept instead, `near_singularity` names such a body.
+/// reframing_distance gets another chart, chosen as at the start (formulations/euler_chart_choice.hpp), and
+/// its numbers in y are written anew. Where charts are kept instead, `near_singularity` names such a body.
 /// Formulations without charts (NoChart) have nothing to change.
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "formulations/euler_chart.hpp"
+#include "formulations/euler_chart_choice.hpp"
 #include "simulation/system/state_layout.hpp"
 
 namespace trivium {

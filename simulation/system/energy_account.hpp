@@ -4,8 +4,11 @@
 ///   T + V = (T + V at the start) + W,   W' = (power of effects that they do not take from V) - lambda . nu
 ///
 /// where -lambda . nu is the power of drivers, rows whose right side nu of the velocities moves. Here it is
-/// decided which difference between both sides is too large for an accurate motion (energy_is_lost).
+/// decided which difference between both sides is too large for an accurate motion (energy_is_lost). A run
+/// keeps the largest difference after any step (motion_watch.hpp); the program warns of it
+/// (trivium/command/motion_report.cpp).
 
+#include <cmath>
 #include <vector>
 
 #include "constraints/constraint_row.hpp"
@@ -20,6 +23,13 @@ struct MotionEnergy {
   S total() const { return kinetic + potential; }
   S work{0};  ///< since the start, of drivers and of what effects do not take from stored energy
 };
+
+/// |T + V - (T + V at the start) - W| [J]: what the work does not account for.
+template <class S>
+S unaccounted_energy(const MotionEnergy<S>& now, const MotionEnergy<S>& at_start) {
+  using std::abs;
+  return abs(now.total() - at_start.total() - now.work);
+}
 
 /// Whether a run lost or gained energy: the largest difference that its work does not account for is more
 /// than a thousandth of the largest kinetic energy, and than rounding of the energies, whose largest is

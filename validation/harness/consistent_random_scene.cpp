@@ -1,4 +1,4 @@
-#include "validation/harness/random_mechanism.hpp"
+#include "validation/harness/consistent_random_scene.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 namespace trivium {
 
-scenes::RandomScene random_mechanism(std::uint64_t seed, const scenes::RandomOptions& options) {
+scenes::RandomScene consistent_random_scene(std::uint64_t seed, const scenes::RandomOptions& options) {
   // A locked loop may be told to move by functions of time that contradict each other; then no velocity or no
   // acceleration is consistent, and the next attempt is the seed's mechanism.
   for (std::uint64_t attempt = 0;; ++attempt) {

@@ -1,4 +1,4 @@
-#include "formulations/euler_chart.hpp"
+#include "formulations/euler_chart_choice.hpp"
 
 #include "bodies/rotations/euler_angles.hpp"
 #include "bodies/testing/properties.hpp"

@@ -8,6 +8,6 @@
 namespace trivium {
 
 /// The mechanism of a seed; the same for ever.
-scenes::RandomScene random_mechanism(std::uint64_t seed, const scenes::RandomOptions& options = {});
+scenes::RandomScene consistent_random_scene(std::uint64_t seed, const scenes::RandomOptions& options = {});
 
 }  // namespace trivium
