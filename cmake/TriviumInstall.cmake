@@ -5,6 +5,7 @@ set(rooms base bodies constraints effects mechanism scenes formulations integrat
 add_library(trivium INTERFACE)
 add_library(trivium::trivium ALIAS trivium)
 list(TRANSFORM rooms PREPEND trivium_ OUTPUT_VARIABLE libraries)
+list(APPEND libraries trivium_structured_solver trivium_scenes_in_other_scalars trivium_formulations_in_other_scalars)
 target_link_libraries(trivium INTERFACE ${libraries})
 install(TARGETS trivium ${libraries} EXPORT triviumTargets)
 foreach(room IN LISTS rooms)
