@@ -23,8 +23,11 @@ Mechanism<To> same_structure(const Mechanism<From>& from) {
   to.row_names.resize(from.row_names.size());
   to.bodies.resize(from.bodies.size());
   to.joints.resize(from.joints.size());
-  for (const BasicConstraint<From>& row : from.rows)
-    std::visit([&]<template <class> class Row>(const Row<From>&) { to.rows.push_back(Row<To>{}); }, row);
+  to.rows.reserve(from.rows.size());
+  const auto add_row = [&]<template <class> class Row>(const Row<From>&) {
+    to.rows.emplace_back(std::in_place_type<Row<To>>);
+  };
+  for (const BasicConstraint<From>& row : from.rows) std::visit(add_row, row);
   const auto resize = [](const auto& from_list, auto& to_list) {
     to_list.resize(from_list.size());
     for (std::size_t k = 0; k < from_list.size(); ++k)

@@ -1,6 +1,7 @@
 /// What a solution of the augmented system must satisfy, on random mechanisms.
 
 #include "formulations/printed/augmented_solver.hpp"
+#include "formulations/printed/sparsity.hpp"
 
 #include <Eigen/QR>
 
