@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/command_line.hpp"
+#include "bodies/numbers/quad.hpp"
 #include "scenes/make_mechanism.hpp"
 
 namespace trivium::convergence {

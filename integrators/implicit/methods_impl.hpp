@@ -1,14 +1,17 @@
-#include "integrators/implicit/methods.hpp"
+#pragma once
+/// The one definition behind make_implicit: an implicit method by its name, its parameters checked.
+
+#include <fmt/format.h>
 
 #include "integrators/implicit/bdf.hpp"
 #include "integrators/implicit/generalized_alpha.hpp"
 #include "integrators/implicit/hht.hpp"
+#include "integrators/implicit/methods.hpp"
 #include "integrators/implicit/radau.hpp"
-#include "integrators/quad.hpp"
 
 namespace trivium::integrators {
 
-namespace {
+namespace detail {
 
 template <class Value>
 Value checked(const char* what, const std::optional<Value>& given, Value standard, Value least, Value most) {
@@ -19,7 +22,7 @@ Value checked(const char* what, const std::optional<Value>& given, Value standar
   return value;
 }
 
-}  // namespace
+}  // namespace detail
 
 template <class S>
 std::unique_ptr<AnyMethod<S>> make_implicit(std::string_view name,
@@ -28,22 +31,15 @@ std::unique_ptr<AnyMethod<S>> make_implicit(std::string_view name,
   NewtonOptions newton;
   newton.is_full = given.full_newton.value_or(false);
   if (name.starts_with("generalized-alpha"))
-    return adapt<S>(GeneralizedAlpha<AnySystem<S>>(checked("rho", given.rho, 0.8, 0.0, 1.0),
+    return adapt<S>(GeneralizedAlpha<AnySystem<S>>(detail::checked("rho", given.rho, 0.8, 0.0, 1.0),
                                                    name.ends_with("gl2"), newton));
   if (name == "hht")
-    return adapt<S>(HHT<AnySystem<S>>(checked("alpha", given.alpha, -0.2, -1.0 / 3, 0.0), newton));
+    return adapt<S>(HHT<AnySystem<S>>(detail::checked("alpha", given.alpha, -0.2, -1.0 / 3, 0.0), newton));
   if (name == "radau5") return adapt<S>(Radau5<AnySystem<S>>(tolerances, newton));
   if (name == "radau9") return adapt<S>(Radau9<AnySystem<S>>(tolerances, newton));
   if (name == "bdf")
-    return adapt<S>(BDF<AnySystem<S>>(checked("an order of bdf of", given.order, 2, 1, 5), newton));
+    return adapt<S>(BDF<AnySystem<S>>(detail::checked("an order of bdf of", given.order, 2, 1, 5), newton));
   return nullptr;
 }
-
-template std::unique_ptr<AnyMethod<double>> make_implicit<double>(std::string_view,
-                                                                  const std::optional<Tolerances>&,
-                                                                  const MethodParameters&);
-template std::unique_ptr<AnyMethod<Quad>> make_implicit<Quad>(std::string_view,
-                                                              const std::optional<Tolerances>&,
-                                                              const MethodParameters&);
 
 }  // namespace trivium::integrators
