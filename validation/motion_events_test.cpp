@@ -9,11 +9,11 @@
 namespace trivium {
 namespace {
 
-using test::catalogue_scene, test::InEveryFormulation, test::Motion, test::tight;
+using test::InEveryFormulation, test::Motion, test::tight, test::wellformed_scene;
 
 // hung straight below, the bob is struck through its hook: 1 m/s = J (1/m + l^2/I)
 TEST_P(InEveryFormulation, ADriverWhoseSpeedJumpsStrikesWithAnImpulse) {
-  const scenes::Scene scene = catalogue_scene("wellformed/jerked_trolley");
+  const scenes::Scene scene = wellformed_scene("jerked_trolley");
   const double on_bob = 1 / (1.0 / 2 + 0.25 / 0.1), impulse = 3 + on_bob;
   SimulationOptions options = tight(GetParam(), "rkf78", 0.5, 1e-10);
   const Motion struck(scene, [&] {
@@ -39,14 +39,14 @@ TEST_P(InEveryFormulation, AJumpAtTheEndOfTheRunIsStillPassed) {
        {"dopri5", "cvode-bdf", "ida", "radau5", "radau9", "hedop5", "generalized-alpha", "bdf"}) {
     SimulationOptions options = tight(GetParam(), method, 0.5, 1e-9);
     if (!integrators::find_method(method)->chooses_steps) options.step = 0.001;
-    const Motion motion(catalogue_scene("wellformed/jerked_trolley"), options);
+    const Motion motion(wellformed_scene("jerked_trolley"), options);
     ASSERT_EQ(motion.report.impulses.size(), 1u) << method;
     EXPECT_NEAR(motion.end().state.twist[0].r_dot[0], 1.4, 1e-9) << method;
   }
 }
 
 TEST_P(InEveryFormulation, EveryMethodGoesOverAJumpOfVelocities) {
-  const scenes::Scene scene = catalogue_scene("wellformed/jerked_trolley");
+  const scenes::Scene scene = wellformed_scene("jerked_trolley");
   const Motion exact(scene, tight("r-omega", "rkf78", 1, 1e-12));
   ASSERT_EQ(exact.report.impulses.size(), 2u);
   for (const char* method : {"dopri5", "bulirsch-stoer", "abm", "cvode-adams", "cvode-bdf", "arkode-erk",

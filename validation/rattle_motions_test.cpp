@@ -7,11 +7,11 @@
 namespace trivium {
 namespace {
 
-using test::catalogue_scene, test::Motion, test::stepping, test::tight;
+using test::catalogue_scene, test::Motion, test::stepping, test::tight, test::wellformed_scene;
 
 // order 4 has parts that go back: none may see what is beyond an event
 TEST(Rattle, KeepsItsOrderOverEvents) {
-  const scenes::Scene scene = catalogue_scene("wellformed/jerked_trolley");
+  const scenes::Scene scene = wellformed_scene("jerked_trolley");
   const Motion exact(scene, tight("r-omega", "rkf78", 1, 1e-13));
   const auto error = [&](double h) {
     SimulationOptions options = tight("r-omega", "rattle4", 1);

@@ -19,6 +19,10 @@ namespace trivium::test {
 inline scenes::Scene catalogue_scene(const std::string& name) {
   return scenes::read_scene_file(std::string(TRIVIUM_SCENES_DIR) + "/" + name + ".json");
 }
+/// One of the scenes that show every word of the format.
+inline scenes::Scene wellformed_scene(const std::string& name) {
+  return scenes::read_scene_file(std::string(TRIVIUM_TEST_SCENES_DIR) + "/wellformed/" + name + ".json");
+}
 
 /// The samples of a run.
 inline constexpr bool in_quad = true;
