@@ -1,7 +1,8 @@
 #pragma once
 /// Random scenes: trees and closed loops with every joint and basic constraint, drivers, springs and mass
 /// ratios to 1e6. Bodies are placed first and joints fitted to them, so that positions hold by construction
-/// in any graph. Velocities are drawn freely and do not hold.
+/// in any graph. Velocities are drawn freely and do not hold: validations take
+/// consistent ones (validation/harness/consistent_random_scene.hpp).
 
 #include <cstdint>
 

@@ -7,7 +7,7 @@
 /// H a = Phi_k^T less the best combination of the others, and a^T H a is the pivot to full precision.
 ///
 /// How much of a row must be left is a question of geometry: it is asked of other factors, with shifts and
-/// turns for H (unit_inertia_solver_impl.hpp).
+/// turns for H (unit_inertia_solver_impl.hpp). The tolerances stand in analysis/rank_tolerance.hpp.
 
 #include <algorithm>
 #include <memory>

@@ -5,7 +5,8 @@
 ///
 ///   M dv + Phi_q^T Lambda = 0,   Phi_q dv = jump of nu
 ///
-/// It does the work -Lambda . (nu before + nu after) / 2.
+/// It does the work -Lambda . (nu before + nu after) / 2. FirstOrderEquations::pass_discontinuity asks here
+/// and enters the impulse in its MotionLog (motion_log.hpp).
 
 #include <optional>
 

@@ -4,9 +4,10 @@
 ///   [ M + gamma' C + beta' K   Phi_q^T ]
 ///   [ Phi_q                    0       ]
 ///
-/// along the graph of bodies, joints and springs. Several can be kept side by side, as those of the stages of
-/// one step. Which rows are dependent is not decided here: the matrix leaves out the rows that the
-/// acceleration solver left out at the last accepted state.
+/// along the graph of bodies, joints and springs. The stiffness K and the damping C of springs are put there
+/// by spring_rows.hpp, which ConstrainedEquations::factor asks first. Several can be kept side by side, as
+/// those of the stages of one step. Which rows are dependent is not decided here: the matrix leaves out the
+/// rows that the acceleration solver left out at the last accepted state.
 
 #include <array>
 #include <deque>
