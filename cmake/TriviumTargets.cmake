@@ -4,27 +4,40 @@
 # plain string concatenation (GCC bug 105651), so that one is off.
 add_library(trivium_options INTERFACE)
 target_compile_options(trivium_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-                                                 -Wno-restrict
+                                                 $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
                                                  -Werror)
+# quadmath.h is a header of g++'s own; clang++ looks for it there when it finds it nowhere else.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  execute_process(COMMAND g++ -print-file-name=include OUTPUT_VARIABLE gcc_headers OUTPUT_STRIP_TRAILING_WHITESPACE
+                  COMMAND_ERROR_IS_FATAL ANY)
+  target_compile_options(trivium_options INTERFACE -idirafter ${gcc_headers})
+endif()
 # Built for this processor, g++ 12 warns of its own AVX-512 headers (GCC bug 105593) and of Eigen's loads with them.
 if(TRIVIUM_BUILD_BENCH)
   target_compile_options(trivium_options INTERFACE -Wno-maybe-uninitialized -Wno-uninitialized -Wno-array-bounds)
 endif()
 if(TRIVIUM_SANITIZE)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "TRIVIUM_SANITIZE needs clang++, not ${CMAKE_CXX_COMPILER_ID}: use the preset asan")
+  endif()
   target_compile_options(trivium_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                                                   -fno-omit-frame-pointer)
+                                                   -fno-omit-frame-pointer
+                                                   -fsanitize-ignorelist=${CMAKE_CURRENT_LIST_DIR}/sanitizers_ignored.txt)
   target_link_options(trivium_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# trivium_room(<room> USES <target>... SOURCES <source>...): the library trivium_<room> of the current folder, and what it
-# stands on. A room of headers alone is an INTERFACE library.
+# trivium_room(<room> [WITHOUT_EIGEN] USES <target>... SOURCES <source>...): the library trivium_<room> of the current
+# folder, and what it stands on. A room of headers alone is an INTERFACE library.
 function(trivium_room room)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "WITHOUT_EIGEN" "" "USES;SOURCES")
   set(name trivium_${room})
   set(scope PUBLIC)
   if(arg_SOURCES)
     add_library(${name} STATIC ${arg_SOURCES})
     target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:trivium_options>)
+    if(NOT arg_WITHOUT_EIGEN)
+      trivium_precompile(${name} FROM trivium_library_headers)
+    endif()
   else()
     add_library(${name} INTERFACE)
     set(scope INTERFACE)
@@ -40,19 +53,22 @@ endfunction()
 # All test executables of the label unit: what the sanitizers build.
 add_custom_target(unit_tests)
 
-# trivium_test(<name> <label> USES <target>... SOURCES <source>... [DEFINES <definition>...]): one GoogleTest executable,
-# each of its tests a CTest test.
+# trivium_test(<name> <label> [WITHOUT_EIGEN] USES <target>... SOURCES <source>... [DEFINES <definition>...]): one
+# GoogleTest executable, each of its tests a CTest test.
 function(trivium_test name label)
   if(NOT TRIVIUM_BUILD_TESTS OR (TRIVIUM_SANITIZE AND NOT label STREQUAL "unit"))
     return()
   endif()
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "USES;SOURCES;DEFINES")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "WITHOUT_EIGEN" "" "USES;SOURCES;DEFINES")
   add_executable(${name} ${arg_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_link_libraries(${name} PRIVATE ${arg_USES} trivium_options GTest::gtest_main rapidcheck)
   target_compile_definitions(${name} PRIVATE ${arg_DEFINES})
   # many instantiations of the templates, whose speed is not asked: half the compiler's time
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if(NOT arg_WITHOUT_EIGEN)
+    trivium_precompile(${name} FROM trivium_test_headers)
+  endif()
   if(label STREQUAL "unit")
     add_dependencies(unit_tests ${name})
   endif()

@@ -6,7 +6,7 @@
 /// implementation.
 ///
 /// The contract has three parts: the equations as printed, the same with the internal row eliminated, and the
-/// coordinates moved in time. Their laws are laws_test.cpp and force_laws_test.cpp.
+/// coordinates moved in time. Their laws are the files NAME_laws_test.cpp.
 
 #include "formulations/contract/equations_as_printed.hpp"
 #include "formulations/contract/moving_coordinates.hpp"

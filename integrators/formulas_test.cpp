@@ -6,9 +6,9 @@
 #include <array>
 #include <type_traits>
 
-#include "integrators/explicit/half_explicit.hpp"
+#include "integrators/explicit/half_explicit_coefficients.hpp"
 #include "integrators/implicit/bdf.hpp"
-#include "integrators/implicit/radau.hpp"
+#include "integrators/implicit/radau_coefficients.hpp"
 #include "integrators/methods.hpp"
 #include "integrators/testing/toy_systems.hpp"
 
@@ -34,10 +34,9 @@ template <class Stages>
 class Radau : public testing::Test {
  protected:
   static constexpr int stages = Stages::value;
-  using Square = Eigen::Matrix<double, stages, stages>;
 
-  static Square matrix(const std::array<std::array<double, stages>, stages>& rows) {
-    Square matrix;
+  static Eigen::MatrixXd matrix(const std::array<std::array<double, stages>, stages>& rows) {
+    Eigen::MatrixXd matrix(stages, stages);
     for (int i = 0; i < stages; ++i)
       for (int j = 0; j < stages; ++j) matrix(i, j) = rows[i][j];
     return matrix;
@@ -64,8 +63,7 @@ TYPED_TEST(Radau, MeetsTheOrderConditions) {
 }
 
 TYPED_TEST(Radau, ItsInverseAndSquareAreThoseOfItsMatrix) {
-  const auto A = this->matrix(this->radau.a);
-  const auto one = TestFixture::Square::Identity();
+  const Eigen::MatrixXd A = this->matrix(this->radau.a), one = Eigen::MatrixXd::Identity(A.rows(), A.cols());
   EXPECT_LE((A * this->matrix(this->radau.inverse) - one).cwiseAbs().maxCoeff(), 2e-14);
   EXPECT_LE((A * A - this->matrix(this->radau.square)).cwiseAbs().maxCoeff(), 1e-15);
 }
@@ -109,8 +107,8 @@ TEST(RadauOfThreeStages, HasItsPublishedCoefficients) {
 // Hairer, Norsett, Wanner (1993), II.2; and stages behind the second are of order 2, as index 2 asks
 TEST(HalfExplicit, MeetsTheOrderConditionsOfFour) {
   const Hem4Coefficients<double> m;
-  Eigen::Matrix<double, 5, 5> A;
-  Eigen::Matrix<double, 5, 1> b, c;
+  Eigen::MatrixXd A(5, 5);
+  Eigen::VectorXd b(5), c(5);
   for (int i = 0; i < 5; ++i) {
     for (int j = 0; j < 5; ++j) A(i, j) = m.a[i][j];
     b[i] = m.a[5][i];

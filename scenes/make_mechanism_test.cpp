@@ -1,5 +1,6 @@
 #include "scenes/make_mechanism.hpp"
 
+#include <array>
 #include <functional>
 
 #include "bodies/inertia.hpp"
@@ -175,7 +176,7 @@ TEST(Orientation, IsUnitToTheLastBitOfEveryScalar) {
 template <class Scalar>
 class EverySize : public testing::Test {
  public:
-  static constexpr double sizes[] = {1e-99, 1e-50, 3, 1e50, 1e99};
+  static constexpr std::array sizes = {1e-99, 1e-50, 3.0, 1e50, 1e99};
   /// A few roundings, and those of the doubles in which the sizes are written.
   const double tolerance = std::max(test::roundings<Scalar>(8), test::roundings<double>(8));
 };

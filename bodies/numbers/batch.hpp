@@ -182,6 +182,11 @@ struct NumTraits<trivium::Batch<T, N>> : GenericNumTraits<T> {
   static Real infinity() { return std::numeric_limits<T>::infinity(); }
   static Real quiet_NaN() { return std::numeric_limits<T>::quiet_NaN(); }
 };
+/// Arrays keep the alignment of their lanes: Eigen would ask for less, which clang++ refuses.
+template <class T, int N, int size>
+requires(size != Dynamic) struct internal::compute_default_alignment<trivium::Batch<T, N>, size> {
+  enum { value = 0 };
+};
 }  // namespace Eigen
 
 namespace trivium {

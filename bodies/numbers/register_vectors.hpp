@@ -36,8 +36,6 @@ struct Register {
   static constexpr bool exists =
       (std::is_same_v<S, double> || std::is_same_v<S, float>)&&4 * sizeof(S) <= register_bytes;
   using Number = std::conditional_t<exists, S, double>;
-  using Places [[gnu::vector_size(4 * sizeof(Number))]] =
-      std::conditional_t<sizeof(Number) == 8, long long, int>;
 
   Number places [[gnu::vector_size(4 * sizeof(Number))]];
 
@@ -54,19 +52,19 @@ struct Register {
 
   // every other place, and the halves, of two registers
   TRIVIUM_INLINE static Register even(const Register& a, const Register& b) {
-    return {__builtin_shuffle(a.places, b.places, Places{0, 4, 2, 6})};
+    return {__builtin_shufflevector(a.places, b.places, 0, 4, 2, 6)};
   }
   TRIVIUM_INLINE static Register odd(const Register& a, const Register& b) {
-    return {__builtin_shuffle(a.places, b.places, Places{1, 5, 3, 7})};
+    return {__builtin_shufflevector(a.places, b.places, 1, 5, 3, 7)};
   }
   TRIVIUM_INLINE static Register front(const Register& a, const Register& b) {
-    return {__builtin_shuffle(a.places, b.places, Places{0, 1, 4, 5})};
+    return {__builtin_shufflevector(a.places, b.places, 0, 1, 4, 5)};
   }
   TRIVIUM_INLINE static Register back(const Register& a, const Register& b) {
-    return {__builtin_shuffle(a.places, b.places, Places{2, 3, 6, 7})};
+    return {__builtin_shufflevector(a.places, b.places, 2, 3, 6, 7)};
   }
   /// (y, z, x)
-  TRIVIUM_INLINE Register turned() const { return {__builtin_shuffle(places, Places{1, 2, 0, 3})}; }
+  TRIVIUM_INLINE Register turned() const { return {__builtin_shufflevector(places, places, 1, 2, 0, 3)}; }
 
   TRIVIUM_INLINE friend Register operator+(const Register& a, const Register& b) {
     return {a.places + b.places};

@@ -6,6 +6,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/detail/TestListenerAdapter.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "bodies/numbers/scalar.hpp"
@@ -53,11 +54,23 @@ inline EulerSequence draw_sequence() {
   return *parse_euler_sequence(euler_sequence_names[*rc::gen::inRange<std::size_t>(0, 12)]);
 }
 
-/// The largest entry of a - b.
+/// The largest |a[k] - b[k]|; not a number where one of them is none.
+template <class S>
+double distance(const S* a, const S* b, Eigen::Index n) {
+  using std::abs, std::isnan;
+  S largest(0);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const S d = abs(a[k] - b[k]);
+    if (isnan(d)) return std::nan("");
+    if (d > largest) largest = d;
+  }
+  return static_cast<double>(largest);
+}
+/// The largest entry of |a - b|. Both are evaluated first: more expressions are dear to compile.
 template <class A, class B>
 double distance(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
-  if (a.size() == 0) return 0;
-  return static_cast<double>((a - b).cwiseAbs().maxCoeff());
+  const Eigen::Matrix<typename A::Scalar, A::RowsAtCompileTime, A::ColsAtCompileTime> value = a, other = b;
+  return distance(value.data(), other.data(), value.size());
 }
 
 /// `multiple` roundings of S, as a double.

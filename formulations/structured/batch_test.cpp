@@ -11,15 +11,12 @@
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/r_p.hpp"
-#include "formulations/structured/acceleration_solver_impl.hpp"
+#include "formulations/structured/acceleration_solver.hpp"
 #include "formulations/testing/random_mechanism.hpp"
 #include "mechanism/mechanism_batch.hpp"
 #include "scenes/generators.hpp"
 
 namespace trivium {
-
-extern template class GraphSolver<Batch<double, 4>>;  // graph_solver_batch.cpp
-
 namespace {
 
 using Four = Batch<double, 4>;

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "bodies/numbers/scalar.hpp"
-#include "formulations/structured/closing_elimination_impl.hpp"
 #include "formulations/structured/graph_solver.hpp"
 
 namespace trivium {

@@ -27,8 +27,8 @@ class RadauError {
   S of_correction(const Stages& stages, const StateVector<S>& step, const S& h, const StateVector<S>& y) {
     const auto& coefficients = stages.coefficients();
     const int nv = stages.nv(), nc = stages.nc();
-    const auto of_v_dot = [&](int j) { return step.segment(j * nv, nv); },
-               of_shift = [&](int j) { return step.segment(s * (nv + nc) + j * nv, nv); };
+    const auto of_v_dot = [&](int j) { return step.segment(j * nv, nv); };
+    const auto of_shift = [&](int j) { return step.segment(s * (nv + nc) + j * nv, nv); };
     S largest(0);
     for (int i = 0; i < s; ++i) {
       of_v_ = h * Stages::mix(coefficients.a[i], of_v_dot);

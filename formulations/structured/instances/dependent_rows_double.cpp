@@ -1,3 +1,4 @@
+#include "formulations/structured/closing_elimination_impl.hpp"
 #include "formulations/structured/dependent_rows_impl.hpp"
 
 template class trivium::GraphSolver<double>;

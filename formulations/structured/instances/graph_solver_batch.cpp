@@ -1,4 +1,5 @@
 #include "bodies/numbers/batch.hpp"
-#include "formulations/structured/graph_solver_impl.hpp"
+#include "formulations/structured/correction_impl.hpp"
+#include "formulations/structured/elimination_impl.hpp"
 
 template class trivium::GraphSolver<trivium::Batch<double, 4>>;

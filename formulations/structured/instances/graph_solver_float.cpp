@@ -1,3 +1,4 @@
-#include "formulations/structured/graph_solver_impl.hpp"
+#include "formulations/structured/correction_impl.hpp"
+#include "formulations/structured/elimination_impl.hpp"
 
 template class trivium::GraphSolver<float>;

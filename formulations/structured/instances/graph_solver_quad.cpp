@@ -1,6 +1,5 @@
+#include "bodies/numbers/quad.hpp"
 #include "formulations/structured/correction_impl.hpp"
 #include "formulations/structured/elimination_impl.hpp"
-
-#include "bodies/numbers/quad.hpp"
 
 template class trivium::GraphSolver<trivium::Quad>;

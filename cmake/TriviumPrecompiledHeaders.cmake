@@ -1,0 +1,36 @@
+# The headers of others, parsed once: most of the time of a small unit goes there. Only headers of others, so that a unit
+# must still name each header of the project that it uses. The preset bench compiles without, which shows what a unit
+# forgot to name.
+
+set(trivium_common_headers <Eigen/Core> <Eigen/Eigenvalues> <Eigen/Geometry> <boost/multiprecision/float128.hpp>
+                           <fmt/format.h> <fmt/ranges.h> <algorithm> <array> <cmath> <functional> <limits> <map> <memory>
+                           <optional> <string> <string_view> <utility> <variant> <vector>)
+file(WRITE ${CMAKE_BINARY_DIR}/generated/empty.cpp "")
+
+# trivium_precompiled_headers(<name> USES <target>... HEADERS <header>...): what trivium_precompile takes.
+function(trivium_precompiled_headers name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;HEADERS")
+  add_library(${name} STATIC ${CMAKE_BINARY_DIR}/generated/empty.cpp)
+  target_compile_features(${name} PRIVATE cxx_std_20)
+  target_link_libraries(${name} PRIVATE trivium_options Eigen3::Eigen Boost::headers fmt::fmt ${arg_USES})
+  # ccache reads the preprocessed text, where g++ has to leave a mark
+  target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+  target_precompile_headers(${name} PRIVATE ${trivium_common_headers} ${arg_HEADERS})
+endfunction()
+
+# trivium_precompile(<target>... FROM <name>): the targets start from those headers; they use Eigen, Boost and fmt.
+function(trivium_precompile)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "FROM" "")
+  foreach(target IN LISTS arg_UNPARSED_ARGUMENTS)
+    target_precompile_headers(${target} REUSE_FROM ${arg_FROM})
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+  endforeach()
+endfunction()
+
+trivium_precompiled_headers(trivium_library_headers)
+if(TRIVIUM_BUILD_TESTS)
+  trivium_precompiled_headers(trivium_test_headers USES GTest::gtest rapidcheck
+                              HEADERS <boost/multiprecision/cpp_bin_float.hpp> <gtest/gtest.h> <rapidcheck.h>
+                                      <rapidcheck/detail/TestListenerAdapter.h> <random> <set>)
+  target_compile_options(trivium_test_headers PRIVATE $<$<CONFIG:Release>:-O1>)
+endif()
