@@ -1,20 +1,25 @@
 # The headers of others, parsed once: most of the time of a small unit goes there. Only headers of others, so that a unit
-# must still name each header of the project that it uses. The preset bench compiles without, which shows what a unit
-# forgot to name.
+# must still name each header of the project that it uses. The library's headers of others are named as well: the preset
+# bench compiles without.
 
 set(trivium_common_headers <Eigen/Core> <Eigen/Eigenvalues> <Eigen/Geometry> <boost/multiprecision/float128.hpp>
                            <fmt/format.h> <fmt/ranges.h> <algorithm> <array> <cmath> <functional> <limits> <map> <memory>
                            <optional> <string> <string_view> <utility> <variant> <vector>)
-file(WRITE ${CMAKE_BINARY_DIR}/generated/empty.cpp "")
+set(empty ${CMAKE_BINARY_DIR}/generated/empty.cpp)
+if(NOT EXISTS ${empty})
+  file(WRITE ${empty} "")
+endif()
+# The compiler cache asks g++ to leave a mark in the preprocessed text, and clang++ not to look at the headers' age.
+set(trivium_cacheable_headers $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
+                              "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
 
 # trivium_precompiled_headers(<name> USES <target>... HEADERS <header>...): what trivium_precompile takes.
 function(trivium_precompiled_headers name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;HEADERS")
-  add_library(${name} STATIC ${CMAKE_BINARY_DIR}/generated/empty.cpp)
+  add_library(${name} STATIC ${empty})
   target_compile_features(${name} PRIVATE cxx_std_20)
   target_link_libraries(${name} PRIVATE trivium_options Eigen3::Eigen Boost::headers fmt::fmt ${arg_USES})
-  # ccache reads the preprocessed text, where g++ has to leave a mark
-  target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+  target_compile_options(${name} PRIVATE ${trivium_cacheable_headers})
   target_precompile_headers(${name} PRIVATE ${trivium_common_headers} ${arg_HEADERS})
 endfunction()
 
@@ -23,7 +28,7 @@ function(trivium_precompile)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "FROM" "")
   foreach(target IN LISTS arg_UNPARSED_ARGUMENTS)
     target_precompile_headers(${target} REUSE_FROM ${arg_FROM})
-    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+    target_compile_options(${target} PRIVATE ${trivium_cacheable_headers})
   endforeach()
 endfunction()
 

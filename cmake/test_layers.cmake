@@ -24,6 +24,7 @@ check(holds ${so3} "the sources as they are")
 foreach(include IN ITEMS [[#include "formulations/r_p.hpp"]] [[#include <formulations/r_p.hpp>]]
                          [[# include "formulations/r_p.hpp"]] [[  #	include<formulations/r_p.hpp>]]
                          [[#include "../formulations/r_p.hpp"]] [[#include "bodies/../formulations/r_p.hpp"]]
+                         [[/**/ #include "formulations/r_p.hpp"]] [[#/* r-p */include "formulations/r_p.hpp"]]
                          [[#include "./so3.hpp"]] [[#include "/trivium/formulations/r_p.hpp"]] [[#include R_P_HEADER]])
   file(WRITE ${WORK}/${so3} "${text}${include}\n")
   check(fails ${so3} "${include}")
@@ -48,6 +49,8 @@ plant(fails trivium/command/planted.cpp results/tools/results_table.hpp)
 plant(fails validation/planted.cpp trivium/command/commands.hpp)
 plant(fails paper/generator/planted.cpp validation/harness/program.hpp)
 plant(fails bodies/planted.hpp bodies/testing/properties.hpp)
+plant(fails bodies/planted.hpp testing/properties.hpp)
+plant(fails bodies/planted.h formulations/r_p.hpp)
 # tests and their helpers may include scenes besides
 plant(holds formulations/planted_test.cpp scenes/make_mechanism.hpp)
 plant(holds formulations/testing/planted.hpp scenes/scene.hpp)
