@@ -13,11 +13,12 @@ function(trivium_fuzz name)
   add_executable(${name} ${arg_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_link_libraries(${name} PRIVATE ${arg_USES} trivium_options)
-  target_compile_options(${name} PRIVATE -fsanitize=fuzzer)
+  # -O1: more inputs a second; line numbers, for what is found
+  target_compile_options(${name} PRIVATE -O1 -gline-tables-only -fsanitize=fuzzer)
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
   foreach(target IN LISTS arg_USES)
-    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
-    # clang++ takes no headers precompiled without that
+    target_compile_options(${target} PRIVATE -O1 -gline-tables-only -fsanitize=fuzzer-no-link)
+    # clang++ takes no headers precompiled without these
     set_target_properties(${target} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
   endforeach()
   add_dependencies(unit_tests ${name})
