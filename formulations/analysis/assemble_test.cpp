@@ -2,6 +2,7 @@
 
 #include "formulations/analysis/assemble.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
@@ -19,7 +20,7 @@ namespace trivium {
 namespace {
 
 scenes::Scene catalogue_scene(const std::string& name) {
-  return scenes::read_scene_file(std::string(TRIVIUM_SCENES_DIR) + "/" + name + ".json");
+  return scenes::read_scene_file(fmt::format("{}/{}.json", TRIVIUM_SCENES_DIR, name));
 }
 
 Consistency consistency(const scenes::Scene& scene) {

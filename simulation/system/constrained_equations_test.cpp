@@ -1,5 +1,7 @@
 /// The equations of motion with their constraints, as implicit methods ask for them.
 
+#include <fmt/format.h>
+
 #include "simulation/system/constrained_equations.hpp"
 
 #include "bodies/testing/properties.hpp"
@@ -24,7 +26,7 @@ ConstrainedEquations<F> form_of(const scenes::Scene& scene) {
   return {make_mechanism<double>(scene), make_state<double>(scene)};
 }
 scenes::Scene catalogue_scene(const std::string& name) {
-  return scenes::read_scene_file(std::string(TRIVIUM_SCENES_DIR) + "/" + name + ".json");
+  return scenes::read_scene_file(fmt::format("{}/{}.json", TRIVIUM_SCENES_DIR, name));
 }
 
 /// What a step's equations are at a state.

@@ -2,6 +2,7 @@
 
 #include "simulation/system/first_order_equations.hpp"
 
+#include <fmt/format.h>
 #include <Eigen/LU>
 
 #include "bodies/rotations/so3.hpp"
@@ -174,7 +175,7 @@ TYPED_TEST(FirstOrder, CorrectsByTheLeastChangeInTheMassMetric) {
 TYPED_TEST(FirstOrder, RedundantRowsStayRedundantWithinAStep) {
   for (const char* name : {"bricard", "parallelogram", "four_bar", "door"}) {
     auto form =
-        form_of<TypeParam>(scenes::read_scene_file(std::string(TRIVIUM_SCENES_DIR) + "/" + name + ".json"));
+        form_of<TypeParam>(scenes::read_scene_file(fmt::format("{}/{}.json", TRIVIUM_SCENES_DIR, name)));
     StateVector at_start, beside;
     form.derivative(0, form.start(), at_start);
     for (const double size : {1e-3, 1e-5, 1e-8}) {
@@ -188,7 +189,7 @@ TYPED_TEST(FirstOrder, PowerIsTheRateOfTheEnergyThatIsNotConserved) {
   for (const char* name :
        {"flyball_governor", "driven_crank", "basic_drivers", "open_arm_7", "slots_and_rods"}) {
     auto form =
-        form_of<TypeParam>(scenes::read_scene_file(std::string(TRIVIUM_SCENES_DIR) + "/" + name + ".json"));
+        form_of<TypeParam>(scenes::read_scene_file(fmt::format("{}/{}.json", TRIVIUM_SCENES_DIR, name)));
     ASSERT_TRUE(form.does_work()) << name;
     StateVector y = form.start(), y_dot;
     form.derivative(0, y, y_dot);

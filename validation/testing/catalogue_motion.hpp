@@ -2,6 +2,7 @@
 /// Motions of the catalogue's scenes, kept, and the suites of tests that every formulation passes. A support
 /// of the tests.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,11 +18,11 @@
 namespace trivium::test {
 
 inline scenes::Scene catalogue_scene(const std::string& name) {
-  return scenes::read_scene_file(std::string(TRIVIUM_SCENES_DIR) + "/" + name + ".json");
+  return scenes::read_scene_file(fmt::format("{}/{}.json", TRIVIUM_SCENES_DIR, name));
 }
 /// One of the scenes that show every word of the format.
 inline scenes::Scene wellformed_scene(const std::string& name) {
-  return scenes::read_scene_file(std::string(TRIVIUM_TEST_SCENES_DIR) + "/wellformed/" + name + ".json");
+  return scenes::read_scene_file(fmt::format("{}/wellformed/{}.json", TRIVIUM_TEST_SCENES_DIR, name));
 }
 
 /// The samples of a run.
