@@ -9,17 +9,13 @@ set(empty ${CMAKE_BINARY_DIR}/generated/empty.cpp)
 if(NOT EXISTS ${empty})
   file(WRITE ${empty} "")
 endif()
-# The compiler cache asks g++ to leave a mark in the preprocessed text, and clang++ not to look at the headers' age.
-set(trivium_cacheable_headers $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
-                              "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
-
 # trivium_precompiled_headers(<name> USES <target>... HEADERS <header>...): what trivium_precompile takes.
 function(trivium_precompiled_headers name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;HEADERS")
   add_library(${name} STATIC ${empty})
   target_compile_features(${name} PRIVATE cxx_std_20)
   target_link_libraries(${name} PRIVATE trivium_options Eigen3::Eigen Boost::headers fmt::fmt ${arg_USES})
-  target_compile_options(${name} PRIVATE ${trivium_cacheable_headers})
+  target_compile_options(${name} PRIVATE -fpch-preprocess)  # leaves a mark that the compiler cache asks for
   target_precompile_headers(${name} PRIVATE ${trivium_common_headers} ${arg_HEADERS})
 endfunction()
 
@@ -28,7 +24,7 @@ function(trivium_precompile)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "FROM" "")
   foreach(target IN LISTS arg_UNPARSED_ARGUMENTS)
     target_precompile_headers(${target} REUSE_FROM ${arg_FROM})
-    target_compile_options(${target} PRIVATE ${trivium_cacheable_headers})
+    target_compile_options(${target} PRIVATE -fpch-preprocess)
   endforeach()
 endfunction()
 

@@ -54,10 +54,6 @@ function(trivium_test name label)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_link_libraries(${name} PRIVATE ${arg_USES} trivium_options GTest::gtest_main rapidcheck)
   target_compile_definitions(${name} PRIVATE ${arg_DEFINES})
-  # the standard headers are precompiled, and g++ 12 no longer knows them for a system's: its false warnings of
-  # concatenation (GCC bug 105651) come in these forms as well
-  target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
-                                         $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>)
   # many instantiations of the templates, whose speed is not asked: half the compiler's time
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   if(NOT arg_WITHOUT_EIGEN)

@@ -12,10 +12,10 @@ namespace {
 using test::distance, test::for_all_samples, test::roundings;
 
 template <class F>
-class FormulationLaws : public testing::Test {};
-TYPED_TEST_SUITE(FormulationLaws, test::TestedFormulations, test::FormulationNames);
+class FormulationKinematics : public testing::Test {};
+TYPED_TEST_SUITE(FormulationKinematics, test::TestedFormulations, test::FormulationNames);
 
-TYPED_TEST(FormulationLaws, KeepsPoseAndAngularVelocity) {
+TYPED_TEST(FormulationKinematics, KeepsPoseAndAngularVelocity) {
   using F = TypeParam;
   using S = typename F::Scalar;
   for_all_samples<F>([](const auto& s) {
@@ -26,7 +26,7 @@ TYPED_TEST(FormulationLaws, KeepsPoseAndAngularVelocity) {
   });
 }
 
-TYPED_TEST(FormulationLaws, BodyVectorJacobianIsTheDerivativeAlongTheRetraction) {
+TYPED_TEST(FormulationKinematics, BodyVectorJacobianIsTheDerivativeAlongTheRetraction) {
   using F = TypeParam;
   using S = typename F::Scalar;
   if constexpr (std::same_as<S, Quad>)
@@ -57,7 +57,7 @@ TYPED_TEST(FormulationLaws, BodyVectorJacobianIsTheDerivativeAlongTheRetraction)
     });
 }
 
-TYPED_TEST(FormulationLaws, BodyVectorRateAndBiasAreThoseOfARotatingVector) {
+TYPED_TEST(FormulationKinematics, BodyVectorRateAndBiasAreThoseOfARotatingVector) {
   using F = TypeParam;
   using S = typename F::Scalar;
   for_all_samples<F>([](const auto& s) {
@@ -71,7 +71,7 @@ TYPED_TEST(FormulationLaws, BodyVectorRateAndBiasAreThoseOfARotatingVector) {
   });
 }
 
-TYPED_TEST(FormulationLaws, JacobianTimesLiftIsTheBodyFrameJacobian) {
+TYPED_TEST(FormulationKinematics, JacobianTimesLiftIsTheBodyFrameJacobian) {
   using F = TypeParam;
   using S = typename F::Scalar;
   for_all_samples<F>([](const auto& s) {

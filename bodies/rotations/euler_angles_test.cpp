@@ -1,9 +1,8 @@
 #include "bodies/rotations/euler_angles.hpp"
-#include "bodies/numbers/quad.hpp"
-#include "bodies/numbers/real50.hpp"
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
+#include "bodies/testing/scalars.hpp"
 
 namespace trivium {
 namespace {
@@ -12,8 +11,7 @@ using test::distance, test::for_all, test::Random, test::roundings;
 
 template <class S>
 class EulerAngles : public testing::Test {};
-using Scalars = testing::Types<float, double, Quad, Real50>;
-TYPED_TEST_SUITE(EulerAngles, Scalars);
+TYPED_TEST_SUITE(EulerAngles, test::TestedScalars);
 
 template <class S>
 S pi() {

@@ -1,8 +1,7 @@
-#include "bodies/numbers/quad.hpp"
-#include "bodies/numbers/real50.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
+#include "bodies/testing/scalars.hpp"
 
 namespace trivium {
 namespace {
@@ -11,8 +10,7 @@ using test::distance, test::draw_euler_parameters, test::draw_vector, test::for_
 
 template <class S>
 class EulerParameters : public testing::Test {};
-using Scalars = testing::Types<float, double, Quad, Real50>;
-TYPED_TEST_SUITE(EulerParameters, Scalars);
+TYPED_TEST_SUITE(EulerParameters, test::TestedScalars);
 
 TYPED_TEST(EulerParameters, EAndGHaveOrthonormalRowsAndAnnihilateP) {
   using S = TypeParam;

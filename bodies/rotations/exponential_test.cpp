@@ -1,9 +1,9 @@
 #include "bodies/numbers/quad.hpp"
-#include "bodies/numbers/real50.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
+#include "bodies/testing/scalars.hpp"
 
 namespace trivium {
 namespace {
@@ -12,8 +12,7 @@ using test::distance, test::draw_number, test::draw_vector, test::for_all, test:
 
 template <class S>
 class Exponential : public testing::Test {};
-using Scalars = testing::Types<float, double, Quad, Real50>;
-TYPED_TEST_SUITE(Exponential, Scalars);
+TYPED_TEST_SUITE(Exponential, test::TestedScalars);
 
 TYPED_TEST(Exponential, TurnsByItsNormAboutItsAxis) {
   using S = TypeParam;

@@ -1,10 +1,9 @@
 #include "bodies/rotations/so3.hpp"
 
-#include "bodies/numbers/quad.hpp"
-#include "bodies/numbers/real50.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
+#include "bodies/testing/scalars.hpp"
 
 namespace trivium {
 namespace {
@@ -14,8 +13,7 @@ using test::distance, test::draw_euler_parameters, test::draw_vector, test::for_
 
 template <class S>
 class Rotations : public testing::Test {};
-using Scalars = testing::Types<float, double, Quad, Real50>;
-TYPED_TEST_SUITE(Rotations, Scalars);
+TYPED_TEST_SUITE(Rotations, test::TestedScalars);
 
 TYPED_TEST(Rotations, TildeIsTheCrossProduct) {
   using S = TypeParam;

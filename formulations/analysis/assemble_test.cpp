@@ -2,7 +2,6 @@
 
 #include "formulations/analysis/assemble.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
@@ -11,17 +10,15 @@
 #include "bodies/rotations/so3.hpp"
 #include "formulations/side_by_side.hpp"
 #include "formulations/testing/solve_scene.hpp"
-#include "scenes/format/scene_file.hpp"
 #include "scenes/generators.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "scenes/scene_state.hpp"
+#include "scenes/testing/catalogue_scene.hpp"
 
 namespace trivium {
 namespace {
 
-scenes::Scene catalogue_scene(const std::string& name) {
-  return scenes::read_scene_file(fmt::format("{}/{}.json", TRIVIUM_SCENES_DIR, name));
-}
+using test::catalogue_scene;
 
 Consistency consistency(const scenes::Scene& scene) {
   return check_consistency(make_mechanism<double>(scene), make_state<double>(scene));

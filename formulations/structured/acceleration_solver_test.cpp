@@ -11,6 +11,7 @@
 #include "formulations/testing/solve_scene.hpp"
 #include "scenes/format/scene_file.hpp"
 #include "scenes/make_mechanism.hpp"
+#include "scenes/testing/catalogue_scene.hpp"
 #include "scenes/testing/scene_builders.hpp"
 
 namespace trivium {
@@ -67,8 +68,7 @@ TYPED_TEST(StructuredSolver, AgreesOnTheCatalogue) {
 
 TYPED_TEST(StructuredSolver, MinimumNormIsThatOfThePrintedSystem) {
   for (const char* name : {"four_bar", "bricard", "door"}) {
-    test::SolvedTwice<TypeParam> s(
-        scenes::read_scene_file(std::filesystem::path(TRIVIUM_SCENES_DIR) / (std::string(name) + ".json")));
+    test::SolvedTwice<TypeParam> s(test::catalogue_scene(name));
     ASSERT_LT(s.structured.rank(), s.mechanism.nc()) << name;
     const VectorX<double> least = s.structured.minimum_norm_lambda(), printed = s.by_print.lambda;
     EXPECT_LE((least - printed).norm(), 1e-10 * (1e-6 + printed.norm())) << name;

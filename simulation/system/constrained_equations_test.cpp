@@ -1,20 +1,18 @@
 /// The equations of motion with their constraints, as implicit methods ask for them.
 
-#include <fmt/format.h>
-
 #include "simulation/system/constrained_equations.hpp"
 
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
 #include "formulations/testing/printed_and_structured.hpp"
-#include "scenes/format/scene_file.hpp"
 #include "scenes/make_mechanism.hpp"
+#include "scenes/testing/catalogue_scene.hpp"
 #include "scenes/testing/scene_builders.hpp"
 
 namespace trivium {
 namespace {
 
-using test::distance, test::Random;
+using test::catalogue_scene, test::distance, test::Random;
 using StateVector = VectorX<double>;
 
 template <class F>
@@ -24,9 +22,6 @@ TYPED_TEST_SUITE(Constrained, test::AllFormulations<double>, test::FormulationNa
 template <class F>
 ConstrainedEquations<F> form_of(const scenes::Scene& scene) {
   return {make_mechanism<double>(scene), make_state<double>(scene)};
-}
-scenes::Scene catalogue_scene(const std::string& name) {
-  return scenes::read_scene_file(fmt::format("{}/{}.json", TRIVIUM_SCENES_DIR, name));
 }
 
 /// What a step's equations are at a state.

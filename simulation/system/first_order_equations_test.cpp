@@ -2,7 +2,6 @@
 
 #include "simulation/system/first_order_equations.hpp"
 
-#include <fmt/format.h>
 #include <Eigen/LU>
 
 #include "bodies/rotations/so3.hpp"
@@ -10,14 +9,14 @@
 #include "bodies/testing/random.hpp"
 #include "constraints/constraint_row.hpp"
 #include "formulations/testing/printed_and_structured.hpp"
-#include "scenes/format/scene_file.hpp"
 #include "scenes/make_mechanism.hpp"
+#include "scenes/testing/catalogue_scene.hpp"
 #include "scenes/testing/scene_builders.hpp"
 
 namespace trivium {
 namespace {
 
-using test::distance, test::Random;
+using test::catalogue_scene, test::distance, test::Random;
 using StateVector = VectorX<double>;
 
 template <class F>
@@ -174,8 +173,7 @@ TYPED_TEST(FirstOrder, CorrectsByTheLeastChangeInTheMassMetric) {
 // off the constraints by a little, redundant rows look independent; the ranks of before hold
 TYPED_TEST(FirstOrder, RedundantRowsStayRedundantWithinAStep) {
   for (const char* name : {"bricard", "parallelogram", "four_bar", "door"}) {
-    auto form =
-        form_of<TypeParam>(scenes::read_scene_file(fmt::format("{}/{}.json", TRIVIUM_SCENES_DIR, name)));
+    auto form = form_of<TypeParam>(catalogue_scene(name));
     StateVector at_start, beside;
     form.derivative(0, form.start(), at_start);
     for (const double size : {1e-3, 1e-5, 1e-8}) {
@@ -188,8 +186,7 @@ TYPED_TEST(FirstOrder, RedundantRowsStayRedundantWithinAStep) {
 TYPED_TEST(FirstOrder, PowerIsTheRateOfTheEnergyThatIsNotConserved) {
   for (const char* name :
        {"flyball_governor", "driven_crank", "basic_drivers", "open_arm_7", "slots_and_rods"}) {
-    auto form =
-        form_of<TypeParam>(scenes::read_scene_file(fmt::format("{}/{}.json", TRIVIUM_SCENES_DIR, name)));
+    auto form = form_of<TypeParam>(catalogue_scene(name));
     ASSERT_TRUE(form.does_work()) << name;
     StateVector y = form.start(), y_dot;
     form.derivative(0, y, y_dot);

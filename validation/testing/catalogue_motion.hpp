@@ -13,13 +13,11 @@
 #include "formulations/side_by_side.hpp"
 #include "scenes/format/scene_file.hpp"
 #include "scenes/make_mechanism.hpp"
+#include "scenes/testing/catalogue_scene.hpp"
 #include "simulation/simulate.hpp"
 
 namespace trivium::test {
 
-inline scenes::Scene catalogue_scene(const std::string& name) {
-  return scenes::read_scene_file(fmt::format("{}/{}.json", TRIVIUM_SCENES_DIR, name));
-}
 /// One of the scenes that show every word of the format.
 inline scenes::Scene wellformed_scene(const std::string& name) {
   return scenes::read_scene_file(fmt::format("{}/wellformed/{}.json", TRIVIUM_TEST_SCENES_DIR, name));
