@@ -113,17 +113,18 @@ double phi_by_label(const std::string& label, const Body& bi, const Frame& fi, c
   return on_i.at(label[4]).dot(on_j.at(label[9]));
 }
 
+Frame draw_frame(Random& random) {
+  const Vec x = random.direction<double>(), axis = random.direction<double>();
+  return joint_frame<double>(random.vector<double, 3>(), axis, x);
+}
+
 TEST(Joints, EveryRowIsWhatItsNameSays) {
   Random random(31);
   for (int n = 0; n < 30; ++n)
     for (const auto& [type, names] : expected_rows) {
       const Body bi = test::random_plain_body<double>(random).now,
                  bj = test::random_plain_body<double>(random).now;
-      const auto frame = [&] {
-        return joint_frame<double>(random.vector<double, 3>(), random.direction<double>(),
-                                   random.direction<double>());
-      };
-      const Frame fi = frame(), fj = frame();
+      const Frame fi = draw_frame(random), fj = draw_frame(random);
       const double length = random.uniform(0.5, 2), alpha = random.uniform(-3, 3);
       for (const auto& row : build(type, fi, fj, length, alpha))
         EXPECT_NEAR(evaluate_row(row.constraint, bi, bj, 0.0).phi,
@@ -152,8 +153,7 @@ Placed place(const std::string& type, Random& random) {
   Placed s;
   s.i = test::random_plain_body<double>(random).now;
   s.j = test::random_plain_body<double>(random).now;
-  s.fi =
-      joint_frame<double>(random.vector<double, 3>(), random.direction<double>(), random.direction<double>());
+  s.fi = draw_frame(random);
   s.u = s.i.A * s.fi.u;
   s.v = s.i.A * s.fi.v;
   s.z = s.i.A * s.fi.z;

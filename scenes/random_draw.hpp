@@ -1,6 +1,7 @@
 #pragma once
 /// Random numbers, directions and rotations of a seed. They do not depend on the standard library's
-/// distributions, so that a seed means the same everywhere.
+/// distributions, so that a seed means the same everywhere: who draws several numbers for one call draws each
+/// in a statement of its own, since compilers evaluate arguments in different orders.
 
 #include <cstdint>
 #include <random>
@@ -20,7 +21,12 @@ class RandomDraw {
   }
   int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
   bool chance(double p) { return uniform(0, 1) < p; }
-  V vector(double size = 1) { return size * V(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)); }
+  V vector(double size = 1) { return size * vector(-1, 1); }
+  /// Each component from low to high.
+  V vector(double low, double high) {
+    const double z = uniform(low, high), y = uniform(low, high), x = uniform(low, high);
+    return {x, y, z};
+  }
   V direction() {
     for (;;)
       if (const V v = vector(); v.norm() > 0.2 && v.norm() < 1) return v.normalized();

@@ -45,7 +45,7 @@ class Builder {
     body.name = fmt::format("body_{}", out_.scene.bodies.size() + 1);
     const double half_decades = std::log10(options_.mass_ratio) / 2;
     body.mass = std::pow(10.0, draw_.uniform(-half_decades, half_decades));
-    const V edge(draw_.uniform(0.1, 1), draw_.uniform(0.1, 1), draw_.uniform(0.1, 1));
+    const V edge = draw_.vector(0.1, 1);
     const V square = edge.cwiseAbs2();
     const M R = draw_.rotation();
     const M J = R *
@@ -237,7 +237,8 @@ class Builder {
     const int nb = static_cast<int>(out_.scene.bodies.size());
     if (draw_.chance(0.9)) out_.scene.effects.push_back(Gravity{"", plain(9.81 * draw_.direction())});
     const auto components = [&](double size) {
-      return std::array<TimeFunction, 3>{through(draw_.uniform(-size, size), draw_.chance(0.5)),
+      const bool moving = draw_.chance(0.5);
+      return std::array<TimeFunction, 3>{through(draw_.uniform(-size, size), moving),
                                          draw_.uniform(-size, size), draw_.uniform(-size, size)};
     };
     const auto frame = [&] { return draw_.chance(0.5) ? Frame::global : Frame::body; };
@@ -264,7 +265,8 @@ class Builder {
     spring.stiffness = draw_.uniform(0, 200);
     spring.damping = draw_.uniform(0, 10);
     spring.free_length = draw_.uniform(0, 2);
-    spring.actuator = through(draw_.uniform(-5, 5), draw_.chance(0.5));
+    const bool moving = draw_.chance(0.5);
+    spring.actuator = through(draw_.uniform(-5, 5), moving);
     out_.scene.effects.push_back(spring);
   }
 

@@ -1,9 +1,11 @@
-/// The factorisation alone: any positive definite blocks, any rows, as projections need it.
+/// The factorisation alone: any positive definite blocks, any rows, as projections need it. Only point
+/// joints' rows of orientation are as joints make them.
 
 #include "formulations/structured/graph_solver.hpp"
 
 #include <gtest/gtest.h>
 
+#include "bodies/rotations/so3.hpp"
 #include "bodies/testing/random.hpp"
 #include "formulations/testing/random_mechanism.hpp"
 #include "scenes/make_mechanism.hpp"
@@ -98,7 +100,11 @@ class RandomSystem {
     rows.L_child = columns(3);
     rows.L_parent = columns(3);
     rows.W_child = columns(m);
-    rows.W_parent = columns(m);
+    // the joint's axes, along each body's own: rows that depend on each other nearly on one body do so on
+    // both
+    const Matrix3<double> between = rotation_matrix(random_.euler_parameters<double>());
+    rows.W_parent = Columns::Zero();
+    for (int k = 0; k < m; ++k) rows.W_parent.col(k).head<3>() = -between * rows.W_child.col(k).head<3>();
     for (int k = 0; k < 3 + m; ++k) {
       const auto gradient = [&](double sign, const Columns& L, const Columns& W) {
         Vector6<double> g = Vector6<double>::Zero();

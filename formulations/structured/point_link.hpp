@@ -3,6 +3,9 @@
 /// universal (1), revolute (2), and fixed or a driven revolute (3). Eliminated in the motion that the joint
 /// leaves free, which is the articulated-body recursion (Featherstone 2008, section 7.3) in absolute
 /// coordinates, with every multiplier. The body's block may be singular wherever the joint holds it.
+/// The rows of orientation see the relative turning alone: W_p is -W_c, turned into the parent's axes. Of
+/// rows that are nearly dependent on the child and not on the parent, which no such joint has, digits would
+/// be lost by the square of their sine; GeneralLink takes them one by one.
 ///
 /// About the joint's point, with its acceleration u and the orientation rows' remainder w,
 ///

@@ -30,7 +30,10 @@ class SceneBuilder {
 
   scenes::Scene build() {
     for (int b = 0; b < options_.bodies; ++b) add_body(b);
-    for (int b = 0; b < options_.bodies; ++b) add_joint(draw_type(), random_.index(b + 1) - 1, b);
+    for (int b = 0; b < options_.bodies; ++b) {
+      const int parent = random_.index(b + 1) - 1;
+      add_joint(draw_type(), parent, b);
+    }
     for (int k = 0; k < options_.closings; ++k) add_closing();
     for (int k = 0; k < options_.doubled; ++k) double_a_joint();
     if (options_.near_rows > 0) add_near_rows();
@@ -76,7 +79,8 @@ class SceneBuilder {
     g.u_i = g.u_j = axes.u;
     g.P_i = g.P_j = random_.vector<double, 3>();
     const Vec along = random_.uniform() * g.z_i;
-    const Vec across = random_.uniform() * axes.u + random_.uniform() * axes.v;
+    const double y = random_.uniform(), x = random_.uniform();
+    const Vec across = x * axes.u + y * axes.v;
     using enum ConstraintType;
     if (type == cylindrical || type == translational || type == in_line) g.P_j += along;
     if (type == planar) g.P_j += across;
