@@ -1,51 +1,30 @@
-# Fuzz targets, built by clang++ whatever compiler builds the rest: libFuzzer and the sanitizers come with it.
+# Fuzz targets. They belong to the build with sanitizers, whose clang++ brings libFuzzer.
 
-option(TRIVIUM_FUZZ "Build the fuzz targets with everything else; needs clang++" OFF)
 set(TRIVIUM_FUZZ_SECONDS 60 CACHE STRING "How long the stress test lets a fuzzer run")
-find_program(TRIVIUM_FUZZ_COMPILER NAMES clang++ clang++-14 clang++-15 clang++-16 clang++-17)
-if(TRIVIUM_FUZZ AND NOT TRIVIUM_FUZZ_COMPILER)
-  message(FATAL_ERROR "TRIVIUM_FUZZ needs clang++ and its libFuzzer")
-endif()
 
-# trivium_fuzz(<name> <source>...): the target <name>, and a test of the label stress that builds and runs it on the
-# scenes of the current folder; skipped where there is no clang++.
+# trivium_fuzz(<name> USES <target>... SOURCES <source>...): the fuzz target <name>, and a test of the label stress that
+# runs it on the scenes of the current folder. The targets that it uses report which of their branches an input takes.
 function(trivium_fuzz name)
+  if(NOT TRIVIUM_BUILD_TESTS OR NOT TRIVIUM_SANITIZE)
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;SOURCES")
   set(fuzzer ${CMAKE_BINARY_DIR}/tests/${name})
+  add_executable(${name} ${arg_SOURCES})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  target_link_libraries(${name} PRIVATE ${arg_USES} trivium_options)
+  # -O1: more inputs a second; line numbers, for what is found
+  target_compile_options(${name} PRIVATE -O1 -gline-tables-only -fsanitize=fuzzer)
+  target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+  foreach(target IN LISTS arg_USES)
+    target_compile_options(${target} PRIVATE -O1 -gline-tables-only -fsanitize=fuzzer-no-link)
+    # clang++ takes no headers precompiled without these
+    set_target_properties(${target} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
+  endforeach()
+  add_dependencies(unit_tests ${name})
+
   add_test(NAME ${name} COMMAND sh ${PROJECT_SOURCE_DIR}/cmake/run_fuzz.sh ${fuzzer} ${CMAKE_CURRENT_SOURCE_DIR}
                                 ${CMAKE_CURRENT_BINARY_DIR}/${name} ${TRIVIUM_FUZZ_SECONDS})
   math(EXPR timeout "${TRIVIUM_FUZZ_SECONDS} + 120")
-  set_tests_properties(${name} PROPERTIES LABELS stress SKIP_RETURN_CODE 77 TIMEOUT ${timeout})
-  if(NOT TRIVIUM_FUZZ_COMPILER)
-    return()
-  endif()
-
-  list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE sources)
-  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/base/*.hpp ${PROJECT_SOURCE_DIR}/bodies/*.hpp
-       ${PROJECT_SOURCE_DIR}/constraints/*.hpp ${CMAKE_CURRENT_SOURCE_DIR}/*.hpp)
-  set(objects)
-  foreach(source IN LISTS sources)
-    cmake_path(GET source STEM stem)
-    set(object ${CMAKE_CURRENT_BINARY_DIR}/${name}_${stem}.o)
-    add_custom_command(OUTPUT ${object}
-      COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} ${TRIVIUM_FUZZ_COMPILER} -std=c++20 -O1 -g -DFMT_HEADER_ONLY
-              -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -I ${PROJECT_SOURCE_DIR}
-              "-I$<JOIN:$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>,;-I>"
-              -c ${source} -o ${object}
-      DEPENDS ${source} ${headers}
-      COMMENT "Building ${object} for fuzzing" COMMAND_EXPAND_LISTS VERBATIM)
-    list(APPEND objects ${object})
-  endforeach()
-  add_custom_command(OUTPUT ${fuzzer}
-    COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/tests
-    COMMAND ${TRIVIUM_FUZZ_COMPILER} -fsanitize=fuzzer,address,undefined ${objects} -o ${fuzzer}
-    DEPENDS ${objects} COMMENT "Linking ${fuzzer}" VERBATIM)
-  if(TRIVIUM_FUZZ)
-    add_custom_target(${name} ALL DEPENDS ${fuzzer})
-  else()
-    add_custom_target(${name} DEPENDS ${fuzzer})
-  endif()
-
-  add_test(NAME ${name}.build COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target ${name})
-  set_tests_properties(${name}.build PROPERTIES LABELS stress FIXTURES_SETUP ${name} TIMEOUT 600)
-  set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED ${name})
+  set_tests_properties(${name} PROPERTIES LABELS stress TIMEOUT ${timeout})
 endfunction()

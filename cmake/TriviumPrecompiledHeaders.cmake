@@ -9,13 +9,20 @@ set(empty ${CMAKE_BINARY_DIR}/generated/empty.cpp)
 if(NOT EXISTS ${empty})
   file(WRITE ${empty} "")
 endif()
+# What the compiler cache asks for: g++ leaves a mark in the preprocessed text, clang++ does not look at the headers' age.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  set(trivium_cacheable_headers "SHELL:-Xclang -fno-pch-timestamp")
+else()
+  set(trivium_cacheable_headers -fpch-preprocess)
+endif()
+
 # trivium_precompiled_headers(<name> USES <target>... HEADERS <header>...): what trivium_precompile takes.
 function(trivium_precompiled_headers name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;HEADERS")
   add_library(${name} STATIC ${empty})
   target_compile_features(${name} PRIVATE cxx_std_20)
   target_link_libraries(${name} PRIVATE trivium_options Eigen3::Eigen Boost::headers fmt::fmt ${arg_USES})
-  target_compile_options(${name} PRIVATE -fpch-preprocess)  # leaves a mark that the compiler cache asks for
+  target_compile_options(${name} PRIVATE ${trivium_cacheable_headers})
   target_precompile_headers(${name} PRIVATE ${trivium_common_headers} ${arg_HEADERS})
 endfunction()
 
@@ -24,7 +31,7 @@ function(trivium_precompile)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "FROM" "")
   foreach(target IN LISTS arg_UNPARSED_ARGUMENTS)
     target_precompile_headers(${target} REUSE_FROM ${arg_FROM})
-    target_compile_options(${target} PRIVATE -fpch-preprocess)
+    target_compile_options(${target} PRIVATE ${trivium_cacheable_headers})
   endforeach()
 endfunction()
 

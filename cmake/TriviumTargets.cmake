@@ -4,15 +4,24 @@
 # plain string concatenation (GCC bug 105651), so that one is off.
 add_library(trivium_options INTERFACE)
 target_compile_options(trivium_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-                                                 -Wno-restrict
-                                                 -Werror)
+                                                 $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -Werror)
+# quadmath.h is a header of g++'s own; clang++ looks for it there when it finds it nowhere else.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  execute_process(COMMAND g++ -print-file-name=include OUTPUT_VARIABLE gcc_headers OUTPUT_STRIP_TRAILING_WHITESPACE
+                  COMMAND_ERROR_IS_FATAL ANY)
+  target_compile_options(trivium_options INTERFACE -idirafter ${gcc_headers})
+endif()
 # Built for this processor, g++ 12 warns of its own AVX-512 headers (GCC bug 105593) and of Eigen's loads with them.
 if(TRIVIUM_BUILD_BENCH)
   target_compile_options(trivium_options INTERFACE -Wno-maybe-uninitialized -Wno-uninitialized -Wno-array-bounds)
 endif()
 if(TRIVIUM_SANITIZE)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "TRIVIUM_SANITIZE needs clang++, not ${CMAKE_CXX_COMPILER_ID}: use the preset asan")
+  endif()
   target_compile_options(trivium_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                                                   -fno-omit-frame-pointer)
+                                                   -fno-omit-frame-pointer
+                                                   -fsanitize-ignorelist=${CMAKE_CURRENT_LIST_DIR}/sanitizers_ignored.txt)
   target_link_options(trivium_options INTERFACE -fsanitize=address,undefined)
 endif()
 
