@@ -24,8 +24,8 @@ RP<S>::Kinematics random_body(Random& random) {
 }
 Matrix3<S> random_inertia(Random& random) {
   const Matrix3<S> A = rotation_matrix(random.euler_parameters<S>());
-  const S y(random.uniform(1, 1.5)), x(random.uniform(1, 1.5));
-  return A * Vector3<S>(x, y, S(2)).asDiagonal() * A.transpose();
+  const double y = random.uniform(1, 1.5), x = random.uniform(1, 1.5);
+  return A * Vector3<S>(S(x), S(y), S(2)).asDiagonal() * A.transpose();
 }
 
 TEST(EulerParameterMass, HasRankThreeAndKernelP) {

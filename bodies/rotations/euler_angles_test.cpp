@@ -79,8 +79,8 @@ TYPED_TEST(EulerAngles, GiveBackTheRotationAtAndNearTheSingularity) {
     for (int n = 0; n < 60; ++n) {
       const S offset = n % 4 == 0 ? S(0) : S(std::pow(10.0, -random.uniform(0, 30)));
       const S singular = s.is_symmetric() ? (n % 2 ? S(0) : pi<S>()) : (n % 2 ? S(1) : S(-1)) * pi<S>() / 2;
-      const S third(random.uniform(-3, 3)), first(random.uniform(-3, 3));
-      const Vector3<S> angles(first, singular + offset, third);
+      const double third = random.uniform(-3, 3), first = random.uniform(-3, 3);
+      const Vector3<S> angles(S(first), singular + offset, S(third));
       const Matrix3<S> A = euler_rotation(s, angles);
       EXPECT_LE(distance(euler_rotation(s, euler_angles(s, A)), A), roundings<S>(30))
           << name << " " << offset;
