@@ -1,5 +1,6 @@
 #pragma once
-/// How a program ends: its errors turned into exit codes, its failures named.
+/// How a program ends. Errors become exit codes and messages on stderr; scenes that fail in a batch are named
+/// below its table, and the worst of them decides the exit code.
 
 #include <functional>
 #include <string>

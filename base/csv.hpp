@@ -1,5 +1,6 @@
 #pragma once
-/// Comma-separated values (RFC 4180): a line of fields as text, and text as rows of fields.
+/// Comma-separated values (RFC 4180): a line of fields as text, and text as rows of fields. Motions and
+/// results files are written and read by it.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-/// The exit codes that every executable keeps to: what a script may conclude from a run.
+/// The exit codes that every executable keeps to: what a script may conclude from a run. A criterion that
+/// failed (1) is told from a file that could not be read (2) and from a solver that failed (3).
 
 namespace trivium {
 

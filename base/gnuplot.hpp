@@ -1,6 +1,6 @@
 #pragma once
-/// Draws plots by running gnuplot (Debian: gnuplot-nox), and quotes names so that none of them is a command
-/// to gnuplot.
+/// Draws plots by running gnuplot (Debian: gnuplot-nox). Names come from scene files, so they are quoted so
+/// that none of them is a command to gnuplot.
 
 #include <string>
 #include <string_view>

@@ -1,5 +1,6 @@
 #pragma once
-/// Numbers as text, with all digits of their scalar, and counts in words.
+/// Numbers as text, with all digits of their scalar, from float to 100 digits. Counts in words stand here
+/// too.
 
 #include <fmt/format.h>
 

@@ -1,5 +1,6 @@
 #pragma once
-/// A progress bar on stderr, where stderr is a terminal and the work exceeds a second.
+/// A progress bar on stderr. It shows only where stderr is a terminal and the work exceeds a second, so that
+/// logs stay free of it.
 
 #include <chrono>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
-/// Messages on stderr, and the proof that results on stdout have arrived: a full disk or a closed stdout is
-/// an error of the program.
+/// Messages on stderr, and the proof that results on stdout have arrived. A full disk or a closed stdout is
+/// an error of the program, not a success.
 
 #include <functional>
 #include <string>

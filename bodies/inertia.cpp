@@ -6,7 +6,7 @@ namespace trivium {
 
 InertiaCheck check_inertia(const Eigen::Matrix3d& inertia) {
   InertiaCheck check;
-  const double tolerance = 1e-12 * std::abs(inertia.trace());
+  const double tolerance = inertia_tolerance * std::abs(inertia.trace());
   check.symmetric = (inertia - inertia.transpose()).cwiseAbs().maxCoeff() <= tolerance;
   const Eigen::Matrix3d symmetric_part = 0.5 * (inertia + inertia.transpose());
   check.principal_moments =

@@ -43,7 +43,8 @@ foreach(k RANGE ${last})
     add_test(NAME results.${name}.is_as_accepted
              COMMAND compare_results ${PROJECT_SOURCE_DIR}/results/${name}.csv ${regenerated}/${name}.csv
                      --schema ${schema})
-    set_tests_properties(results.${name}.regenerates PROPERTIES LABELS paper FIXTURES_SETUP regenerated_${name})
+    set_tests_properties(results.${name}.regenerates PROPERTIES LABELS paper FIXTURES_SETUP regenerated_${name}
+                         COST 100)  # the longest tests: they begin first
     set_tests_properties(results.${name}.is_as_accepted PROPERTIES LABELS paper FIXTURES_REQUIRED regenerated_${name})
   endif()
 endforeach()

@@ -16,7 +16,6 @@ struct ConstantFeature {
   Vector3<Scalar> vector;
 
   const Vector3<Scalar>& value() const { return vector; }
-  Scalar rate_along(const Vector3<Scalar>&) const { return Scalar(0); }
   Scalar bias_along(const Vector3<Scalar>&) const { return Scalar(0); }
   Scalar drift_along(const Vector3<Scalar>&) const { return Scalar(0); }
   template <class Row>

@@ -1,5 +1,6 @@
 #pragma once
 /// The three components of a force or a torque as functions of time, and the frame that they are meant in.
+/// Forces and torques share them.
 
 #include <array>
 #include <vector>

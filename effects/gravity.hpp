@@ -1,5 +1,6 @@
 #pragma once
-/// Uniform gravity: m g on every body.
+/// Uniform gravity: m g on every body, at its centre of mass, so without a moment. Its potential energy is -m
+/// g . r.
 
 #include "effects/effect.hpp"
 

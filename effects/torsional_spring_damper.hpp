@@ -1,7 +1,7 @@
 #pragma once
 /// A spring, damper and actuator about a joint's axis: torque on body j -(k (theta - theta0) + c theta' +
 /// h(t)) along z, the opposite on body i. theta turns from u_i to u_j about z_i.
-/// Decided here: theta is counted over full turns, within half a turn of where it was followed to.
+/// Decided here: theta is counted over full turns, within half a turn of where it was last.
 
 #include <cmath>
 #include <limits>
@@ -19,7 +19,7 @@ struct TorsionalSpringDamper {
   Vector3<Scalar> u_bar_i, v_bar_i, z_bar_i, u_bar_j;  ///< of its joint, body frames
   Scalar stiffness{0}, damping{0}, free_angle{0};      ///< k [N m/rad], c [N m s/rad], theta0 [rad]
   TimeFunction actuator;                               ///< h [N m]
-  Scalar followed{0};  ///< where theta was last: theta is counted within half a turn of it
+  Scalar tracked_angle{0};  ///< where theta was last: theta is counted within half a turn of it
 
   /// use(part...) for every part of one effect or of several side by side.
   template <class Use, class... Part>
@@ -34,7 +34,7 @@ struct TorsionalSpringDamper {
     use(p.damping...);
     use(p.free_angle...);
     use(p.actuator...);
-    use(p.followed...);
+    use(p.tracked_angle...);
   }
 
   void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
@@ -59,8 +59,8 @@ struct TorsionalSpringDamper {
   bool is_conservative() const { return all(damping == Scalar(0)) && actuator == TimeFunction(0); }
   /// From now on theta is counted from where it is, over full turns.
   void follow(const EffectView<Scalar>& view) {
-    const Scalar theta = angle(view), moved = theta - followed;
-    followed = select(moved * moved > Scalar(1), theta, followed);  // seldom: every sum is rounded
+    const Scalar theta = angle(view), moved = theta - tracked_angle;
+    tracked_angle = select(moved * moved > Scalar(1), theta, tracked_angle);  // seldom: every sum is rounded
   }
 
   /// A radian [s]; beside what `follow` leaves, twice as far is still within half a turn.
@@ -70,13 +70,14 @@ struct TorsionalSpringDamper {
     return rate > Scalar(0) ? Scalar(1 / rate) : never;
   }
 
-  /// theta, in (-pi, pi] of where it was followed to (0 at the start).
+  /// theta, in (-pi, pi] of tracked_angle (0 at the start).
   Scalar angle(const EffectView<Scalar>& view) const {
     using std::atan2, std::cos, std::sin;
     const Matrix3<Scalar>& A_i = view.motion[i].A;
     const Vector3<Scalar> u_j = view.motion[j].A * u_bar_j;
-    const Scalar y = u_j.dot(A_i * v_bar_i), x = u_j.dot(A_i * u_bar_i), c = cos(followed), s = sin(followed);
-    return followed + atan2(Scalar(y * c - x * s), Scalar(x * c + y * s));
+    const Scalar y = u_j.dot(A_i * v_bar_i), x = u_j.dot(A_i * u_bar_i), c = cos(tracked_angle),
+                 s = sin(tracked_angle);
+    return tracked_angle + atan2(Scalar(y * c - x * s), Scalar(x * c + y * s));
   }
   /// theta' = z . (omega_j - omega_i).
   Scalar angle_rate(const EffectView<Scalar>& view) const {

@@ -1,6 +1,7 @@
 #pragma once
 /// The state of a mechanism in a formulation's coordinates: one body in its chart, the kinematics of all
-/// bodies, and the wrenches that the effects apply to them.
+/// bodies, and the wrenches that the effects apply to them. Kinematics (A, omega, omega' up to accelerations)
+/// are formed once and given to rows and effects alike.
 
 #include <vector>
 
@@ -17,6 +18,11 @@ struct BodyState {
   typename F::Chart chart;
   typename F::Coordinates q;
 };
+
+template <Formulation F>
+typename F::Kinematics kinematics_of(const BodyState<F>& body) {
+  return F::kinematics(body.chart, body.r, body.r_dot, body.q);
+}
 
 /// The state of a mechanism in a formulation's coordinates; throws a ModelError that names the body whose
 /// chart is singular.

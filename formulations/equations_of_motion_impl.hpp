@@ -32,7 +32,7 @@ std::vector<typename F::Kinematics> body_kinematics(const std::vector<BodyState<
   using S = typename F::Scalar;
   std::vector<typename F::Kinematics> kinematics;
   kinematics.reserve(bodies.size() + 1);
-  for (const BodyState<F>& b : bodies) kinematics.push_back(F::kinematics(b.chart, b.r, b.r_dot, b.q));
+  for (const BodyState<F>& b : bodies) kinematics.push_back(kinematics_of(b));
   // the ground has no unknowns, so any regular chart serves it
   const Vector3<S> zero = Vector3<S>::Zero();
   const Vector4<S> upright = Vector4<S>::Unit(0);

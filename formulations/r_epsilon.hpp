@@ -81,7 +81,7 @@ struct REpsilon {
   // internal row eliminated: there is none
   using Reduced = Kinematics;
   static constexpr bool reduced_mass_is_constant = false;
-  static AngularMotion<S> turning(const Reduced& k) { return {k.A, k.g, k.omega, k.g_dot_rates}; }
+  static AngularMotion<S> angular_motion(const Reduced& k) { return {k.A, k.g, k.omega, k.g_dot_rates}; }
   static Matrix3<S> reduced_mass_block(const Kinematics& k, const Matrix3<S>& J_bar) {
     return mass_block(k, J_bar);
   }

@@ -61,7 +61,7 @@ struct REpsilonOmegaFirst {
   // internal row eliminated: there is none
   using Reduced = Kinematics;
   static constexpr bool reduced_mass_is_constant = true;
-  static AngularMotion<S> turning(const Reduced& k) { return Rates::turning(k); }
+  static AngularMotion<S> angular_motion(const Reduced& k) { return Rates::angular_motion(k); }
   static Matrix3<S> reduced_mass_block(const Kinematics&, const Matrix3<S>& J_bar) { return J_bar; }
   static Vector3<S> reduced_force(const Kinematics& k, const Matrix3<S>& J_bar, const Vector3<S>& n_bar) {
     return Rates::reduced_force(k, J_bar, n_bar);

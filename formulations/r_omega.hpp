@@ -69,7 +69,7 @@ struct ROmega {
   // internal row eliminated: there is none
   using Reduced = Kinematics;
   static constexpr bool reduced_mass_is_constant = true;
-  static AngularMotion<S> turning(const Reduced& k) { return {k.A, k.A, k.omega, Vector3<S>::Zero()}; }
+  static AngularMotion<S> angular_motion(const Reduced& k) { return {k.A, k.A, k.omega, Vector3<S>::Zero()}; }
   static Matrix3<S> reduced_mass_block(const Kinematics&, const Matrix3<S>& J_bar) { return J_bar; }
   static Vector3<S> reduced_force(const Kinematics& k, const Matrix3<S>& J_bar, const Vector3<S>& n_bar) {
     return applied_force(k, n_bar) + velocity_force(k, J_bar);

@@ -105,7 +105,7 @@ struct RP {
     }
   };
   static constexpr bool reduced_mass_is_constant = true;
-  static AngularMotion<S> turning(const Reduced& k) {
+  static AngularMotion<S> angular_motion(const Reduced& k) {
     return {k.A, k.A, k.A * k.omega_bar, Vector3<S>::Zero()};
   }
   static Matrix3<S> reduced_mass_block(const Kinematics&, const Matrix3<S>& J_bar) { return J_bar; }

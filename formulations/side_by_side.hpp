@@ -1,5 +1,7 @@
 #pragma once
-/// All formulations at one state of one scene, side by side: the run-time edge of the library.
+/// All formulations at one state of one scene, side by side, which is the theorem of the paper: lambda is the
+/// same in all of them. Each is solved as printed; discrepancies are relative, and their bound is 100 u kappa
+/// (analysis/comparison.hpp). Formulations are told apart at run time here and nowhere below.
 
 #include <optional>
 #include <string>

@@ -1,5 +1,6 @@
 #pragma once
-/// What every formulation answers, in the same physical terms: accelerations and multipliers.
+/// What every formulation answers, in the same physical terms: accelerations r'' and omega_bar', and
+/// multipliers lambda. Answers of different formulations are compared in these.
 
 #include <vector>
 

@@ -1,5 +1,6 @@
 #pragma once
 /// What implicit methods need beside a state to begin from there: accelerations, multipliers and their rates.
+/// The rates come from two states a little ahead, to second order.
 
 #include "integrators/contract/constrained_system.hpp"
 #include "integrators/contract/method.hpp"

@@ -1,5 +1,6 @@
 #pragma once
-/// What an implicit step begins its iteration with: the line through a quantity's last two values.
+/// What an implicit step begins its iteration with: the line through a quantity's last two values. It only
+/// shortens the iteration; the step's solution does not depend on it.
 
 #include <utility>
 

@@ -1,5 +1,6 @@
 #pragma once
-/// The account of all projections of a run (integrators/projection_iteration.hpp).
+/// The account of all projections of a run (integrators/projection_iteration.hpp): what they found, what they
+/// left. Reports show it, and warn where too much is left.
 
 namespace trivium::integrators {
 

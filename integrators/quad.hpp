@@ -1,6 +1,6 @@
 #pragma once
-/// The Scalar of 113 bits, for motions that others are measured by: the type that bodies/numbers/quad.hpp
-/// names too, which this room does not include.
+/// The Scalar of 113 bits, for motions that others are measured by. It is the type that
+/// bodies/numbers/quad.hpp names too, which this room does not include.
 
 #include <boost/multiprecision/float128.hpp>
 

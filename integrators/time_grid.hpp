@@ -1,5 +1,6 @@
 #pragma once
-/// The times of a run: t_k = t0 + k h with an integer k, never a sum of steps.
+/// The times of a run: t_k = t0 + k h with an integer k, never a sum of steps. Outputs, given steps and
+/// events are all times of it, so a run lands on each exactly.
 
 #include <fmt/format.h>
 
@@ -12,6 +13,13 @@
 #include "integrators/contract/errors.hpp"
 
 namespace trivium::integrators {
+
+/// Whether two steps between times of a grid are one length: their differences round, by far less than this.
+template <class S>
+bool is_same_length(const S& h, const S& last) {
+  using std::abs;
+  return abs(h - last) <= S(1e-9) * abs(last);
+}
 
 /// A time that a run lands on exactly.
 template <class S>

@@ -1,5 +1,6 @@
 #pragma once
-/// The work that methods of order 2 add up beside the motion.
+/// The work that methods of order 2 add up beside the motion, by trapezoids. Methods of higher order
+/// integrate it as one more number of y.
 
 #include <utility>
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Mechanisms of one structure side by side in the lanes of a batch, for sweeps over masses, inertias,
-/// points, axes and the coefficients of effects.
+/// points, axes and the coefficients of effects. What is no number (types, names, functions of time) must be
+/// the same in all; a difference is an error.
 
 #include <fmt/format.h>
 

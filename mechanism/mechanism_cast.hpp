@@ -1,5 +1,6 @@
 #pragma once
-/// A mechanism's numbers in another Scalar, such as the same number in every lane of a batch.
+/// A mechanism's numbers in another Scalar, such as the same number in every lane of a batch. Each type shows
+/// its numbers to a visitor (parts.hpp), so no list of members stands here.
 
 #include <cstddef>
 #include <tuple>

@@ -1,5 +1,7 @@
 #pragma once
-/// The state of a mechanism: pose and velocity of every body at a time, in terms that no formulation owns.
+/// The state of a mechanism: pose and velocity of every body at a time. It stands in terms that no
+/// formulation owns (r, Euler parameters p, r', omega_bar), and every formulation makes its coordinates from
+/// it.
 
 #include <vector>
 

@@ -1,5 +1,6 @@
 #pragma once
-/// States of one mechanism side by side in the lanes of a batch.
+/// States of one mechanism side by side in the lanes of a batch. All are then solved for the cost of little
+/// more than one.
 
 #include <span>
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Scenes by name or path: the catalogue that comes with the project, and files beside it.
+/// Scenes by name or path: the catalogue that comes with the project, and files beside it. Decided here:
+/// where the catalogue is looked for, and that a file's path comes before a name.
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
-/// Regular scenes of any size, consistent by construction: chains, ladders, trees, rings and hubs, on which
-/// cost is measured.
+/// Regular scenes of any size, consistent by construction: chains, ladders, trees, rings and hubs. Cost is
+/// measured on them.
 
 #include <cstdint>
 

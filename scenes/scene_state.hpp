@@ -1,5 +1,6 @@
 #pragma once
-/// From a state back to the scene that a file holds: the inverse of make_state.
+/// From a state back to the scene that a file holds: the inverse of make_state (make_mechanism.hpp).
+/// Assembled and simulated states are written by it.
 
 #include "mechanism/mechanism_state.hpp"
 #include "scenes/scene.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// CPU time of this thread.
+/// CPU time of this thread, by which runs are compared: what other processes do does not count.
 
 #include <ctime>
 

@@ -19,7 +19,8 @@ namespace trivium {
 struct MotionSample {
   MechanismState<double> state;
   std::vector<Reaction<double>> reactions;  ///< on body j of every joint: global, about its point on i
-  VectorX<double> lambda;  ///< of (q, v); of redundant rows those of least |E lambda|, where they can be had
+  VectorX<double>
+      lambda;  ///< of (q, v); where rows are dependent those of least |E lambda|, where they can be had
   VectorX<double> raw_lambda;   ///< the method's own; empty where it has none
   double energy = 0;            ///< kinetic and potential [J]
   double phi = 0, phi_dot = 0;  ///< largest violation of any row, m or rad (per second)

@@ -127,7 +127,7 @@ class MotionWatch {
       return {};
   }
 
-  /// The choice of least |E lambda| where rows are redundant; beside a singular position it may not exist.
+  /// The choice of least |E lambda| where rows are dependent; beside a singular position it may not exist.
   VectorX<S> lambda_at(const S& t, const StateVector& y) {
     auto& solver = first_order().solved(t, y);
     if (solver.factors().dependent_row_count() == 0) return solver.lambda();

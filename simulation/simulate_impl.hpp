@@ -1,5 +1,5 @@
 #pragma once
-/// The one definition behind the simulations in each formulation and Scalar: the equations, a method and a
+/// The one definition behind the simulations in each formulation and Scalar. The equations, a method and a
 /// watch are set up, the method integrates, and the report is filled.
 
 #include <memory>

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
@@ -48,9 +49,14 @@ struct PrecisionResult {
   }
 };
 
+/// Decided once for all precisions.
+struct RowsOrError {
+  std::optional<RowAnalysis> analysis;
+  std::string error;
+};
+
 template <class Scalar>
-void compare(const scenes::Scene& scene, PrecisionResult& rung) {
-  const RowAnalysis rows = analyse_rows(make_model<double>(scene));
+void compare(const scenes::Scene& scene, const RowAnalysis& rows, PrecisionResult& rung) {
   const SideBySide<Scalar> result = side_by_side(make_model<Scalar>(scene), rows);
   rung.analysed = true;
   rung.nc = static_cast<int>(result.rows.unique.size());
@@ -64,12 +70,13 @@ void compare(const scenes::Scene& scene, PrecisionResult& rung) {
 }
 
 template <class Scalar>
-PrecisionResult solve_in(const NamedScene& named, const char* scalar) {
+PrecisionResult solve_in(const NamedScene& named, const RowsOrError& rows, const char* scalar) {
   PrecisionResult rung{named.scene.name, scalar, ""};
   rung.nb = static_cast<int>(named.scene.bodies.size());
   rung.u = static_cast<double>(unit_roundoff<Scalar>());
   try {
-    compare<Scalar>(named.scene, rung);
+    if (!rows.analysis) throw ModelError(rows.error);
+    compare<Scalar>(named.scene, *rows.analysis, rung);
   } catch (const ModelError& error) {
     rung.error = name_source(named.source, error.what());
   }
@@ -77,9 +84,15 @@ PrecisionResult solve_in(const NamedScene& named, const char* scalar) {
 }
 
 std::vector<PrecisionResult> solve_in_all(const NamedScene& scene) {
-  return {solve_in<float>(scene, "float"), solve_in<double>(scene, "double"),
-          solve_in<long double>(scene, "long double"), solve_in<Quad>(scene, "quad"),
-          solve_in<Real50>(scene, "50 digits")};
+  RowsOrError rows;
+  try {
+    rows.analysis = analyse_rows(make_model<double>(scene.scene));
+  } catch (const ModelError& error) {
+    rows.error = error.what();
+  }
+  return {solve_in<float>(scene, rows, "float"), solve_in<double>(scene, rows, "double"),
+          solve_in<long double>(scene, rows, "long double"), solve_in<Quad>(scene, rows, "quad"),
+          solve_in<Real50>(scene, rows, "50 digits")};
 }
 
 std::vector<std::string> columns() {

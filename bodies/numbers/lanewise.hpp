@@ -1,6 +1,6 @@
 #pragma once
-/// Decisions in code over any Scalar, spelt so that a Scalar which carries many numbers at once (batch.hpp)
-/// takes them lane by lane.
+/// Decisions in code over any Scalar: select, larger, all, any. They are spelt so that a Scalar which carries
+/// many numbers at once (batch.hpp) takes them lane by lane; for a plain number they are what they say.
 
 #include <stdexcept>
 

@@ -1,5 +1,6 @@
 #pragma once
-/// The vectors and matrices of the formulas: Eigen's own, of any Scalar, by short names.
+/// The vectors and matrices of the formulas: Eigen's own, of any Scalar, by short names. Formulas then read
+/// as they are printed.
 
 #include <Eigen/Core>
 

@@ -1,5 +1,7 @@
 #pragma once
-/// The twelve body-fixed sequences of Euler angles, as run-time data.
+/// The twelve body-fixed sequences of Euler angles, as run-time data: A = R_s1(a) R_s2(b) R_s3(c). Each is
+/// singular where its middle angle makes the first and the third axis parallel; euler_chart_choice.hpp
+/// decides which sequence a body gets.
 
 #include <array>
 #include <optional>

@@ -2,6 +2,8 @@
 /// The laws of a constraint row, the same for whatever coordinates the bodies move in. A support of the
 /// tests.
 
+#include <array>
+
 #include "bodies/testing/random.hpp"
 #include "bodies/testing/taylor.hpp"
 #include "constraints/basic_constraint.hpp"

@@ -135,12 +135,14 @@ double mass_norm(const Mechanism<double>& mechanism, const VectorX<double>& d) {
 void approach(const Mechanism<double>& mechanism, const MechanismState<double>& start,
               MechanismState<double>& state) {
   constexpr int most_steps = 50;
+  constexpr double nearest_tolerance =
+      1e-9;  // of the way; steps beyond are lost in the rounding of its square
   VectorX<double> way = displacement(start, state);
   for (int step = 0; step < most_steps; ++step) {
     const TangentSystem system = tangent_system(mechanism, state);
     const VectorX<double> back = least_change(system, system.Phi * way) - way;
     const double distance = mass_norm(mechanism, way);
-    if (!(mass_norm(mechanism, back) > 1e-9 * distance)) return;
+    if (!(mass_norm(mechanism, back) > nearest_tolerance * distance)) return;
     bool nearer = false;
     for (double fraction = 1; fraction > 0.1 && !nearer; fraction /= 2) {
       MechanismState<double> trial = state;

@@ -11,7 +11,7 @@ inline constexpr const char* wrong_branch_advice =
     "a wrong branch cannot be left by projection: turn the body or the axis in the file";
 
 /// Projects positions, then velocities, onto the constraints: to the state nearest the given one,
-/// displacements and rotation vectors weighted by mass and inertia; redundant rows are allowed. Throws a
+/// displacements and rotation vectors weighted by mass and inertia; dependent rows are allowed. Throws a
 /// ModelError naming the rows that cannot be met together.
 MechanismState<double> assemble(const Mechanism<double>& mechanism, MechanismState<double> state);
 

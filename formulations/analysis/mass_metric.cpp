@@ -7,17 +7,15 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "bodies/inertia.hpp"
 
 namespace trivium {
 
 namespace {
 
-/// A principal moment below this share of the trace is none: the tolerance of the scene format.
-constexpr double singular_moment = 1e-12;
-
 bool is_singular(const Matrix3<double>& J) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(J, Eigen::EigenvaluesOnly).eigenvalues()[0] <=
-         singular_moment * J.trace();
+         inertia_tolerance * J.trace();
 }
 
 MatrixX<double> mass_matrix(const TangentSystem& s) {
@@ -114,7 +112,8 @@ void MassMetric::factor_augmented(const TangentSystem& s) {
                                         .diagonal();
     // a moment within the rounding of the tensor is none
     for (int n = 0; n < 3; ++n)
-      if (moments[n] > singular_moment * moments.sum()) principal(6 * b + 3 + n, 6 * b + 3 + n) += moments[n];
+      if (moments[n] > inertia_tolerance * moments.sum())
+        principal(6 * b + 3 + n, 6 * b + 3 + n) += moments[n];
   }
   // a direction without mass or rows keeps its zero pivot, to be found below
   const VectorX<double> scale =

@@ -15,7 +15,7 @@ namespace trivium {
 // singular values and sines
 
 /// The singular values of the geometrically scaled Jacobian below which a row counts as dependent. It sits
-/// between the defect that rounded or nearly consistent positions leave in a redundant row (1e-16 to 1e-9)
+/// between the defect that rounded or nearly consistent positions leave in a dependent row (1e-16 to 1e-9)
 /// and the smallest singular value of a real mechanism. Neighbour: direction_tolerance.
 inline constexpr double rank_tolerance = 1e-8;
 
@@ -29,6 +29,10 @@ S direction_tolerance() {
 /// The sine between the two vectors of a dp1 below which its row vanishes, as where the angle that it drives
 /// turns back. Near the root of near_singular_pivot, so that both see the same singular position.
 inline constexpr double vanishing_row_tolerance = 1e-5;
+
+/// Of the dependent rows the last in the file are taken whose part of the null space, beside that of those
+/// taken before, is at least this share; a tenth of it as often as that finds too few, down to the least.
+inline constexpr double null_space_share = 0.1, least_null_space_share = 1e-12;
 
 // pivots of closings, squares of sines weighed by inertia
 
@@ -54,6 +58,10 @@ template <class S>
 S pivot_rounding() {
   return S(30 * unit_roundoff<S>());
 }
+
+/// A dependent row is restored where the energy of the motion that it forces is more than this many times
+/// that of what one more refinement changes: a motion of rounding does not last.
+inline constexpr double least_energy_above_rounding = 100;
 
 // pivots of the rows of one joint, sines
 
@@ -86,5 +94,15 @@ S contradiction_tolerance_in() {
 
 /// What velocities of rounding size leave of a right side contradicts nothing.
 inline constexpr double contradiction_floor = 1e-12;
+
+/// A solution misses a dependent row by no more than this share of the row's terms where refinement has come
+/// to its end; where it misses more, dependent rows are asked one by one.
+template <class S>
+S row_rounding() {
+  return S(8 * unit_roundoff<S>());
+}
+
+/// The share of contradiction_tolerance_in up to which a row needs no closer look at the sizes of its terms.
+inline constexpr double share_without_doubt = 1e-3;
 
 }  // namespace trivium

@@ -14,8 +14,8 @@ namespace trivium {
 
 namespace {
 
-/// Bodies that rows connect, not through the ground: each gets the number of its assembly.
-std::vector<Eigen::Index> assemblies(const TangentSystem& s) {
+/// Bodies that rows connect, not through the ground: each gets the number of its component.
+std::vector<Eigen::Index> connected_components(const TangentSystem& s) {
   const Eigen::Index nb = static_cast<Eigen::Index>(s.mass.size());
   std::vector<Eigen::Index> of(s.mass.size());
   std::iota(of.begin(), of.end(), Eigen::Index(0));
@@ -34,11 +34,11 @@ std::vector<Eigen::Index> assemblies(const TangentSystem& s) {
 }
 
 /// Rotations in metres: a rotation column is divided by the lever with which the rows that hold points of the
-/// same assembly see rotations.
+/// same component see rotations.
 VectorX<double> geometric_column_scale(const TangentSystem& s) {
   const Eigen::Index nb = static_cast<Eigen::Index>(s.mass.size());
-  const std::vector<Eigen::Index> assembly = assemblies(s);
-  VectorX<double> translation = VectorX<double>::Zero(nb), rotation = translation;  // sums, per assembly
+  const std::vector<Eigen::Index> component = connected_components(s);
+  VectorX<double> translation = VectorX<double>::Zero(nb), rotation = translation;  // sums, per component
   for (Eigen::Index k = 0; k < s.Phi.rows(); ++k) {
     double r2 = 0, rot2 = 0;
     Eigen::Index in = 0;
@@ -47,7 +47,7 @@ VectorX<double> geometric_column_scale(const TangentSystem& s) {
       if (row.isZero(0)) continue;
       r2 += row.head<3>().squaredNorm();
       rot2 += row.tail<3>().squaredNorm();
-      in = assembly[b];
+      in = component[b];
     }
     if (r2 == 0) continue;
     translation[in] += 1;
@@ -55,7 +55,7 @@ VectorX<double> geometric_column_scale(const TangentSystem& s) {
   }
   VectorX<double> scale = VectorX<double>::Ones(s.Phi.cols());
   for (Eigen::Index b = 0; b < nb; ++b)
-    if (const Eigen::Index a = assembly[b]; rotation[a] > 0)
+    if (const Eigen::Index a = component[b]; rotation[a] > 0)
       scale.segment<3>(6 * b + 3).setConstant(std::sqrt(translation[a] / rotation[a]));
   return scale;
 }
@@ -76,7 +76,7 @@ struct ScaledJacobian {
 /// so that they stay well conditioned.
 std::vector<int> choose_dependent(const MatrixX<double>& Z) {
   const Eigen::Index d = Z.cols();
-  for (double threshold = 0.1;; threshold /= 10) {
+  for (double threshold = null_space_share;; threshold /= 10) {
     std::vector<int> chosen;
     MatrixX<double> basis(d, 0);
     for (Eigen::Index k = Z.rows() - 1; k >= 0 && static_cast<Eigen::Index>(chosen.size()) < d; --k) {
@@ -92,7 +92,8 @@ std::vector<int> choose_dependent(const MatrixX<double>& Z) {
       std::reverse(chosen.begin(), chosen.end());
       return chosen;
     }
-    if (threshold < 1e-12) throw ModelError("the null space of the constraint rows could not be resolved");
+    if (threshold < least_null_space_share)
+      throw ModelError("the null space of the constraint rows could not be resolved");
   }
 }
 
@@ -181,7 +182,8 @@ void find_contradictions(const TangentSystem& s, const ScaledJacobian& scaled, R
 RowAnalysis analyse_rows(const TangentSystem& s) {
   const MassMetric metric(s);
   RowAnalysis out;
-  static_cast<RowNorms&>(out) = row_norms(s, metric);
+  const MatrixX<double> W = metric.half_solve(s.Phi.transpose());
+  static_cast<RowNorms&>(out) = row_norms(s, metric, W);
   if (s.Phi.rows() == 0) {
     out.null_basis.resize(0, 0);
     return out;
@@ -192,10 +194,7 @@ RowAnalysis analyse_rows(const TangentSystem& s) {
     out.combination = combination_of(scaled, out.independent);
     find_contradictions(s, scaled, out);
   }
-
-  MatrixX<double> W = metric.half_solve(s.Phi.transpose());
-  W = W * inverse_or_zero(out.E).asDiagonal();
-  out.kappa = condition_number(W, out.rank);
+  out.kappa = condition_number(W * inverse_or_zero(out.E).asDiagonal(), out.rank);
   return out;
 }
 

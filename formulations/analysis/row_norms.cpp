@@ -26,7 +26,7 @@ VectorX<double> size_uncancelled(const Magnitudes& sizes, const MassMetric& metr
 
 }  // namespace
 
-RowNorms row_norms(const TangentSystem& s, const MassMetric& metric) {
+RowNorms row_norms(const TangentSystem& s, const MassMetric& metric, const MatrixX<double>& W) {
   RowNorms out;
   out.mu = metric.mu();
   out.acceleration_scale = metric.diagonal().cwiseSqrt();
@@ -35,7 +35,7 @@ RowNorms row_norms(const TangentSystem& s, const MassMetric& metric) {
   const bool by_magnitude = sizes.Q.size() > 0;
   double acceleration_by_magnitude = by_magnitude ? metric.half_solve(sizes.Q).norm() : 0.0;
   if (s.Phi.rows() > 0) {
-    out.E = metric.half_solve(s.Phi.transpose()).colwise().norm();
+    out.E = W.colwise().norm();
     const VectorX<double> E_inverse = inverse_or_zero(out.E);
     // magnitudes throughout: M^-1 |Q| has components of either sign where the metric couples coordinates
     out.schur_rhs_bound =

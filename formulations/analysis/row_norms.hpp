@@ -22,7 +22,8 @@ struct RowNorms {
 /// what is left then is rounding, and no unit to measure lambda in.
 inline constexpr double cancellation_floor = 1e-8;
 
-RowNorms row_norms(const TangentSystem& system, const MassMetric& metric);
+/// W = L^-1 Phi^T, where the metric is L L^T: the norms of its columns are E.
+RowNorms row_norms(const TangentSystem& system, const MassMetric& metric, const MatrixX<double>& W);
 
 /// 1 / v, and 0 where v is 0: the inverse of a row's norm, where a row may be without a gradient.
 VectorX<double> inverse_or_zero(const VectorX<double>& v);

@@ -1,5 +1,7 @@
 #pragma once
-/// What the units of equations_of_motion_<scalar>.cpp compile: every formulation in one Scalar.
+/// What the units of equations_of_motion_<scalar>.cpp compile: every formulation in one Scalar. The list of
+/// formulations stands here as a macro, as explicit instantiations cannot be generated from
+/// formulation_list.hpp.
 
 #include "formulations/equations_of_motion_impl.hpp"
 #include "formulations/formulation_list.hpp"

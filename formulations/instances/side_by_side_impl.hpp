@@ -1,5 +1,6 @@
 #pragma once
-/// The one definition behind the side_by_side instantiations, one translation unit a Scalar.
+/// The one definition behind the side_by_side instances, one translation unit a Scalar. Each formulation is
+/// solved as printed in a chart of its own; an error of one is kept beside the answers of the others.
 
 #include "formulations/printed/augmented_solver.hpp"
 #include "formulations/side_by_side.hpp"
@@ -21,7 +22,7 @@ FormulationResult<typename F::Scalar> solve_one(const Model<typename F::Scalar>&
   const VectorX<S> full = solver.to_minimum_norm(solver.expand(x));
   result.solution = solver.accelerations_of(full);
   result.lambda_internal = solver.split(full).lambda_internal;
-  // of the solution itself: sharing lambda out among redundant rows puts rounding where there was nothing
+  // of the solution itself: sharing lambda out among dependent rows puts rounding where there was nothing
   result.residual = solver.residual(solver.expand(x));
   for (const Joint<S>& joint : model.mechanism.joints)
     result.reactions.push_back(joint_reaction<F>(solver.equations(), joint, result.solution.lambda, End::j)

@@ -70,11 +70,11 @@ class AugmentedSolver : public AugmentedEquations<F> {
   VectorX<S> substitute(const VectorX<S>& b) const;
 
   VectorX<S> to_minimum_norm(VectorX<S> full) const;
-  const RedundantMultipliers<S>& redundancy() const { return redundancy_; }
+  const RedundantMultipliers<S>& redundant_multipliers() const { return redundant_multipliers_; }
 
  private:
   DenseSolver<S> solver_;
-  RedundantMultipliers<S> redundancy_;
+  RedundantMultipliers<S> redundant_multipliers_;
 };
 
 /// Accelerations and lambda of a model in one formulation, solved as printed.

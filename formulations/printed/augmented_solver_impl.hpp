@@ -1,5 +1,6 @@
 #pragma once
-/// The definitions behind augmented_solver.hpp, compiled once a Scalar.
+/// The definitions behind augmented_solver.hpp, compiled once a Scalar. Include it only to instantiate
+/// another one.
 
 #include "base/error.hpp"
 #include "formulations/printed/augmented_solver.hpp"
@@ -70,7 +71,7 @@ AugmentedSolver<F>::AugmentedSolver(const Mechanism<S>& mechanism, const Mechani
                                     const RowAnalysis& rows, const ChartOptions& options)
     : AugmentedEquations<F>(mechanism, state, rows, options),
       solver_(this->reduced_matrix()),
-      redundancy_(mechanism, state, rows) {}
+      redundant_multipliers_(mechanism, state, rows) {}
 
 template <Formulation F>
 auto AugmentedSolver<F>::solve() const -> VectorX<S> {
@@ -91,7 +92,7 @@ auto AugmentedSolver<F>::substitute(const VectorX<S>& b) const -> VectorX<S> {
 template <Formulation F>
 auto AugmentedSolver<F>::to_minimum_norm(VectorX<S> full) const -> VectorX<S> {
   VectorX<S> lambda = full.tail(this->equations().nc());
-  redundancy_.to_minimum_norm(lambda);
+  redundant_multipliers_.to_minimum_norm(lambda);
   full.tail(lambda.size()) = lambda;
   return full;
 }

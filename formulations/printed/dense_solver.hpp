@@ -1,6 +1,7 @@
 #pragma once
-/// A dense square system: equilibrated, LU with partial pivoting, refined with residuals in working
-/// precision.
+/// A dense symmetric system K x = b, as the printed matrices are. It is equilibrated, factored by LU with
+/// partial pivoting, and refined with residuals in working precision (Higham, Accuracy and Stability of
+/// Numerical Algorithms, 2002, chapter 12).
 
 #include <memory>
 

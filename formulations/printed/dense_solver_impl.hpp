@@ -1,5 +1,5 @@
 #pragma once
-/// The one definition behind the DenseSolver instantiations; each Scalar has a translation unit of its own,
+/// The one definition behind the DenseSolver instances. Each Scalar has a translation unit of its own,
 /// because LU is dear to compile.
 
 #include <Eigen/LU>

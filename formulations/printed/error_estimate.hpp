@@ -15,7 +15,7 @@ struct ErrorEstimate {
 /// The next rung of the precision ladder forms the same system from the same data; its residual at x sees
 /// every error, those of forming K and b in S included. Substituted through the factors of S and repeated, it
 /// gives the solution to well beyond S, and the distance to it is the error. Reported is twice the sum of
-/// that distance, of what the last correction leaves in doubt and, where rows are redundant only to the
+/// that distance, of what the last correction leaves in doubt and, where rows are dependent only to the
 /// rounding of the scene's numbers, of what leaving out these rows and not others decided; plus u.
 template <Formulation F, Formulation Higher>
 ErrorEstimate estimate_error(const AugmentedSolver<F>& solver, const VectorX<typename F::Scalar>& x,

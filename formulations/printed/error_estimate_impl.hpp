@@ -1,5 +1,6 @@
 #pragma once
-/// The definitions behind error_estimate.hpp, compiled once a Scalar.
+/// The definitions behind error_estimate.hpp, compiled once a Scalar. Include it only to instantiate another
+/// one.
 
 #include <algorithm>
 
@@ -11,7 +12,7 @@ namespace trivium {
 
 namespace detail {
 
-/// How far x would move if the rows called redundant were met as well as the others, in the least-squares
+/// How far x would move if the dependent rows were met as well as the others, in the least-squares
 /// sense, and if their multipliers' share acted on nothing exactly: what dropping just these rows decided.
 template <Formulation F, Formulation Higher>
 VectorX<typename F::Scalar> ambiguity_of(const AugmentedSolver<F>& solver,
@@ -24,9 +25,9 @@ VectorX<typename F::Scalar> ambiguity_of(const AugmentedSolver<F>& solver,
   // with minimum-norm multipliers in place of x's the bodies' equations change by what Phi^T N keeps
   const VectorX<H> missed = higher.defect(scalar_cast<H>(full));
   VectorX<S> change = scalar_cast<S>(VectorX<H>(higher.defect(scalar_cast<H>(shared)) - missed));
-  VectorX<S> redundant = VectorX<S>::Zero(nc);
-  for (int k : solver.rows().dependent) redundant[k] = static_cast<S>(missed.tail(nc)[k]);
-  change.tail(nc) = -solver.redundancy().disagreement(redundant);
+  VectorX<S> dependent = VectorX<S>::Zero(nc);
+  for (int k : solver.rows().dependent) dependent[k] = static_cast<S>(missed.tail(nc)[k]);
+  change.tail(nc) = -solver.redundant_multipliers().disagreement(dependent);
   return solver.substitute(solver.reduce(change));
 }
 
@@ -70,7 +71,7 @@ ErrorEstimate estimate_error(const AugmentedSolver<F>& solver, const VectorX<typ
   }
   const ErrorEstimate found = error(reported, best);
   ErrorEstimate ambiguity;
-  if (!solver.redundancy().none()) ambiguity = correct(detail::ambiguity_of(solver, x, higher));
+  if (!solver.redundant_multipliers().none()) ambiguity = correct(detail::ambiguity_of(solver, x, higher));
   // corrections that do not shrink lead nowhere, and a judge that finds the solution to be all error may be
   // no better himself: no digit is known
   constexpr double no_digits = 0.3;

@@ -1,6 +1,7 @@
 #pragma once
-/// Multipliers that are not unique, in the precision of the solve: which combinations of them act on nothing,
-/// and the choice among equivalent ones, that of least |E lambda|.
+/// Multipliers that are not unique, in the precision of the solve. Decided here: which combinations of them
+/// act on nothing (the null space of Phi^T, begun in double by row_analysis.hpp), and the choice among
+/// equivalent ones, that of least |E lambda|.
 
 #include <vector>
 

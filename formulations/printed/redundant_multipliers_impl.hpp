@@ -1,5 +1,6 @@
 #pragma once
-/// The definitions behind redundant_multipliers.hpp, compiled once a Scalar.
+/// The definitions behind redundant_multipliers.hpp, compiled once a Scalar. Include it only to instantiate
+/// another one.
 
 #include <limits>
 #include <utility>

@@ -1,5 +1,5 @@
 #pragma once
-/// The residual of a solution in the equations of motion, body by body and row by row: no matrix is formed,
+/// The residual of a solution in the equations of motion, body by body and row by row. No matrix is formed,
 /// so that an error of forming one shows.
 
 #include <cmath>

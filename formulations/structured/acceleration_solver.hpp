@@ -42,7 +42,7 @@ class AccelerationSolver {
   AccelerationSolver(const AccelerationSolver&) = delete;  // its solver knows where its matrix is
 
   /// Solves at a state. Throws a ModelError that names the body where a link is singular, and the row where
-  /// redundant rows contradict each other; all answers are NaN then.
+  /// a dependent row contradicts the others; all answers are NaN then.
   void solve(std::span<const BodyState<F>> state, const S& t, Refinement refinement = Refinement::as_needed,
              DependentRows how = DependentRows::detect);
 
@@ -122,7 +122,7 @@ class AccelerationSolver {
   AccelerationSize<S> size_of_causes(int b) const;
   /// With levers, what gamma is made of.
   AccelerationSize<S> size_of_turning(int b) const {
-    return {S(0), assembly_.turning()[b].omega.squaredNorm()};
+    return {S(0), assembly_.angular_motion()[b].omega.squaredNorm()};
   }
   /// Tells rows that depend on others from those that nearly do, and solves for these as well; once a state.
   void decide_dependent_rows();
@@ -154,7 +154,7 @@ class AccelerationSolver {
   const Mechanism<S>& mechanism_;
   GraphSolver<S> solver_;
   GraphAssembly<F> assembly_;
-  GraphVector<S> right_side_, solution_, defect_, step_;
+  GraphVector<S> right_side_, solution_, residual_, step_;
   std::vector<Wrench<S>> wrenches_;  ///< nb + 1, the ground's last, and so
   std::vector<BodyMotion<S>> motion_;
   /// Edges whose rows may be dependent: all but the point joints of the tree.

@@ -29,7 +29,7 @@ AccelerationSolver<F>::AccelerationSolver(const Mechanism<S>& mechanism)
       assembly_(mechanism, solver_.plan()),
       right_side_(solver_.plan().graph),
       solution_(right_side_),
-      defect_(right_side_),
+      residual_(right_side_),
       step_(right_side_),
       wrenches_(mechanism.nb() + 1),
       motion_(mechanism.nb() + 1) {
@@ -154,7 +154,7 @@ template <Formulation F>
 void AccelerationSolver<F>::require_numbers() const {
   using std::isfinite;
   for (int b = 0; b < mechanism_.nb(); ++b) {
-    const AngularMotion<S>& turning = assembly_.turning()[b];
+    const AngularMotion<S>& turning = assembly_.angular_motion()[b];
     const Body& body = assembly_.body()[b];
     if (!isfinite(S(turning.A.sum() + turning.omega.sum() + body.r.sum() + body.r_dot.sum())))
       throw ModelError(fmt::format("body \"{}\" at t = {}: its state is not finite", mechanism_.body_names[b],

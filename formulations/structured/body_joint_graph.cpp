@@ -4,18 +4,21 @@
 #include <map>
 #include <utility>
 
+#include "formulations/analysis/rank_tolerance.hpp"
+
 namespace trivium {
 
 namespace {
 
 std::pair<int, int> unordered(const BodyPair& pair) { return std::minmax(pair.i, pair.j); }
 
-/// Whether the driver turns about the revolute's axis, as seen by both bodies.
+/// Whether the driver turns about the revolute's axis, as seen by both bodies: the sine between the two axes
+/// is no larger than one that counts as none between rows.
 bool turns(const GraphJoint& driver, const GraphJoint& revolute) {
   const bool swapped = driver.i != revolute.i;
   const auto apart = [](const Vector3<double>& a, const Vector3<double>& b) { return a.cross(b).norm(); };
-  return apart(driver.axis_i, swapped ? revolute.axis_j : revolute.axis_i) < 1e-8 &&
-         apart(driver.axis_j, swapped ? revolute.axis_i : revolute.axis_j) < 1e-8;
+  return apart(driver.axis_i, swapped ? revolute.axis_j : revolute.axis_i) < rank_tolerance &&
+         apart(driver.axis_j, swapped ? revolute.axis_i : revolute.axis_j) < rank_tolerance;
 }
 
 }  // namespace

@@ -19,10 +19,10 @@ void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
   const bool on_body = closing.column_slot >= 0;
   if (on_body) f.C = column_[closing.column_slot];
   if (how_ == DependentRows::detect_near_singular || how_ == DependentRows::keep_count) choose_rows(c);
-  const S defect = direction_tolerance<S>() * direction_tolerance<S>();
+  const S sine2 = direction_tolerance<S>() * direction_tolerance<S>();
   for (int k = 0; k < n; ++k) {
     const S pivot = block(k, k);
-    const S cancelled = defect * f.size.product[k];
+    const S cancelled = sine2 * f.size.product[k];
     const S rounding = pivot_rounding<S>() * (f.own[k] + f.size.product[k]);
     switch (how_) {
       case DependentRows::detect:

@@ -1,5 +1,6 @@
 #pragma once
-/// The bodies of a graph that its rows connect with each other, not through the ground.
+/// The connected components of a graph: bodies that its rows connect with each other, not through the ground.
+/// Lengths and sizes are compared within a component.
 
 #include <numeric>
 #include <vector>
@@ -8,20 +9,20 @@
 
 namespace trivium {
 
-/// By body, the ground last: the same number for bodies of one assembly, that of one of them. Springs connect
-/// nothing.
-inline std::vector<int> assemblies_of(const BodyJointGraph& graph) {
-  std::vector<int> assembly(graph.bodies + 1);
-  std::iota(assembly.begin(), assembly.end(), 0);
+/// By body, the ground last: the same number for bodies of one component, that of one of them. Springs
+/// connect nothing.
+inline std::vector<int> components_of(const BodyJointGraph& graph) {
+  std::vector<int> component(graph.bodies + 1);
+  std::iota(component.begin(), component.end(), 0);
   const auto first = [&](int body) {
-    while (assembly[body] != body) body = assembly[body] = assembly[assembly[body]];
+    while (component[body] != body) body = component[body] = component[component[body]];
     return body;
   };
   for (const GraphEdge& edge : graph.edges)
     if (!edge.is_soft && edge.i != graph.bodies && edge.j != graph.bodies)
-      assembly[first(edge.i)] = first(edge.j);
-  for (int& body : assembly) body = first(body);
-  return assembly;
+      component[first(edge.i)] = first(edge.j);
+  for (int& body : component) body = first(body);
+  return component;
 }
 
 }  // namespace trivium

@@ -13,13 +13,12 @@ template <Formulation F>
 void AccelerationSolver<F>::check_dependent_rows() {
   if (candidate_edges_.empty()) return;
   const auto size_here = [&](int b) { return size_of_causes(b); };
-  // what refinement leaves of rows that depend on others stays below
-  const S rounding = S(8 * unit_roundoff<S>());
-  if (!solver_.has_nearly_dependent_rows() && !find_violated_row(solution_, rounding, S(0), size_here))
+  if (!solver_.has_nearly_dependent_rows() &&
+      !find_violated_row(solution_, row_rounding<S>(), S(0), size_here))
     return;
   decide_dependent_rows();
   const S tolerance = contradiction_tolerance_in<S>(), least = S(contradiction_floor);
-  if (!find_violated_row(solution_, S(1e-3 * tolerance), least, size_here)) return;
+  if (!find_violated_row(solution_, S(share_without_doubt * tolerance), least, size_here)) return;
   AccelerationSize<S> whole, turning;
   for (int b = 0; b < mechanism_.nb(); ++b) {
     whole.take(size_of_causes(b));
@@ -30,10 +29,10 @@ void AccelerationSolver<F>::check_dependent_rows() {
   // how much of it is rounding of the forces shows without them
   for (BodyPart<S>& force : right_side_.body) force = {};
   solver_.solve(right_side_, step_);
-  solver_.correct(assembly_.matrix(), right_side_, step_, defect_, defect_);
+  solver_.correct(assembly_.matrix(), right_side_, step_, residual_, residual_);
   whole = turning;
   for (int b = 0; b < mechanism_.nb(); ++b) {
-    step_.body[b] += defect_.body[b];
+    step_.body[b] += residual_.body[b];
     push_body(b);
     whole.take(AccelerationSize<S>::of(step_.body[b]));
   }

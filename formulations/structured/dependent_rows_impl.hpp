@@ -46,7 +46,7 @@ bool GraphSolver<S>::border(const EdgeRow& row) {
   const S stiffness = energy(probe.response);
   // rounding does not last: another refinement makes other rounding of it
   correct(*matrix_, probe.load, probe.response, probe.rest, probe.rest);
-  if (!(stiffness > S(100) * energy(probe.rest))) return false;
+  if (!(stiffness > S(least_energy_above_rounding) * energy(probe.rest))) return false;
   if (bordered_ == most_restored) throw NearlyDependentRows(row);
   if (bordered_ == static_cast<int>(borders_.size()))
     borders_.push_back({row, S(0), GraphVector<S>(plan_.graph), S(0)});

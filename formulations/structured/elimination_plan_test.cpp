@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
 #include <set>
+#include <vector>
 
 #include "bodies/testing/properties.hpp"
 #include "formulations/testing/random_mechanism.hpp"

@@ -25,8 +25,9 @@ class GeneralLink {
     M.template bottomRightCorner<3, 3>() = block.xx.template topRows<3>();
     solve_rows(M, link, how, dependent);
     const Vector6<S> size = M.diagonal();
-    // what is rounding beside the other moments has no size
-    const S least = S(1e-8) * largest_of(size.template tail<3>());
+    // what may be rounding beside the other moments has no size
+    constexpr double rounded_moment = 1e-8;
+    const S least = S(rounded_moment) * largest_of(size.template tail<3>());
     for (int k = 0; k < 6; ++k)
       inverse_size_[k] = select(size[k] > (k < 3 ? S(0) : least), S(1 / size[k]), S(0));
     U_ = M * H_;

@@ -38,7 +38,7 @@ class GraphAssembly {
   EdgeRows<S>& edge_rows(int slot) { return matrix_.rows[slot]; }
   /// nb + 1, the ground last.
   const std::vector<Body>& body() const { return body_; }
-  const std::vector<AngularMotion<S>>& turning() const { return turning_; }
+  const std::vector<AngularMotion<S>>& angular_motion() const { return angular_motion_; }
   /// In the order of the plan's links.
   const std::vector<LinkJoint>& links() const { return links_; }
 
@@ -71,7 +71,7 @@ class GraphAssembly {
   const EliminationPlan& plan_;
   GraphMatrix<S> matrix_;
   std::vector<Body> body_;
-  std::vector<AngularMotion<S>> turning_;
+  std::vector<AngularMotion<S>> angular_motion_;
   std::vector<LinkJoint> links_;
   std::vector<ClosingJoint> closings_;
   std::vector<int> others_;  ///< edges that are not point joints

@@ -12,8 +12,8 @@ GraphAssembly<F>::GraphAssembly(const Mechanism<S>& mechanism, const Elimination
     : mechanism_(mechanism), plan_(plan), matrix_(plan) {
   body_.resize(mechanism.nb() + 1);
   body_.back() = Body{body_kinematics(std::vector<BodyState<F>>{}).back()};
-  turning_.resize(mechanism.nb() + 1);
-  turning_.back() = F::turning(body_.back());
+  angular_motion_.resize(mechanism.nb() + 1);
+  angular_motion_.back() = F::angular_motion(body_.back());
   for (int b = 0; b < mechanism.nb(); ++b) {
     matrix_.H[b].rr.diagonal().setConstant(mechanism.bodies[b].mass);
     if constexpr (F::reduced_mass_is_constant) set_mass_block(b);
@@ -42,8 +42,8 @@ GraphAssembly<F>::GraphAssembly(const Mechanism<S>& mechanism, const Elimination
 
 template <Formulation F>
 [[gnu::flatten]] void GraphAssembly<F>::move_body(int b, const BodyState<F>& state) {
-  body_[b] = Body{F::kinematics(state.chart, state.r, state.r_dot, state.q)};
-  turning_[b] = F::turning(body_[b]);
+  body_[b] = Body{kinematics_of(state)};
+  angular_motion_[b] = F::angular_motion(body_[b]);
   if constexpr (!F::reduced_mass_is_constant) set_mass_block(b);
 }
 
@@ -52,9 +52,11 @@ void GraphAssembly<F>::assemble_link(const LinkJoint& link, const S& t, GraphVec
   PointRows<S>& rows = matrix_.point[link.link];
   Vector6<S>& gamma = right_side.edge[link.edge];
   if (link.child_is_j)
-    link.joint.evaluate(turning_, body_, t, rows.L_parent, rows.L_child, rows.W_parent, rows.W_child, gamma);
+    link.joint.evaluate(angular_motion_, body_, t, rows.L_parent, rows.L_child, rows.W_parent, rows.W_child,
+                        gamma);
   else
-    link.joint.evaluate(turning_, body_, t, rows.L_child, rows.L_parent, rows.W_child, rows.W_parent, gamma);
+    link.joint.evaluate(angular_motion_, body_, t, rows.L_child, rows.L_parent, rows.W_child, rows.W_parent,
+                        gamma);
 }
 
 template <Formulation F>
@@ -72,9 +74,10 @@ void GraphAssembly<F>::positions(const S& t, GraphVector<S>& phi) const {
 
 template <Formulation F>
 void GraphAssembly<F>::velocities(const S& t, GraphVector<S>& phi_dot) const {
-  for (const LinkJoint& link : links_) link.joint.velocities(turning_, body_, t, phi_dot.edge[link.edge]);
+  for (const LinkJoint& link : links_)
+    link.joint.velocities(angular_motion_, body_, t, phi_dot.edge[link.edge]);
   for (const ClosingJoint& closing : closings_)
-    closing.joint.velocities(turning_, body_, t, phi_dot.edge[closing.edge]);
+    closing.joint.velocities(angular_motion_, body_, t, phi_dot.edge[closing.edge]);
   for (const int e : others_) rows_of(e, row_velocity<Body>, t, phi_dot);
 }
 
@@ -99,7 +102,7 @@ void GraphAssembly<F>::set_mass_block(int b) {
 template <Formulation F>
 void GraphAssembly<F>::assemble_closing(const ClosingJoint& closing, const S& t, GraphVector<S>& right_side) {
   EdgeRows<S>& rows = matrix_.rows[plan_.rows_slot[closing.edge]];
-  closing.joint.evaluate(turning_, body_, t, rows.C_i.x.template leftCols<3>(),
+  closing.joint.evaluate(angular_motion_, body_, t, rows.C_i.x.template leftCols<3>(),
                          rows.C_j.x.template leftCols<3>(), rows.C_i.x.template rightCols<3>(),
                          rows.C_j.x.template rightCols<3>(), right_side.edge[closing.edge]);
   rows.C_i.x.template leftCols<3>() *= S(-1);

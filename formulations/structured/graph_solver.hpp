@@ -125,18 +125,18 @@ class GraphSolver {
   void add_row(const EdgeRow& row, const S& multiplier, GraphVector<S>& force) const;
 
   /// One step of iterative refinement: what `solution` still needs, into `correction`. What it leaves of the
-  /// right side is formed in `defect` link by link, just before it is passed on; the two may be one object.
+  /// right side is formed in `residual` link by link, just before it is passed on; the two may be one object.
   void correct(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side, const GraphVector<S>& solution,
-               GraphVector<S>& defect, GraphVector<S>& correction);
+               GraphVector<S>& residual, GraphVector<S>& correction);
 
  private:
   static constexpr int general = 4;
 
   /// Of a body, and of the joint to its parent: on both bodies, and its rows.
-  void link_defect(const GraphMatrix<S>& matrix, int index, const GraphVector<S>& right_side,
-                   const GraphVector<S>& solution, GraphVector<S>& defect);
-  void edge_defect(const GraphMatrix<S>& matrix, int e, const GraphVector<S>& right_side,
-                   const GraphVector<S>& solution, GraphVector<S>& defect) const;
+  void link_residual(const GraphMatrix<S>& matrix, int index, const GraphVector<S>& right_side,
+                     const GraphVector<S>& solution, GraphVector<S>& residual);
+  void edge_residual(const GraphMatrix<S>& matrix, int e, const GraphVector<S>& right_side,
+                     const GraphVector<S>& solution, GraphVector<S>& residual) const;
 
   struct Place {
     int kind;          ///< rows of orientation of a point link, or `general`

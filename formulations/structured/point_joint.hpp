@@ -1,5 +1,6 @@
 #pragma once
-/// The rows of a point joint evaluated together: what they share, once.
+/// The rows of a point joint evaluated together, as most joints are: three CD rows hold a point, up to three
+/// rows of orientation follow. What they share (axes, arms, the rotations' rates) is formed once.
 
 #include <array>
 #include <variant>
@@ -41,10 +42,10 @@ class PointJoint {
 
   /// Into blocks with a column per row, and gamma of all rows.
   template <class Body, class Columns>
-  [[gnu::flatten]] void evaluate(const std::vector<AngularMotion<S>>& turning, const std::vector<Body>& body,
+  [[gnu::flatten]] void evaluate(const std::vector<AngularMotion<S>>& motion, const std::vector<Body>& body,
                                  const S& t, Columns&& L_i, Columns&& L_j, Columns&& W_i, Columns&& W_j,
                                  Vector<S, 6>& gamma) const {
-    const AngularMotion<S>&i = turning[bodies_.i], &j = turning[bodies_.j];
+    const AngularMotion<S>&i = motion[bodies_.i], &j = motion[bodies_.j];
     const Moved moved_i(i, on_i_), moved_j(j, on_j_);
     L_i = times_tilde<S>(i.axes_T, moved_i.a[0]);
     L_j = times_tilde<S>(j.axes_T, moved_j.a[0]);
@@ -76,9 +77,9 @@ class PointJoint {
 
   /// Phi' of all rows.
   template <class Body>
-  void velocities(const std::vector<AngularMotion<S>>& turning, const std::vector<Body>& body, const S& t,
+  void velocities(const std::vector<AngularMotion<S>>& motion, const std::vector<Body>& body, const S& t,
                   Vector<S, 6>& phi_dot) const {
-    const AngularMotion<S>&i = turning[bodies_.i], &j = turning[bodies_.j];
+    const AngularMotion<S>&i = motion[bodies_.i], &j = motion[bodies_.j];
     const Moving moving_i(i, on_i_), moving_j(j, on_j_);
     phi_dot.template head<3>() =
         (body[bodies_.j].r_dot - body[bodies_.i].r_dot) + unpadded<S>(moving_j.rate[0] - moving_i.rate[0]);

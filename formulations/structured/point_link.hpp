@@ -188,9 +188,10 @@ class PointLink {
     parent->x += times<S, 3>(rows.L_parent, f) - times<S, m>(parent_rows(rows), s);
   }
   /// Takes from the right sides what accelerations and multipliers of the joint already make of them.
-  [[gnu::flatten]] static void take_defect(const LinkRows<S>& link, const BodyPart<S>& child,
-                                           const BodyPart<S>* parent, const Vector6<S>& lambda,
-                                           BodyPart<S>& on_child, BodyPart<S>* on_parent, Vector6<S>& gamma) {
+  [[gnu::flatten]] static void take_residual(const LinkRows<S>& link, const BodyPart<S>& child,
+                                             const BodyPart<S>* parent, const Vector6<S>& lambda,
+                                             BodyPart<S>& on_child, BodyPart<S>* on_parent,
+                                             Vector6<S>& gamma) {
     const PointRows<S>& rows = link.point;
     const Padded<S> f = rows.sign * padded<S>(lambda.template head<3>());
     const Carried carried = lambda.template segment<m>(3);

@@ -1,6 +1,6 @@
 #pragma once
-/// Whether a solution satisfies the dependent rows, which its factorisation left out; the first that it
-/// violates.
+/// Whether a solution satisfies the dependent rows, whose multipliers are 0 in it; the first that it
+/// violates. How far a row may be missed, beside the terms that it is made of, stands in rank_tolerance.hpp.
 
 #include <optional>
 #include <span>

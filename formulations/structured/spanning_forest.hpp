@@ -1,6 +1,6 @@
 #pragma once
-/// Which edges of a graph span its bodies, and which close loops: the choice that keeps loops short, on which
-/// the fill of the elimination depends.
+/// Which edges of a graph span its bodies, and which close loops. Decided here: breadth first from the
+/// ground, which keeps loops short; on their length the fill of the elimination depends.
 
 #include <vector>
 

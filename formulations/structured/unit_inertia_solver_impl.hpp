@@ -17,14 +17,14 @@
 namespace trivium {
 
 /// The same rows with shifts and turns for H, where turns count by the mean lever of the rows that hold
-/// points of the same assembly: bodies that rows connect, not through the ground.
+/// points of the same component: bodies that rows connect, not through the ground.
 template <class S>
 class GraphSolver<S>::UnitInertiaSolver {
  public:
   explicit UnitInertiaSolver(const EliminationPlan& plan)
       : matrix_(plan),
         solver_(plan),
-        assembly_(assemblies_of(plan.graph)),
+        component_(components_of(plan.graph)),
         lever2_(plan.graph.bodies),
         holding_(lever2_) {}
 
@@ -49,7 +49,7 @@ class GraphSolver<S>::UnitInertiaSolver {
     if (!candidates_.empty()) search(candidates_);
     return independent_;
   }
-  const S& lever2(int body) const { return lever2_[assembly_[body]]; }
+  const S& lever2(int body) const { return lever2_[component_[body]]; }
 
  private:
   /// By halves.
@@ -103,8 +103,8 @@ class GraphSolver<S>::UnitInertiaSolver {
     std::fill(holding_.begin(), holding_.end(), S(0));
     const auto take = [&](int body, const S& r2, const S& x2) {
       if (body == plan.graph.bodies) return;
-      lever2_[assembly_[body]] += select(r2 > S(0), S(x2 / r2), S(0));
-      holding_[assembly_[body]] += select(r2 > S(0), S(1), S(0));
+      lever2_[component_[body]] += select(r2 > S(0), S(x2 / r2), S(0));
+      holding_[component_[body]] += select(r2 > S(0), S(1), S(0));
     };
     for (std::size_t n = 0; n < plan.links.size(); ++n) {
       if (!plan.is_point_link(plan.links[n])) continue;
@@ -126,8 +126,8 @@ class GraphSolver<S>::UnitInertiaSolver {
 
   GraphMatrix<S> matrix_;
   GraphSolver solver_;
-  std::vector<int> assembly_;        ///< by body: the first body of its assembly
-  std::vector<S> lever2_, holding_;  ///< by assembly: the mean, and how many rows hold points
+  std::vector<int> component_;       ///< by body: the first body of its component
+  std::vector<S> lever2_, holding_;  ///< by component: the mean, and how many rows hold points
   std::vector<EdgeRow> candidates_, independent_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Bodies on which the laws of the Formulation concept are tried.
+/// Bodies on which the laws of the Formulation concept are tried: random poses and velocities, in charts of
+/// every sequence. A support of the tests.
 
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/random.hpp"
@@ -24,7 +25,7 @@ template <class F>
 typename F::Unknown unknown_of(const typename F::Kinematics& body,
                                const Vector3<typename F::Scalar>& omega_bar_dot) {
   using S = typename F::Scalar;
-  const AngularMotion<S> motion = F::turning(typename F::Reduced{body});
+  const AngularMotion<S> motion = F::angular_motion(typename F::Reduced{body});
   const Matrix3<S> axes = transposed<S>(motion.axes_T).template topRows<3>();
   const Vector3<S> omega_dot = body.A * omega_bar_dot;
   return F::from_reduced(body, axes.inverse() * (omega_dot - unpadded<S>(motion.drift)));

@@ -1,5 +1,6 @@
 #pragma once
-/// A scene solved in all formulations, for tests: its model made, its rows analysed, its errors estimated.
+/// A scene solved in all formulations: its model made, its rows analysed, its errors estimated. A support of
+/// the tests.
 
 #include "bodies/numbers/real50.hpp"
 #include "formulations/side_by_side.hpp"

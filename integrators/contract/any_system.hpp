@@ -1,5 +1,5 @@
 #pragma once
-/// Any system behind virtual calls, one for each right side or solve: methods are then compiled once for each
+/// Any system behind virtual calls, one for each right side or solve. Methods are then compiled once for each
 /// scalar, not once for each formulation.
 
 #include <string>

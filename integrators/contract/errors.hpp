@@ -1,5 +1,6 @@
 #pragma once
-/// How an integration ends where it cannot go on: a method gave up, or the request itself cannot be met.
+/// How an integration ends where it cannot go on: a method gave up (exit code 3), or the request itself
+/// cannot be met (exit code 2). Messages say at what time, why, and what to try.
 
 #include <string>
 

@@ -187,7 +187,7 @@ class HalfExplicit {
     system.velocity_rows();  // for its name
     throw IntegrationError(
         fmt::format("at t = {}: velocities of the next stage do not come to meet row \"{}\"; take smaller "
-                    "steps, or another method where rows are redundant",
+                    "steps, or another method where rows are dependent",
                     static_cast<double>(t), system.least_met_row()));
   }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The explicit and half-explicit methods by name.
+/// The explicit and half-explicit methods by name. A method's parameters are checked where it is made.
 
 #include <memory>
 #include <optional>

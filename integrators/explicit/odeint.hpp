@@ -1,6 +1,7 @@
 #pragma once
 /// Boost.Odeint's explicit methods on y' = f(t, y): Dormand-Prince 5(4), Fehlberg 7(8), Bulirsch-Stoer and
-/// Adams-Bashforth-Moulton, with steps of their own choice or of a given length.
+/// Adams-Bashforth-Moulton. Steps are of their own choice or of a given length; with a given one, methods
+/// that remember steps begin anew where its length changes.
 
 #include <fmt/format.h>
 
@@ -21,6 +22,7 @@
 #include <utility>
 
 #include "integrators/step_size_control.hpp"
+#include "integrators/time_grid.hpp"
 
 namespace trivium::integrators {
 
@@ -148,9 +150,8 @@ class GivenSteps {
  public:
   template <FirstOrderSystem System>
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
-    using std::abs;
     const S h = stop - t;
-    if (remembers_a_step || abs(h - last_) > S(1e-9) * last_) forget();
+    if (remembers_a_step || !is_same_length(h, last_)) forget();
     last_ = h;
     stepper_.do_step(RightSide<System>{system, counters_.right_sides}, y, t, h);
     require_finite(y, stop);

@@ -1,6 +1,7 @@
 #pragma once
 /// Anderson's acceleration of an iteration that a matrix all but solves (Anderson, Journal of the ACM 12,
-/// 1965).
+/// 1965). Newton's matrices leave gyroscopic and geometric terms out; the last few changes tell what these
+/// do.
 
 #include <Eigen/Cholesky>
 #include <algorithm>

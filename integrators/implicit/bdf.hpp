@@ -14,6 +14,7 @@
 
 #include "integrators/implicit/newton.hpp"
 #include "integrators/implicit/radau.hpp"
+#include "integrators/time_grid.hpp"
 
 namespace trivium::integrators {
 
@@ -42,9 +43,8 @@ class BDF {
       : order_(order), formula_(BackwardFormula::of_order(order)), newton_(newton), start_({}, newton) {}
 
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
-    using std::abs;
     const S h = stop - t;
-    if (abs(h - h_) > S(1e-9) * h) forget();
+    if (!is_same_length(h, h_)) forget();
     h_ = h;
     if (past_.empty()) remember(system, t, y);
     if (static_cast<int>(past_.size()) < order_) {

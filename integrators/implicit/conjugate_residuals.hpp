@@ -1,6 +1,6 @@
 #pragma once
 /// Generalised conjugate residuals (Eisenstat, Elman and Schultz, SIAM Journal on Numerical Analysis 20,
-/// 1983) for one matrix and many right sides.
+/// 1983) for one matrix and many right sides. Radau's stages solve for their springs by it.
 
 #include <array>
 
@@ -33,7 +33,7 @@ class ConjugateResiduals {
       direction -= share * directions_[k];
     }
     const S left = image.norm();
-    if (!(left > S(1e-8) * size)) return false;
+    if (!(left > S(known_share) * size)) return false;
     const int at = kept_++ % most;
     images_[at] = image / left;
     directions_[at] = direction / left;
@@ -42,6 +42,8 @@ class ConjugateResiduals {
 
  private:
   static constexpr int most = 12;  ///< the oldest go
+  /// An image of which no more is left beside those held is known: half of a double's digits are rounding.
+  static constexpr double known_share = 1e-8;
 
   int held() const { return kept_ < most ? kept_ : most; }
 

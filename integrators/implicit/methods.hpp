@@ -1,5 +1,5 @@
 #pragma once
-/// The implicit methods by name.
+/// The implicit methods by name. A method's parameters are checked where it is made.
 
 #include <memory>
 #include <optional>

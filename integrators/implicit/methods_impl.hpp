@@ -1,5 +1,6 @@
 #pragma once
-/// The one definition behind make_implicit: an implicit method by its name, its parameters checked.
+/// The one definition behind make_implicit: an implicit method by its name, its parameters checked. One
+/// translation unit a Scalar.
 
 #include <fmt/format.h>
 

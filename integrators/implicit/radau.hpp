@@ -17,6 +17,7 @@
 ///   radau_stages.hpp         where the unknowns of the stages lead
 ///   radau_springs.hpp        what springs do from stage to stage
 ///   radau_error.hpp          corrections and the estimated error, in tolerances
+///   row_projection.hpp       the end of a step moved onto its rows
 ///
 /// Here is the iteration. Newton's matrix is real for each stage, and made where that stage is, as stiff
 /// springs turn within a step. Rows are met through A^-1. `solve_stages` decides when the iteration has
@@ -35,6 +36,7 @@
 #include "integrators/implicit/radau_error.hpp"
 #include "integrators/implicit/radau_springs.hpp"
 #include "integrators/implicit/radau_stages.hpp"
+#include "integrators/implicit/row_projection.hpp"
 #include "integrators/initial_acceleration.hpp"
 #include "integrators/step_size_control.hpp"
 
@@ -71,7 +73,10 @@ class Radau {
         system, step_size_, {S(-1) / (s + 1), S(8)}, counters_, t, y, stop,
         [&](const S& h) {
           const S error = advance(system, t, h, y);
-          if (error <= S(1)) meet_rows(system, S(t + h), stages_.last().y);
+          if (error <= S(1)) {
+            system.select(s - 1);
+            row_projection_.move(system, S(t + h), stages_.last().y);
+          }
           return error;
         },
         [&](const S& h) { accept(h, y); });
@@ -198,40 +203,6 @@ class Radau {
     return false;
   }
 
-  /// At the end of a step, where the stages met their rows within tolerances. Throws if they cannot be.
-  void meet_rows(System& system, const S& t, StateVector<S>& y) {
-    system.select(s - 1);
-    x_.setZero(nv_);
-    system.normalise_step(S(1), y, x_);
-    const auto meet = [&](const auto& violation, const auto& move) {
-      S before = std::numeric_limits<S>::max(), now = violation();
-      for (; now > rounding<S>() && now < before; now = violation()) {
-        before = now;
-        system.row_residual(rows_);
-        x_.setZero(nv_);
-        mu_.setZero(nc_);
-        system.solve(StateVector<S>::Zero(nv_), -rows_, x_, mu_);
-        move();
-      }
-      if (!(now <= 1000 * rounding<S>())) throw_not_converged(system, t);
-    };
-    meet([&] { return S(system.position_rows(t, y)); },
-         [&] {
-           const StateVector<S> from = y;
-           system.displace(from, x_, y);
-           system.normalise_step(S(1), y, x_);
-         });
-    x_.setZero(nv_);
-    system.normalise_step_velocity(S(1), y, x_);
-    y.segment(nq_, nv_) += x_;
-    meet(
-        [&] {
-          system.position_rows(t, y);
-          return S(system.velocity_rows());
-        },
-        [&] { y.segment(nq_, nv_) += x_; });
-  }
-
   /// A change of the unknowns by Newton's matrix, and of how far the shift stretches springs; added to them.
   const StateVector<S>& correct(System& system, const S& h, bool makes_matrix) {
     if (makes_matrix) factor(system, h);
@@ -294,8 +265,9 @@ class Radau {
   Anderson<S> anderson_;
   Stages stages_;
   RadauSprings<System, s> springs_;
+  RowProjection<System> row_projection_;
   std::array<S, s> stage_work_;
-  StateVector<S> force_, along_, change_, rows_, x_, mu_;
+  StateVector<S> force_, along_, change_;
   int nq_ = 0, nv_ = 0, nc_ = 0;
   bool has_begun_ = false, has_matrix_ = false;
   Counters counters_;

@@ -1,6 +1,7 @@
 #pragma once
 /// The coefficients of Radau IIA: Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.5
-/// and IV.8.
+/// and IV.8. They are computed, in more digits than S has, from the zeros of the polynomial that defines c,
+/// for any odd number of stages.
 
 #include <Eigen/LU>
 #include <array>

@@ -1,5 +1,6 @@
 #pragma once
-/// Newton's method as a SUNNonlinearSolver, with Anderson's acceleration for what matrices leave out.
+/// Newton's method as a SUNNonlinearSolver. Beside SUNDIALS' own it has Anderson's acceleration for what
+/// matrices leave out.
 
 #include <sundials/sundials_context.h>
 

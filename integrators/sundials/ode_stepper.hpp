@@ -1,6 +1,7 @@
 #pragma once
 /// The SUNDIALS integrators of y' = f(t, y), CVODE and ARKODE, as far as they are alike: the right side, the
-/// weights of errors, and linear systems with Newton's matrix I - gamma f_y.
+/// weights of errors, and linear systems with Newton's matrix I - gamma f_y. These are solved by the system's
+/// own factors, not by a matrix of SUNDIALS.
 
 #include "integrators/sundials/stepper.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Owners of vectors, matrices and solvers that SUNDIALS allocates: each is freed by the library's own
+/// Owners of vectors, matrices and solvers that SUNDIALS allocates. Each is freed by the library's own
 /// function.
 
 #include <nvector/nvector_serial.h>

@@ -1,5 +1,5 @@
 #pragma once
-/// The symplectic methods by name.
+/// The symplectic methods by name. A method's parameters are checked where it is made.
 
 #include <memory>
 #include <string_view>

@@ -1,6 +1,6 @@
 #pragma once
 /// Models of one page with known solutions, on which the tests try methods: motion without constraints, and a
-/// particle on a circle.
+/// particle on a circle. They show what a model of the contracts must have.
 
 #include <cmath>
 #include <functional>

@@ -1,5 +1,6 @@
 #pragma once
-/// Figures of the paper: lines over logarithmic axes, two side by side on a page.
+/// Figures of the paper: lines over logarithmic axes, two side by side on a page. They are written as
+/// pgfplots source from results files.
 
 #include <string>
 #include <utility>

@@ -18,7 +18,7 @@ bool is_random(const std::string& scene) { return scene.starts_with("random_"); 
 struct Group {
   Sample kappa, worst, ratio, bodies, rows;  ///< ratio: worst in units of u kappa
   std::vector<Sample> difference{pairs.size()};
-  std::size_t count = 0, failed = 0, unconstrained = 0, ambiguous = 0;
+  std::size_t count = 0, failed = 0, unconstrained = 0, ambiguous = 0, cancels = 0;
 
   void add(const ResultsTable& table, std::size_t row, double bound_factor) {
     ++count;
@@ -32,6 +32,7 @@ struct Group {
       return;
     }
     if (verdict == "EXCEEDS" || verdict == "ERROR") ++failed;
+    if (verdict == "cancels") ++cancels;
     if (verdict == "ERROR") return;
     kappa.add(table.number(row, "kappa"), scene);
     double largest = 0;
@@ -48,6 +49,7 @@ struct Group {
     numbers.define(prefix + "Count", integer(count));
     numbers.define(prefix + "Compared", integer(worst.size()));
     numbers.define(prefix + "Failed", integer(failed));
+    numbers.define(prefix + "Cancels", integer(cancels));
     numbers.define(prefix + "MostBodies", whole(bodies.worst()));
     numbers.define(prefix + "KappaWorst", in_text(kappa.worst()));
     numbers.define(prefix + "Median", in_text(worst.median()));

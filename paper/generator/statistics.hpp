@@ -1,5 +1,6 @@
 #pragma once
-/// Median, least and worst of a column of numbers, with the name of the row that the worst belongs to.
+/// Median, least and worst of a column of numbers. The name of the row that the worst belongs to is kept, for
+/// the text to quote.
 
 #include <algorithm>
 #include <stdexcept>

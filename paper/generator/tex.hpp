@@ -1,5 +1,6 @@
 #pragma once
 /// The little LaTeX that the generated files need: booktabs tables with siunitx columns, and named numbers.
+/// What comes from a file is escaped.
 
 #include <map>
 #include <string>

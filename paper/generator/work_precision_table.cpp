@@ -5,12 +5,11 @@
 #include "paper/generator/figure.hpp"
 #include "paper/generator/statistics.hpp"
 #include "paper/generator/table.hpp"
+#include "results/tools/position_targets.hpp"
 
 namespace trivium::paper {
 
 namespace {
-
-constexpr double targets[] = {1e-3, 1e-6, 1e-9, 1e-10};
 
 /// The cheapest run of a scene, of ours or of the peer's, whose error of positions is at most the target.
 std::optional<std::size_t> cheapest(const ResultsTable& table, const std::string& scene, double target,
@@ -48,7 +47,7 @@ std::string work_precision_table(Results& results, Numbers& numbers) {
       scenes.push_back(table.text(row, "scene"));
   Sample ratios;
   for (const std::string& scene : scenes)
-    for (const double target : targets) {
+    for (const double target : position_targets) {
       const auto ours = cheapest(table, scene, target, true), peer = cheapest(table, scene, target, false);
       const auto ms = [&](const auto& row) {
         return row ? ratio(table.number(*row, "median_ms")) : Tex{"--"};
@@ -60,8 +59,8 @@ std::string work_precision_table(Results& results, Numbers& numbers) {
         ratios.add(r, scene);
         beside = ratio(r);
       }
-      out.add({text(target == targets[0] ? scene : ""), number(target), name(ours), ms(ours), name(peer),
-               ms(peer), beside});
+      out.add({text(target == position_targets[0] ? scene : ""), number(target), name(ours), ms(ours),
+               name(peer), ms(peer), beside});
     }
   numbers.define("WorkLeastRatio", ratio_in_text(ratios.least()));
   numbers.define("WorkMedianRatio", ratio_in_text(ratios.median()));

@@ -1,5 +1,6 @@
 #pragma once
-/// The checksum by which an accepted file is known to be what a program wrote.
+/// The checksum by which an accepted file is known to be what a program wrote. It guards against slips of the
+/// hand, not against an attacker.
 
 #include <string>
 #include <string_view>

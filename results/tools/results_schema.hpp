@@ -1,6 +1,7 @@
 #pragma once
-/// results/schema.json as data: the question and the columns of every results file, the command that makes it
-/// again, and the rule by which two values of a column count as equal.
+/// results/schema.json as data: the question and the columns of every results file, and the command that
+/// makes it again. Decided there: the rule, with its tolerance, by which two values of a column count as
+/// equal.
 
 #include <filesystem>
 #include <string>

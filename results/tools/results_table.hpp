@@ -1,5 +1,6 @@
 #pragma once
-/// A results file as read back: the rows of its CSV, and what its manifest says of them.
+/// A results file as read back: the rows of its CSV, and what its manifest says of them. A file that was
+/// changed since a program wrote it is known by its checksum.
 
 #include <filesystem>
 #include <string>

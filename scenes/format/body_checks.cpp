@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bodies/inertia.hpp"
 #include "scenes/format/scene_checks.hpp"
 
 namespace trivium::scenes {

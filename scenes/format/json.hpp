@@ -1,6 +1,6 @@
 #pragma once
-/// JSON as a scene needs it: members in file order with repeated keys still visible, every number a finite
-/// double.
+/// JSON (RFC 8259) as a scene needs it: members in file order with repeated keys still visible, every number
+/// a finite double. Limits on size, count and nesting keep a hostile file from taking the machine.
 
 #include <string>
 #include <string_view>

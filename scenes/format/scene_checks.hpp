@@ -19,7 +19,6 @@ namespace trivium::scenes {
 inline constexpr double largest_magnitude = 1e100;
 inline constexpr double smallest_divisor = 1e-100;
 inline constexpr double rotation_tolerance = 1e-9;
-inline constexpr double inertia_tolerance = 1e-12;  ///< of the trace
 inline constexpr std::size_t most_bodies = 100'000;
 
 /// All of them, except the magnitudes.

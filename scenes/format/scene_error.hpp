@@ -1,5 +1,6 @@
 #pragma once
-/// What a reader says when a file is not a scene, and the place in the document that it speaks of.
+/// What a reader says when a file is not a scene, and the place in the document that it speaks of. A message
+/// names the file, the place, what was found and what is accepted.
 
 #include <cstddef>
 #include <string>

@@ -1,5 +1,6 @@
 #pragma once
-/// Arbitrary scenes for property tests.
+/// Arbitrary scenes for property tests: every key of the format in any allowed form, sensible as a mechanism
+/// or not. A support of the tests.
 
 #include "scenes/scene.hpp"
 

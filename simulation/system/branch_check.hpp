@@ -37,7 +37,7 @@ class BranchCheck {
       }
       using std::sqrt;
       return std::any_of(way_.begin(), way_.end(), [&](const Way& way) {
-        return !(sqrt(way.back) <= sqrt(way.step) / 10 + little * sqrt(way.size));
+        return !(sqrt(way.back) <= sqrt(way.step) / times_smaller + little * sqrt(way.size));
       });
     };
     return exceeds(0, layout.positions, S(little_position)) ||
@@ -45,6 +45,8 @@ class BranchCheck {
   }
 
  private:
+  /// A projection is to be so many times smaller than the step that it corrects.
+  static constexpr int times_smaller = 10;
   /// Shares of a component's numbers that a projection may always move. Velocities may move more: another
   /// branch of velocities is as far as they are large.
   static constexpr double little_position = 1e-4, little_velocity = 1e-2;

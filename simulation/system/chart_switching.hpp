@@ -35,7 +35,7 @@ class ChartSwitching {
       BodyState<F>& body = state[b];
       if (!(F::chart_distance(body.chart, body.q) < S(reframing_distance))) continue;
       const Vector4<S> p = F::to_euler_parameters(body.chart, body.q);
-      const Vector3<S> omega_bar = F::kinematics(body.chart, body.r, body.r_dot, body.q).omega_bar;
+      const Vector3<S> omega_bar = kinematics_of(body).omega_bar;
       body.chart = F::choose_chart(options_, p);
       body.q = F::from_pose(body.chart, p, omega_bar);
       layout.place(y, b).tail(F::orientation_size) = F::orientation_of(body.chart, p);

@@ -130,7 +130,7 @@ class ConstrainedEquations {
     for (int b = 0; b < nb(); ++b) {
       const RigidBody<S>& of_body = mechanism_.bodies[b];
       Layout::of(force, b) << of_body.mass * Layout::r_of(v_dot, b),
-          F::mass_block(kinematics(b), of_body.inertia) * Layout::q_of(v_dot, b);
+          F::mass_block(kinematics_of(first_order_.state()[b]), of_body.inertia) * Layout::q_of(v_dot, b);
     }
   }
   /// What effects do at y.
@@ -195,21 +195,10 @@ class ConstrainedEquations {
   }
   /// What was evaluated last, to solve for with others of its kind: the rows by number, and what the bodies'
   /// forces leave (reduced, in the places of velocities).
-  void row_residual(StateVector& rows) const {
-    rows.resize(multipliers());
-    matrix_.for_each_row([&](std::size_t e, int k, int row) { rows[row] = right_side_.edge[e][k]; });
-  }
-  void force_residual(StateVector& left) const {
-    left.setZero(velocity_size());
-    for (int b = 0; b < nb(); ++b) Layout::of(left, b).template head<6>() = right_side_.body[b].six();
-  }
+  void row_residual(StateVector& rows) const { matrix_.take_rows(right_side_, rows); }
+  void force_residual(StateVector& left) const { matrix_.take_reduced(right_side_, left); }
   /// The same of a generalised force, where the matrix is.
-  void take_force(const StateVector& force, StateVector& left) const {
-    left.setZero(velocity_size());
-    for (int b = 0; b < nb(); ++b)
-      Layout::of(left, b).template head<6>() << Layout::r_of(force, b),
-          F::reduced(matrix_.factored().body()[b], Layout::q_of(force, b));
-  }
+  void take_force(const StateVector& force, StateVector& left) const { matrix_.reduce(force, left); }
   /// M x + Phi_q^T mu = left, Phi_q x = rows: added to x and mu.
   void solve(const StateVector& left, const StateVector& rows, StateVector& x, StateVector& mu) {
     give(left, rows);
@@ -226,7 +215,7 @@ class ConstrainedEquations {
   }
   /// The same for a generalised force, and rows that ask nothing.
   void solve_force(const StateVector& force, StateVector& x, StateVector& mu) {
-    put_force(force, given_);
+    matrix_.put_force(force, given_);
     for (Vector6<S>& rows : given_.edge) rows.setZero();
     solve(given_, x, &mu);
   }
@@ -238,28 +227,16 @@ class ConstrainedEquations {
   /// What v' leaves of the internal rows' second derivatives where bodies were loaded last, in the places of
   /// velocities that force_residual leaves at 0.
   void take_internal_rows(const StateVector& v_dot, StateVector& left) const {
-    if constexpr (F::internal_constraints > 0)
-      for (int b = 0; b < nb(); ++b) {
-        const auto body = kinematics(b);
-        Layout::of(left, b).template tail<F::internal_constraints>() =
-            F::internal_gamma(body) - F::internal_jacobian(body) * Layout::q_of(v_dot, b);
-      }
+    displacements_.internal_residual(v_dot, left);
   }
   /// Adds to x what removes that, by the least change of the unknowns.
   void solve_internal_rows(const StateVector& y, const StateVector& left, StateVector& x) {
-    if constexpr (F::internal_constraints > 0) {
-      first_order_.load(y);
-      for (int b = 0; b < nb(); ++b) {
-        const auto P = F::internal_jacobian(kinematics(b));
-        const auto rows = left.template segment<F::internal_constraints>(Layout::velocities * b + 6);
-        Layout::of(x, b).template tail<F::rotational_unknowns>() +=
-            P.transpose() * rows.cwiseQuotient(P.rowwise().squaredNorm());
-      }
-    }
+    if constexpr (F::internal_constraints > 0) first_order_.load(y);
+    displacements_.solve_internal_rows(left, x);
   }
   /// M x + Phi_q^T mu = force, Phi_q x = - the rows evaluated last: added to x and mu.
   void velocity_projection(const StateVector& force, StateVector& x, StateVector& mu) {
-    put_force(force, right_side_);
+    matrix_.put_force(force, right_side_);
     newton(S(1), x, mu);
   }
   /// The rate of the work [W] where it was evaluated last.
@@ -295,23 +272,13 @@ class ConstrainedEquations {
     violation_.measure_positions(right_side_);
     return violation_.relative();
   }
-  typename F::Kinematics kinematics(int b) const {
-    const BodyState<F>& body = first_order_.state()[b];
-    return F::kinematics(body.chart, body.r, body.r_dot, body.q);
-  }
   void give(const StateVector& left, const StateVector& rows) {
-    for (int b = 0; b < nb(); ++b)
-      given_.body[b] = BodyPart<S>::of(left.template segment<6>(Layout::velocities * b));
-    matrix_.for_each_row([&](std::size_t e, int k, int row) { given_.edge[e][k] = rows[row]; });
+    matrix_.put_reduced(left, given_);
+    matrix_.put_rows(rows, given_);
   }
   void solve(GraphVector<S>& right_side, StateVector& x, StateVector* lambda) {
     springs_.clear_slack(right_side);
     matrix_.solve(right_side, x, lambda);
-  }
-  void put_force(const StateVector& force, GraphVector<S>& right_side) const {
-    for (int b = 0; b < nb(); ++b)
-      right_side.body[b] = {padded<S>(Layout::r_of(force, b)),
-                            padded<S>(F::reduced(matrix_.factored().body()[b], Layout::q_of(force, b)))};
   }
 
   FirstOrderEquations<F> first_order_;

@@ -21,7 +21,7 @@ class ConstraintProjection {
  public:
   using S = typename F::Scalar;
 
-  /// Shares the solver's factors; redundant rows are those that it found last. The solver must outlive this.
+  /// Shares the solver's factors; dependent rows are those that it found last. The solver must outlive this.
   ConstraintProjection(AccelerationSolver<F>& solver, const S& t)
       : solver_(solver),
         measure_(solver.mechanism(), solver.plan().graph, t),

@@ -26,7 +26,7 @@ class ConstraintViolation {
         graph_(graph),
         scale_(graph.edges.size()),
         turns_(graph.edges.size()),
-        component_(assemblies_of(graph)),
+        component_(components_of(graph)),
         extent_(component_.size()) {
     measure_reaches();
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {

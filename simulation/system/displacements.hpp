@@ -78,6 +78,26 @@ class Displacements {
         Layout::of(v_dot, b).tail(F::rotational_unknowns) = change;
       }
   }
+  /// What v' leaves of the internal rows' second derivatives where the bodies' states are, in the places of
+  /// velocities behind the six of a body's reduced forces.
+  void internal_residual(const StateVector& v_dot, StateVector& left) const {
+    if constexpr (F::internal_constraints > 0)
+      for (int b = 0; b < nb(); ++b) {
+        const auto body = kinematics_of(state_[b]);
+        Layout::of(left, b).template tail<F::internal_constraints>() =
+            F::internal_gamma(body) - F::internal_jacobian(body) * Layout::q_of(v_dot, b);
+      }
+  }
+  /// Adds to x what removes that, by the least change of the unknowns.
+  void solve_internal_rows(const StateVector& left, StateVector& x) const {
+    if constexpr (F::internal_constraints > 0)
+      for (int b = 0; b < nb(); ++b) {
+        const auto P = F::internal_jacobian(kinematics_of(state_[b]));
+        const auto rows = left.template segment<F::internal_constraints>(Layout::velocities * b + 6);
+        Layout::of(x, b).template tail<F::rotational_unknowns>() +=
+            P.transpose() * rows.cwiseQuotient(P.rowwise().squaredNorm());
+      }
+  }
 
  private:
   int nb() const { return layout_.nb(); }

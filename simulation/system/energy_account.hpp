@@ -35,7 +35,8 @@ S unaccounted_energy(const MotionEnergy<S>& now, const MotionEnergy<S>& at_start
 /// than a thousandth of the largest kinetic energy, and than rounding of the energies, whose largest is
 /// `energies`. A difference that is not a number is too large.
 inline bool energy_is_lost(double unaccounted, double largest_kinetic, double energies) {
-  return !(unaccounted <= 1e-3 * largest_kinetic + 1e-12 * energies);
+  constexpr double share_lost = 1e-3, share_rounded = 1e-12;
+  return !(unaccounted <= share_lost * largest_kinetic + share_rounded * energies);
 }
 
 template <class S>

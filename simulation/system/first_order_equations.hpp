@@ -178,7 +178,7 @@ class FirstOrderEquations {
     for (const BodyState<F>& body : state_) {
       Vector4<S> p = F::to_euler_parameters(body.chart, body.q);
       state.pose.push_back({body.r, p / p.norm()});
-      state.twist.push_back({body.r_dot, F::kinematics(body.chart, body.r, body.r_dot, body.q).omega_bar});
+      state.twist.push_back({body.r_dot, kinematics_of(body).omega_bar});
     }
     return state;
   }

@@ -27,24 +27,24 @@ struct Impulse {
 template <class S>
 class MotionLog {
  public:
-  /// So many dependent rows were left out at a state that the motion has reached.
-  void note_dependent_rows(const S& t, int left_out) {
-    if (left_out > left_out_ && left_out_ >= 0 && passages_.size() < most_passages)
-      passages_.push_back({static_cast<double>(t), left_out - left_out_});
-    left_out_ = left_out;
+  /// So many rows were dependent at a state that the motion has reached.
+  void note_dependent_rows(const S& t, int count) {
+    if (count > dependent_rows_ && dependent_rows_ >= 0 && passages_.size() < most_passages)
+      passages_.push_back({static_cast<double>(t), count - dependent_rows_});
+    dependent_rows_ = count;
   }
   /// The next state is the first: it is no passage.
-  void begin() { left_out_ = -1; }
+  void begin() { dependent_rows_ = -1; }
   void add(Impulse<S> impulse) { impulses_.push_back(std::move(impulse)); }
 
-  /// Positions passed where rows depended on others that do not elsewhere: the rows that were left out there
+  /// Positions passed where rows depended on others that do not elsewhere: the dependent rows there
   /// say nothing then, and where a motion could go on in two ways it went as its velocities had it.
   const std::vector<SingularPassage>& passages() const { return passages_; }
   const std::vector<Impulse<S>>& impulses() const { return impulses_; }
 
  private:
   static constexpr std::size_t most_passages = 1000;
-  int left_out_ = -1;  ///< rows; below 0 before the first state
+  int dependent_rows_ = -1;  ///< below 0 before the first state
   std::vector<SingularPassage> passages_;
   std::vector<Impulse<S>> impulses_;
 };

@@ -6,8 +6,8 @@
 ///
 /// along the graph of bodies, joints and springs. The stiffness K and the damping C of springs are put there
 /// by spring_rows.hpp, which ConstrainedEquations::factor asks first. Several can be kept side by side, as
-/// those of the stages of one step. Which rows are dependent is not decided here: the matrix leaves out the
-/// rows that the acceleration solver left out at the last accepted state.
+/// those of the stages of one step. Which rows are dependent is not decided here: those of the
+/// acceleration solver at the last accepted state are.
 
 #include <array>
 #include <deque>
@@ -67,9 +67,41 @@ class NewtonMatrix {
     if (lambda != nullptr)
       for_each_row([&](std::size_t e, int k, int row) { (*lambda)[row] += change_.edge[e][k]; });
   }
+  // between flat vectors, of rows by number and of forces in the places of velocities, and the graph's
+  void put_rows(const StateVector& rows, GraphVector<S>& right_side) const {
+    for_each_row([&](std::size_t e, int k, int row) { right_side.edge[e][k] = rows[row]; });
+  }
+  void take_rows(const GraphVector<S>& right_side, StateVector& rows) const {
+    rows.resize(mechanism_.nc());
+    for_each_row([&](std::size_t e, int k, int row) { rows[row] = right_side.edge[e][k]; });
+  }
+  /// Reduced forces: the first six places of a body.
+  void put_reduced(const StateVector& left, GraphVector<S>& right_side) const {
+    for (int b = 0; b < mechanism_.nb(); ++b)
+      right_side.body[b] = BodyPart<S>::of(left.template segment<6>(Layout::velocities * b));
+  }
+  void take_reduced(const GraphVector<S>& right_side, StateVector& left) const {
+    left.setZero(Layout::velocities * mechanism_.nb());
+    for (int b = 0; b < mechanism_.nb(); ++b)
+      Layout::of(left, b).template head<6>() = right_side.body[b].six();
+  }
+  /// A generalised force, reduced where the matrix in factors is.
+  void put_force(const StateVector& force, GraphVector<S>& right_side) const {
+    for (int b = 0; b < mechanism_.nb(); ++b)
+      right_side.body[b] = {padded<S>(Layout::r_of(force, b)),
+                            padded<S>(F::reduced(factored().body()[b], Layout::q_of(force, b)))};
+  }
+  void reduce(const StateVector& force, StateVector& left) const {
+    left.setZero(Layout::velocities * mechanism_.nb());
+    for (int b = 0; b < mechanism_.nb(); ++b)
+      Layout::of(left, b).template head<6>() << Layout::r_of(force, b),
+          F::reduced(factored().body()[b], Layout::q_of(force, b));
+  }
+
   /// The solution of the last solve.
   const GraphVector<S>& solution() const { return change_; }
 
+ private:
   /// Calls visit(edge, k, row) for the mechanism's rows.
   template <class Visit>
   void for_each_row(const Visit& visit) const {
@@ -78,8 +110,6 @@ class NewtonMatrix {
       if (!edges[e].is_soft)
         for (int k = 0; k < edges[e].size(); ++k) visit(e, k, edges[e].rows[k]);
   }
-
- private:
   /// Beside the matrix in factors, what was evaluated last: the factors go on using their own rows.
   struct Kept {
     GraphSolver<S> solver;

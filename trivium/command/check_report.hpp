@@ -1,6 +1,7 @@
 #pragma once
-/// What `trivium check` says of a scene and its state, as text and as JSON: rank and redundant rows,
-/// residuals of the constraints, energy, and how sparse the augmented matrix of every formulation is.
+/// What `trivium check` says of a scene and its state, as text and as JSON: rank and dependent (redundant)
+/// rows, residuals of the constraints, energy, and how sparse the augmented matrix of every formulation is.
+/// It decides nothing; the analysis is formulations/analysis.
 
 #include <optional>
 #include <string>

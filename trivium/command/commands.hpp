@@ -1,5 +1,5 @@
 #pragma once
-/// The subcommands of `trivium`: one file each, which adds the subcommand's options to the command line and
+/// The subcommands of `trivium`, one file each. A file adds its subcommand's options to the command line and
 /// says what runs where the command line names it.
 
 #include <functional>

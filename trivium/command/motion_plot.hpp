@@ -1,6 +1,6 @@
 #pragma once
 /// A motion as a figure: where the bodies are, what the joints carry, and how well constraints and energy
-/// hold.
+/// hold. Drawn by gnuplot from the samples of a run.
 
 #include <string>
 #include <vector>

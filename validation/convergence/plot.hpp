@@ -1,5 +1,6 @@
 #pragma once
-/// Errors over steps as a figure, with triangles of the published slopes.
+/// Errors over steps as a figure, with triangles of the published slopes. A method has its order where its
+/// line is parallel to its triangle.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-/// The order that is published of every method, of r, v and lambda and of the method's own lambda, and the
-/// runs that show this order: steps, scene, and the size down to which errors tell an order.
+/// The order that is published of every method, of r, v and lambda and of the method's own lambda. Decided
+/// here: the runs that show this order, by scene, steps, and the size down to which errors tell an order.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-/// One mechanism at many states: how many a second on one core.
+/// One mechanism at many states: how many a second on one core. This is how controllers and optimisers call a
+/// solver, so engines that take many states at once may.
 
 #include <vector>
 

@@ -1,5 +1,6 @@
 #pragma once
-/// MuJoCo at one state, or at many of the same scene.
+/// MuJoCo at one state, or at many of the same scene. Its model is read from text (mujoco_text.hpp), before
+/// anything is timed.
 
 #include <span>
 

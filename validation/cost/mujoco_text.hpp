@@ -1,5 +1,6 @@
 #pragma once
-/// A scene in MuJoCo's language.
+/// A scene in MuJoCo's language, MJCF: bodies nested by joints, and what closes loops as equality
+/// constraints. MuJoCo reads it as text, so numbers have all their digits.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-/// From a scene to what other engines are told of it.
+/// From a scene to what other engines are told of it: a tree of joints, and what closes its loops. Decided
+/// here: which scenes no peer can take, and what is raised for engines that refuse moments of zero.
 
 #include "scenes/scene.hpp"
 #include "validation/cost/peer_scene.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// Time per body against n, as SVG, by gnuplot.
+/// Time per body against n, as SVG, by gnuplot. An engine of linear cost is a level line there.
 
 #include <filesystem>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-/// The solution that all engines are measured against: r-omega in quad, and the distance of an engine's
-/// accelerations and multipliers from it.
+/// The solution that all engines are measured against: r-omega in quad. Here too is the distance of an
+/// engine's accelerations and multipliers from it.
 
 #include <vector>
 

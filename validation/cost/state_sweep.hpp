@@ -1,6 +1,6 @@
 #pragma once
-/// Our solver over many states of one mechanism, one by one or as many at once as a vector register holds
-/// numbers.
+/// Our solver over many states of one mechanism: one by one, or as many at once as a vector register holds
+/// numbers (bodies/numbers/batch.hpp). Both give the same accelerations.
 
 #include <functional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
-/// The structured solver of one formulation, in one Scalar, as an engine: a template, for who needs another
-/// Scalar than trivium_engines.hpp has.
+/// The structured solver of one formulation, in one Scalar, as an engine beside the peers. A template, for
+/// who needs another Scalar than trivium_engines.hpp has.
 
 #include <string>
 #include <vector>

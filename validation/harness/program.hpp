@@ -1,6 +1,6 @@
 #pragma once
 /// What the validation executables have in common: their command line, the scenes that it names, and how they
-/// end.
+/// end. Each executable is then its question alone.
 
 #include <functional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 /// Numbers of other codes and of publications that motions are compared with: the tables of
-/// validation/reference/*.csv, each of which says where its numbers come from.
+/// validation/reference/*.csv. Each table says where its numbers come from.
 
 #include <array>
 #include <cmath>

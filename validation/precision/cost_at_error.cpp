@@ -5,13 +5,11 @@
 #include <algorithm>
 
 #include "base/table.hpp"
+#include "results/tools/position_targets.hpp"
 
 namespace trivium::precision {
 
 namespace {
-
-/// Errors of positions [m] that the costs are told for.
-constexpr std::array targets{1e-3, 1e-6, 1e-9, 1e-10};
 
 /// The cheapest of a contender's runs (or of all of ours, or all peers') that is as exact; null where none
 /// is.
@@ -36,7 +34,7 @@ bool is_peer(const RunSettings& e) { return e.formulation.empty(); }
 
 std::string cost_table(const SceneResult& result) {
   std::vector<std::string> header{"method"};
-  for (const double target : targets) header.push_back(fmt::format("{:.0e} m", target));
+  for (const double target : position_targets) header.push_back(fmt::format("{:.0e} m", target));
   Table table(header);
   std::vector<std::string> contenders;
   for (const RunResult& o : result.runs)
@@ -44,7 +42,7 @@ std::string cost_table(const SceneResult& result) {
       contenders.push_back(who(o.settings));
   for (const std::string& contender : contenders) {
     std::vector<std::string> row{contender};
-    for (const double target : targets) {
+    for (const double target : position_targets) {
       const RunResult* best =
           cheapest(result, target, [&](const RunSettings& e) { return who(e) == contender; });
       row.push_back(best ? fmt::format("{:.2f} ms ({})", 1e3 * best->seconds.median, best->settings.setting())
@@ -57,7 +55,7 @@ std::string cost_table(const SceneResult& result) {
                                 result.reference_error > 0 ? fmt::format("{:.0e} m", result.reference_error)
                                                            : "no difference in double",
                                 result.is_trusted ? ", trusted numbers among it" : "", table.text());
-  for (const double target : targets) {
+  for (const double target : position_targets) {
     const RunResult *ours = cheapest(result, target, [](const RunSettings&e) { return !is_peer(e); }),
                     *peer = cheapest(result, target, is_peer);
     if (ours && peer)

@@ -1,5 +1,5 @@
 #pragma once
-/// CPU time over errors as figures, a line a method; runs that failed are marked, not dropped.
+/// CPU time over errors as figures, a line a method. Runs that failed are marked, not dropped.
 
 #include <filesystem>
 

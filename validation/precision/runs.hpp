@@ -1,6 +1,7 @@
 #pragma once
-/// What accuracy costs: a scene's motion by many methods at many tolerances or steps, ours and Simbody's,
-/// each with its errors against one reference and the CPU time that it takes.
+/// What accuracy costs: a scene's motion by many methods at many tolerances or steps, ours and Simbody's.
+/// Each run has its errors against one reference and the CPU time that it takes; decided here are the
+/// tolerances and steps.
 
 #include <array>
 #include <functional>

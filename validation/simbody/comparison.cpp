@@ -25,24 +25,25 @@ double relative_distance(const VectorX<double>& a, const VectorX<double>& b, dou
 /// Everything that one scene's comparisons share.
 struct Subject {
   Subject(const scenes::Scene& scene, double t)
-      : model(to_simbody(scene, t)), side(solve(scene, t)), frame(scene, t, side.rows) {}
-  static SideBySide<double> solve(const scenes::Scene& scene, double t) {
-    const auto model = make_model<double>(scene, t);
-    return side_by_side(model, analyse_rows(model));
-  }
+      : made(make_model<double>(scene, t)),
+        model(to_simbody(scene, made)),
+        side(side_by_side(made, analyse_rows(made))),
+        frame(made, side.rows) {}
+  Subject(const Subject&) = delete;
 
-  simbody::Model model;
-  SideBySide<double> side;
-  ReactionFrame frame;
+  const Model<double> made;
+  const simbody::Model model;
+  const SideBySide<double> side;
+  const ReactionFrame frame;
 };
 
 /// Refuses in Simbody's place a mass matrix whose inverse Simbody would take from rounding.
 void refuse_massless_motion(const Subject& subject, simbody::Way way) {
   const auto mobilizers = simbody::mobilizers(subject.model, way);
-  const auto body = massless_motion(subject.frame.mechanism(), subject.frame.Phi(), mobilizers);
+  const auto body = massless_motion(subject.made.mechanism, subject.frame.Phi(), mobilizers);
   if (!body) return;
   // an inertia that no body has Simbody refuses reliably, in its own words
-  const auto& bodies = subject.frame.mechanism().bodies;
+  const auto& bodies = subject.made.mechanism.bodies;
   if (!std::all_of(bodies.begin(), bodies.end(),
                    [](const auto& b) { return check_inertia(b.inertia).physical(); }))
     simbody::solve(subject.model, way);
@@ -62,10 +63,10 @@ void compare(const Subject& subject, SimbodyComparison& out) {
   }
   refuse_massless_motion(subject, out.way);
   const simbody::Answer answer = simbody::solve(subject.model, out.way);
-  const auto& [model, side, frame] = subject;
+  const auto& [made, model, side, frame] = subject;
   const SimbodySolution theirs = to_trivium_solution(model, answer, frame);
   const VectorX<double> their_reactions = frame.stack(theirs.reactions);
-  out.nc = frame.mechanism().nc();
+  out.nc = made.mechanism.nc();
   out.rank = side.rows.rank;
   out.kappa = side.rows.kappa;
   out.mobilizers = answer.mobilizers;

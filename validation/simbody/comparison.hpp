@@ -1,5 +1,7 @@
 #pragma once
-/// One scene in every formulation against the ways of rebuilding it in Simbody.
+/// One scene in every formulation against the ways of rebuilding it in Simbody. Compared are accelerations,
+/// lambda and reactions, each relative and in the metric of row_analysis.hpp; what Simbody cannot solve is
+/// compared as its physical twin, and said so.
 
 #include <string>
 #include <vector>

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bodies/inertia.hpp"
+
 namespace trivium {
 
 namespace {
 
-/// The scene format's tolerance of a principal moment, relative to the trace. A rotation at an angle theta to
-/// the axis without inertia has the share theta^2 of the body's, so that the same number holds for squares.
-constexpr double tolerance = 1e-12;
+/// A rotation at an angle theta to the axis without inertia has the share theta^2 of the body's, so that the
+/// tolerance of a principal moment holds for squares.
+constexpr double tolerance = inertia_tolerance;
 
 struct MasslessRotation {
   int body;

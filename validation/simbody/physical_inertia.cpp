@@ -30,7 +30,7 @@ scenes::Scene physical_twin(scenes::Scene scene) {
     Matrix3<double> J = mechanism.bodies[b].inertia;
     const InertiaCheck check = check_inertia(J);
     const Vector3<double>& moment = check.principal_moments;
-    if (check.physical() && moment[0] > 1e-12 * J.trace()) continue;
+    if (check.physical() && moment[0] > inertia_tolerance * J.trace()) continue;
     const double reach = reach_of(scene, b), mass = mechanism.bodies[b].mass;
     const double size = J.trace() + mass * reach * reach;
     J.diagonal().array() += std::max(0.0, moment[2] - moment[1] - moment[0]) + (size > 0 ? size : mass) / 100;

@@ -1,6 +1,6 @@
 #pragma once
-/// A scene whose bodies any multibody code accepts: for codes that refuse inertias which no body has, or that
-/// no motion about an axis resists.
+/// A scene whose bodies any multibody code accepts. Codes refuse inertias that no body has, or that no motion
+/// about an axis resists; those bodies get more inertia, the others stay as they are.
 
 #include "scenes/scene.hpp"
 

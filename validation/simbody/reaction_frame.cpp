@@ -5,23 +5,20 @@
 
 #include "formulations/analysis/rank_tolerance.hpp"
 #include "formulations/analysis/tangent_system.hpp"
-#include "scenes/make_mechanism.hpp"
 
 namespace trivium {
 
-ReactionFrame::ReactionFrame(const scenes::Scene& scene, double t, const RowAnalysis& rows)
-    : mechanism_(make_mechanism<double>(scene)), state_(make_state<double>(scene, t)), rows_(rows) {
-  Phi_ = tangent_system(mechanism_, state_).Phi;
-}
+ReactionFrame::ReactionFrame(const Model<double>& model, const RowAnalysis& rows)
+    : model_(model), rows_(rows), Phi_(tangent_system(model.mechanism, model.state).Phi) {}
 
 VectorX<double> ReactionFrame::stack(const std::vector<JointReaction>& reactions) const {
-  VectorX<double> out = VectorX<double>::Zero(6 * (mechanism_.nb() + unique_joints()));
-  Eigen::Index next = 6 * mechanism_.nb();
+  VectorX<double> out = VectorX<double>::Zero(6 * (mechanism().nb() + unique_joints()));
+  Eigen::Index next = 6 * mechanism().nb();
   for (std::size_t k = 0; k < reactions.size(); ++k) {
-    const Joint<double>& joint = mechanism_.joints[k];
-    if (joint.j != mechanism_.ground())
+    const Joint<double>& joint = mechanism().joints[k];
+    if (joint.j != mechanism().ground())
       out.segment<6>(6 * joint.j) += metric_wrench(joint.j, reactions[k].on_j);
-    if (joint.i != mechanism_.ground())
+    if (joint.i != mechanism().ground())
       out.segment<6>(6 * joint.i) += metric_wrench(joint.i, reactions[k].on_i);
     if (!is_unique(joint)) continue;
     out.segment<6>(next) = metric_wrench(joint, reactions[k]);
@@ -32,8 +29,8 @@ VectorX<double> ReactionFrame::stack(const std::vector<JointReaction>& reactions
 
 std::vector<JointReaction> ReactionFrame::reactions(const FormulationResult<double>& result) const {
   std::vector<JointReaction> out;
-  for (std::size_t k = 0; k < mechanism_.joints.size(); ++k)
-    out.push_back({reaction_on_i(mechanism_.joints[k], result.solution.lambda), result.reactions[k]});
+  for (std::size_t k = 0; k < mechanism().joints.size(); ++k)
+    out.push_back({reaction_on_i(mechanism().joints[k], result.solution.lambda), result.reactions[k]});
   return out;
 }
 
@@ -45,13 +42,13 @@ VectorX<double> ReactionFrame::multipliers(const Joint<double>& joint, const Joi
 }
 
 int ReactionFrame::body_of(const Joint<double>& joint) const {
-  return joint.j != mechanism_.ground() ? joint.j : joint.i;
+  return joint.j != mechanism().ground() ? joint.j : joint.i;
 }
 
 Reaction<double> ReactionFrame::reaction_on_i(const Joint<double>& joint,
                                               const VectorX<double>& lambda) const {
-  if (joint.i == mechanism_.ground()) return {};
-  const Pose<double>& pose = state_.pose[static_cast<std::size_t>(joint.i)];
+  if (joint.i == mechanism().ground()) return {};
+  const Pose<double>& pose = model_.state.pose[static_cast<std::size_t>(joint.i)];
   const Vector6 wrench = -Phi_.block(joint.first_row, 6 * joint.i, joint.rows, 6).transpose() *
                          lambda.segment(joint.first_row, joint.rows);
   return {wrench.head<3>(), rotation_matrix(pose.p) * wrench.tail<3>(), pose.r};
@@ -64,7 +61,7 @@ ReactionFrame::Vector6 ReactionFrame::metric_wrench(const Joint<double>& joint,
 }
 
 ReactionFrame::Vector6 ReactionFrame::metric_wrench(int body, const Reaction<double>& reaction) const {
-  const Pose<double>& pose = state_.pose[static_cast<std::size_t>(body)];
+  const Pose<double>& pose = model_.state.pose[static_cast<std::size_t>(body)];
   const Reaction<double> moved = reaction.about(pose.r);
   Vector6 wrench;
   wrench << moved.force, rotation_matrix(pose.p).transpose() * moved.torque;
@@ -80,7 +77,7 @@ bool ReactionFrame::is_unique(const Joint<double>& joint) const {
 }
 
 int ReactionFrame::unique_joints() const {
-  return static_cast<int>(std::count_if(mechanism_.joints.begin(), mechanism_.joints.end(),
+  return static_cast<int>(std::count_if(mechanism().joints.begin(), mechanism().joints.end(),
                                         [this](const Joint<double>& j) { return is_unique(j); }));
 }
 

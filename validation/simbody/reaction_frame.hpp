@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "formulations/side_by_side.hpp"
-#include "scenes/scene.hpp"
+#include "mechanism/model.hpp"
 
 namespace trivium {
 
@@ -18,9 +18,10 @@ struct JointReaction {
 /// What both sides' reactions are turned into for comparison.
 class ReactionFrame {
  public:
-  ReactionFrame(const scenes::Scene& scene, double t, const RowAnalysis& rows);
+  /// Both must outlive the frame.
+  ReactionFrame(const Model<double>& model, const RowAnalysis& rows);
 
-  const Mechanism<double>& mechanism() const { return mechanism_; }
+  const Mechanism<double>& mechanism() const { return model_.mechanism; }
   const MatrixX<double>& Phi() const { return Phi_; }
 
   /// The metric wrenches of all unique joint reactions, then those of all joints together on every body.
@@ -49,8 +50,7 @@ class ReactionFrame {
   bool is_unique(const Joint<double>& joint) const;
   int unique_joints() const;
 
-  Mechanism<double> mechanism_;
-  MechanismState<double> state_;
+  const Model<double>& model_;
   const RowAnalysis& rows_;
   MatrixX<double> Phi_;
 };

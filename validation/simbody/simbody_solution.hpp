@@ -1,6 +1,6 @@
 #pragma once
-/// Simbody's answer in our terms: accelerations, lambda of all rows and joint reactions, to be compared with
-/// those of a formulation.
+/// Simbody's answer in our terms: accelerations, lambda of all rows and joint reactions. Signs and factors
+/// stand in multiplier_signs.hpp.
 
 #include <vector>
 

@@ -126,11 +126,14 @@ static_assert(scenes::ground == simbody::ground);
 }  // namespace
 
 simbody::Model to_simbody(const scenes::Scene& scene, double t) {
-  const auto mechanism = make_mechanism<double>(scene);
-  const auto state = make_state<double>(scene, t);
+  return to_simbody(scene, make_model<double>(scene, t));
+}
+
+simbody::Model to_simbody(const scenes::Scene& scene, const Model<double>& made) {
+  const auto& [mechanism, state] = made;
   const int nb = mechanism.nb();
   simbody::Model model;
-  model.t = t;
+  model.t = state.t;
   for (int b = 0; b < nb; ++b) {
     const Matrix3<double>& J = mechanism.bodies[b].inertia;
     const Vector4<double>& p = state.pose[b].p;

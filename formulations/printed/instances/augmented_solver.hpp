@@ -1,5 +1,6 @@
 #pragma once
-/// What the units of augmented_solver_<scalar>.cpp compile: every formulation in one Scalar.
+/// What the units of augmented_solver_<scalar>.cpp compile: every formulation in one Scalar. The list of
+/// formulations stands here as a macro, as in equations_of_motion.hpp.
 
 #include "formulations/formulation_list.hpp"
 #include "formulations/printed/augmented_solver_impl.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// One body under gravity and what may hold it: what the Simbody tests are made of.
+/// One body under gravity and what may hold it: what the Simbody tests are made of. A support of the tests.
 
 #include <string>
 

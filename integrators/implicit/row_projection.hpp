@@ -1,0 +1,64 @@
+#pragma once
+/// The end of a step moved onto its rows, positions and then velocities, where its stages met them within
+/// tolerances alone. By Newton's matrix in factors: the least change in M that removes what the rows miss,
+///
+///   M x + Phi_q^T mu = 0,   Phi_q x = -Phi    and then    Phi_q x = -(Phi_q v - nu)
+///
+/// until rounding is left.
+
+#include <limits>
+
+#include "integrators/implicit/newton.hpp"
+
+namespace trivium::integrators {
+
+template <ConstrainedSystem System>
+class RowProjection {
+ public:
+  using S = typename System::Scalar;
+
+  /// By the matrix selected, which is of a state nearby. Throws an IntegrationError if the rows cannot be
+  /// met.
+  void move(System& system, const S& t, StateVector<S>& y) {
+    const int nv = system.velocity_size();
+    auto v = y.segment(system.position_size(), nv);
+    x_.setZero(nv);
+    system.normalise_step(S(1), y, x_);
+    meet(
+        system, t, [&] { return S(system.position_rows(t, y)); },
+        [&] {
+          const StateVector<S> from = y;
+          system.displace(from, x_, y);
+          system.normalise_step(S(1), y, x_);
+        });
+    x_.setZero(nv);
+    system.normalise_step_velocity(S(1), y, x_);
+    v += x_;
+    meet(
+        system, t,
+        [&] {
+          system.position_rows(t, y);
+          return S(system.velocity_rows());
+        },
+        [&] { v += x_; });
+  }
+
+ private:
+  template <class Violation, class Move>
+  void meet(System& system, const S& t, const Violation& violation, const Move& move) {
+    S before = std::numeric_limits<S>::max(), now = violation();
+    for (; now > rounding<S>() && now < before; now = violation()) {
+      before = now;
+      system.row_residual(rows_);
+      x_.setZero(system.velocity_size());
+      mu_.setZero(system.multipliers());
+      system.solve(StateVector<S>::Zero(x_.size()), -rows_, x_, mu_);
+      move();
+    }
+    if (!(now <= 1000 * rounding<S>())) throw_not_converged(system, t);
+  }
+
+  StateVector<S> rows_, x_, mu_;
+};
+
+}  // namespace trivium::integrators
