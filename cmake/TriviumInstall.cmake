@@ -5,7 +5,8 @@ set(rooms base bodies constraints effects mechanism scenes formulations integrat
 add_library(trivium INTERFACE)
 add_library(trivium::trivium ALIAS trivium)
 list(TRANSFORM rooms PREPEND trivium_ OUTPUT_VARIABLE libraries)
-list(APPEND libraries trivium_structured_solver trivium_scenes_in_other_scalars trivium_formulations_in_other_scalars)
+list(APPEND libraries trivium_command_line trivium_structured_solver trivium_scenes_in_other_scalars
+     trivium_formulations_in_other_scalars)
 target_link_libraries(trivium INTERFACE ${libraries})
 install(TARGETS trivium ${libraries} EXPORT triviumTargets)
 foreach(room IN LISTS rooms)
@@ -15,6 +16,7 @@ endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes/catalogue/ DESTINATION ${CMAKE_INSTALL_DATADIR}/trivium/scenes
         FILES_MATCHING PATTERN "*.json")
 install(FILES ${PROJECT_SOURCE_DIR}/scenes/format/scene.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/trivium)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/validation/reference DESTINATION ${CMAKE_INSTALL_DATADIR}/trivium)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/trivium)
 install(EXPORT triviumTargets NAMESPACE trivium:: DESTINATION ${config_dir})

@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# Every header below SOURCE_DIR begins with `#pragma once` and, on the next line or the one after it, with a comment on
-# what it is for.
+# Every header below SOURCE_DIR begins with `#pragma once` and, on the next line, with a comment of at least two sentences:
+# what the file is for, and what to know of it.
 file(GLOB_RECURSE headers RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/*.hpp)
 list(FILTER headers EXCLUDE REGEX "^build/")
 if(NOT headers)
@@ -8,9 +8,13 @@ if(NOT headers)
 endif()
 set(errors "")
 foreach(header IN LISTS headers)
-  file(READ ${SOURCE_DIR}/${header} text LIMIT 1000)
-  if(NOT text MATCHES "^#pragma once\n([^\n]*\n)?/// ?[A-Za-z]")
-    string(APPEND errors "${header} does not begin with what it is for\n")
+  file(READ ${SOURCE_DIR}/${header} text LIMIT 4000)
+  string(REGEX REPLACE "[];[]" " " text "${text}")
+  string(REGEX MATCH "^#pragma once\n(///[^\n]*\n)+" comment "${text}")
+  string(REGEX MATCHALL "[.?:][ \n]" ends "${comment}")
+  list(LENGTH ends sentences)
+  if(sentences LESS 2)
+    string(APPEND errors "${header} does not begin with two sentences on what it is for\n")
   endif()
 endforeach()
 if(errors)

@@ -25,9 +25,17 @@ foreach(include IN ITEMS [[#include "formulations/r_p.hpp"]] [[#include <formula
                          [[# include "formulations/r_p.hpp"]] [[  #	include<formulations/r_p.hpp>]]
                          [[#include "../formulations/r_p.hpp"]] [[#include "bodies/../formulations/r_p.hpp"]]
                          [[/**/ #include "formulations/r_p.hpp"]] [[#/* r-p */include "formulations/r_p.hpp"]]
-                         [[#include "./so3.hpp"]] [[#include "/trivium/formulations/r_p.hpp"]] [[#include R_P_HEADER]])
+                         [[#include "./so3.hpp"]] [[#include "/trivium/formulations/r_p.hpp"]] [[#include R_P_HEADER]]
+                         [[/* a * b */ #include "formulations/r_p.hpp"]] [[#/***/include "formulations/r_p.hpp"]]
+                         [[#import "formulations/r_p.hpp"]] [[%:include "formulations/r_p.hpp"]]
+                         [[#include <formulations/r_p.hpp>  // a] b[ c]])
   file(WRITE ${WORK}/${so3} "${text}${include}\n")
   check(fails ${so3} "${include}")
+endforeach()
+foreach(lines IN ITEMS "#include <vector>  // a[\n#include \"formulations/r_p.hpp\"" "#inc\\\nlude \"formulations/r_p.hpp\""
+                       "/* over\nlines */ #include \"formulations/r_p.hpp\"" "// half /*\n#include \"formulations/r_p.hpp\"\n// */")
+  file(WRITE ${WORK}/${so3} "${text}${lines}\n")
+  check(fails ${so3} "${lines}")
 endforeach()
 file(WRITE ${WORK}/${so3} "${text}#include <vector>\n# include \"base/error.hpp\"\n")
 check(holds ${so3} "what the layers allow, in another spelling")
@@ -51,6 +59,8 @@ plant(fails paper/generator/planted.cpp validation/harness/program.hpp)
 plant(fails bodies/planted.hpp bodies/testing/properties.hpp)
 plant(fails bodies/planted.hpp testing/properties.hpp)
 plant(fails bodies/planted.h formulations/r_p.hpp)
+plant(fails bodies/planted.ipp formulations/r_p.hpp)
+plant(fails cmake/planted.hpp base/error.hpp)
 # tests and their helpers may include scenes besides
 plant(holds formulations/planted_test.cpp scenes/make_mechanism.hpp)
 plant(holds formulations/testing/planted.hpp scenes/scene.hpp)

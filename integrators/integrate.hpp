@@ -3,7 +3,7 @@
 ///
 ///   that a finished step is taken back and a shorter one taken: checked_step (integrate.cpp), where the
 ///   projection fails, where the system finds that projection_is_too_large (the step may have left its
-///   branch; the threshold is the system's, in simulation/system/first_order_equations.hpp), or where the
+///   branch; the threshold is the system's, in simulation/system/branch_check.hpp), or where the
 ///   step turned out more than twice as long as the system's longest_step
 ///
 ///   by how much it is shortened: the method (StepSizeControl::shorten); methods of given steps refuse, which

@@ -14,11 +14,15 @@
 
 namespace trivium::integrators {
 
-/// Whether two steps between times of a grid are one length: their differences round, by far less than this.
+/// The share by which lengths of steps may differ and are one: decimal steps and differences of times round
+/// by far less.
+inline constexpr double step_rounding = 1e-9;
+
+/// Whether two steps between times of a grid are one length.
 template <class S>
 bool is_same_length(const S& h, const S& last) {
   using std::abs;
-  return abs(h - last) <= S(1e-9) * abs(last);
+  return abs(h - last) <= S(step_rounding) * abs(last);
 }
 
 /// A time that a run lands on exactly.
@@ -113,7 +117,7 @@ class TimeGrid {
     const double ratio = length / step, nearest = std::round(ratio);
     if (!(ratio < 1e15))
       throw UsageError(fmt::format("the step {} divides the {} of {} into too many", step, what, length));
-    if (nearest < 1 || std::abs(ratio - nearest) > 1e-9 * ratio)
+    if (nearest < 1 || std::abs(ratio - nearest) > step_rounding * ratio)
       throw UsageError(
           fmt::format("the step {} does not divide the {} of {}: the nearest that does is {:.17g}", step,
                       what, length, length / std::max(1.0, nearest)));

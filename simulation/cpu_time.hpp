@@ -1,5 +1,5 @@
 #pragma once
-/// CPU time of this thread, by which runs are compared: what other processes do does not count.
+/// CPU time of this thread, by which runs are compared. What other processes do does not count.
 
 #include <ctime>
 

@@ -1,6 +1,6 @@
 #pragma once
 /// A motion as a run shows it: a sample at every output, a report at the end, and the observer that sees both
-/// go by. Plain data in double; nothing of formulations or methods is included.
+/// go by. Plain data in double, whatever formulation, Scalar and method the run had.
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 /// A motion as CSV, a line an output: t, then of every body its place, Euler parameters, velocity and
 /// body-frame angular velocity, of every joint its reaction on body j, lambda, energy and the largest
-/// violations; then the method's own lambda, if it has any.
+/// violations; then the method's own lambda, if it has any. Numbers have all digits of a double.
 
 #include <optional>
 #include <string>

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 #include "base/json_writer.hpp"
@@ -114,10 +115,12 @@ int run(const Program& program, const Options& options) {
     reference.integrator = "rkf78";
     reference.end = options.t_end;
     reference.tolerances = {1e-19, 1e-21};
+    std::optional<TwoModels> models;
     std::vector<MotionSample> exact;
     std::string error;
     try {
-      exact = outputs_of(named.scene, reference);
+      models.emplace(named);
+      exact = outputs_of(*models, reference);
     } catch (const std::runtime_error& of_reference) {
       error = name_source(named.source, fmt::format("no reference: {}", of_reference.what()));
     }
@@ -126,7 +129,7 @@ int run(const Program& program, const Options& options) {
         progress.step();
         if (of.method.starts_with("rattle") && !inertia_is_constant(formulation)) continue;
         if (!program.names_scenes() && of.scene != named.scene.name) continue;
-        rows.push_back(error.empty() ? measure(named, formulation, of, options.t_end, options.levels, exact)
+        rows.push_back(error.empty() ? measure(*models, formulation, of, options.t_end, options.levels, exact)
                                      : OrderResult{named.scene.name, formulation, error, of, {}, {}, {}});
         solved = solved && rows.back().solved();
         passed = passed && rows.back().passed();

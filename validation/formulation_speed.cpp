@@ -11,7 +11,6 @@
 #include "base/json_writer.hpp"
 #include "base/progress.hpp"
 #include "base/table.hpp"
-#include "scenes/make_mechanism.hpp"
 #include "simulation/simulate.hpp"
 #include "validation/harness/interleaved_timing.hpp"
 #include "validation/harness/program.hpp"
@@ -57,7 +56,7 @@ struct Options {
   int repetitions = 9;
 };
 
-SimulationReport simulate_once(const scenes::Scene& scene, const Run& run, const Options& options) {
+SimulationReport simulate_once(const Model<double>& model, const Run& run, const Options& options) {
   SimulationOptions o;
   o.formulation = run.formulation;
   o.integrator = run.method->name;
@@ -66,7 +65,7 @@ SimulationReport simulate_once(const scenes::Scene& scene, const Run& run, const
   o.end = options.t_end;
   o.watches = false;
   SimulationObserver nobody;
-  return simulate(make_model<double>(scene), o, nobody);
+  return simulate(model, o, nobody);
 }
 
 std::vector<Run> measure(const NamedScene& named, const Options& options, Progress& progress) {
@@ -80,7 +79,7 @@ std::vector<Run> measure(const NamedScene& named, const Options& options, Progre
         Run& run = runs[n];
         if (!run.solved()) return;
         try {
-          const SimulationReport report = simulate_once(named.scene, run, options);
+          const SimulationReport report = simulate_once(named.model(), run, options);
           run.seconds.push_back(report.seconds);
           run.steps = report.counters.steps;
           run.iterations = report.counters.iterations;

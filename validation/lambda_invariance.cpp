@@ -14,7 +14,6 @@
 #include "base/progress.hpp"
 #include "base/table.hpp"
 #include "formulations/side_by_side.hpp"
-#include "scenes/make_mechanism.hpp"
 #include "validation/harness/consistent_random_scene.hpp"
 #include "validation/harness/program.hpp"
 
@@ -98,15 +97,14 @@ void compare(const Model<double>& model, Answer& answer) {
                                                                           : Verdict::exceeds;
 }
 
-/// `source`: what a message about the scene calls it.
-Answer ask(const std::string& source, const scenes::Scene& scene, double t) {
+Answer ask(const NamedScene& named) {
   Answer answer;
-  answer.scene = scene.name;
-  answer.nb = static_cast<int>(scene.bodies.size());
+  answer.scene = named.scene.name;
+  answer.nb = static_cast<int>(named.scene.bodies.size());
   try {
-    compare(make_model(scene, t), answer);
+    compare(named.model(), answer);
   } catch (const ModelError& error) {
-    answer.error = name_source(source, error.what());
+    answer.error = name_source(named.source, error.what());
   }
   return answer;
 }
@@ -199,7 +197,7 @@ class Survey {
       if (a.verdict == Verdict::error) ++errors;
       if (!a.comparable()) continue;
       difference.push_back(a.worst());
-      ratio.push_back(100 * a.worst() / a.bound);
+      ratio.push_back(bound_factor * a.worst() / a.bound);
     }
     std::string out = counted(answers_.size() - from, "random mechanism", "random mechanisms");
     out += fmt::format(" ({} without unique multipliers, {} beyond the bound where causes cancel{})", none,
@@ -209,9 +207,9 @@ class Survey {
     std::sort(difference.begin(), difference.end());
     return out + fmt::format(
                      ": difference {:.1e} median, {:.1e} worst; in units of u kappa {:.2g} median, {:.2g} "
-                     "worst (bound 100)\n",
+                     "worst (bound {})\n",
                      difference[difference.size() / 2], difference.back(), ratio[ratio.size() / 2],
-                     ratio.back());
+                     ratio.back(), bound_factor);
   }
 
   std::vector<Answer> answers_;
@@ -222,14 +220,12 @@ int run(const Program& program, const Arguments& arguments) {
   const std::vector<NamedScene> scenes = program.scenes(0);
   Survey survey;
   Progress progress("lambda_invariance", scenes.size() + random_count);
-  for (const auto& [source, scene] : scenes) {
-    survey.add(ask(source, scene, 0));
+  for (const NamedScene& named : scenes) {
+    survey.add(ask(named));
     progress.step();
   }
   for (std::size_t k = 0; k < random_count; ++k) {
-    const std::uint64_t seed = arguments.seed + k;
-    const scenes::RandomScene random = consistent_random_scene(seed);
-    survey.add(ask(fmt::format("random mechanism of seed {}", seed), random.scene, random.t));
+    survey.add(ask(consistent_random_scene(arguments.seed + k)));
     progress.step();
   }
   ResultsFile file("lambda_invariance", columns());

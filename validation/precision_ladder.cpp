@@ -86,7 +86,7 @@ PrecisionResult solve_in(const NamedScene& named, const RowsOrError& rows, const
 std::vector<PrecisionResult> solve_in_all(const NamedScene& scene) {
   RowsOrError rows;
   try {
-    rows.analysis = analyse_rows(make_model<double>(scene.scene));
+    rows.analysis = analyse_rows(scene.model());
   } catch (const ModelError& error) {
     rows.error = error.what();
   }

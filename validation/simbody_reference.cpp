@@ -157,9 +157,9 @@ int run(const Program& program, double t) {
   std::vector<SimbodyComparison> comparisons;
   {
     Progress progress("simbody_reference", scenes.size());
-    for (const auto& [source, scene] : scenes) {
-      for (SimbodyComparison& c : compare_with_simbody(scene, t)) {
-        if (c.possible && !c.solved()) c.error = name_source(source, reason(c));
+    for (const NamedScene& named : scenes) {
+      for (SimbodyComparison& c : compare_with_simbody(named)) {
+        if (c.possible && !c.solved()) c.error = name_source(named.source, reason(c));
         comparisons.push_back(std::move(c));
       }
       progress.step();

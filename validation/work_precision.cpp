@@ -35,10 +35,10 @@ std::vector<TimedMotion> motions(const Program& program) {
              "bricard",  "flyball_governor", "stewart_platform"};
   std::vector<TimedMotion> all;
   for (const std::string& name : names) {
-    scenes::Scene scene =
-        name == "two_bars" ? scenes::two_bars() : load_consistent_scenes({name}, 0).front().scene;
-    const auto known = lengths.find(scene.name);
-    all.push_back({std::move(scene), known == lengths.end() ? 1 : known->second});
+    NamedScene named = name == "two_bars" ? NamedScene(name, scenes::two_bars(), 0.0)
+                                          : load_consistent_scenes({name}, 0).front();
+    const auto known = lengths.find(named.scene.name);
+    all.emplace_back(std::move(named), known == lengths.end() ? 1 : known->second);
   }
   return all;
 }

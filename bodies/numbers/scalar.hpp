@@ -1,8 +1,8 @@
 #pragma once
 /// The scalars that every formula of the library is written over: float, double, long double, Quad
 /// (quad.hpp), Real50 (real50.hpp). Here stand their order, the unit roundoff and the cast of a matrix from
-/// one scalar to another. A file that names Quad or Real50 includes their header, so no other file pays for
-/// Boost.Multiprecision.
+/// one scalar to another. A file that names Quad or Real50 includes their header, so that
+/// no other file depends on Boost.Multiprecision.
 
 #include <Eigen/Core>
 #include <limits>

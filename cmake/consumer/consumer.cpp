@@ -2,6 +2,7 @@
 /// motion.
 
 #include <fmt/format.h>
+#include <base/command_line.hpp>
 #include <formulations/printed/augmented_solver.hpp>
 #include <formulations/r_p.hpp>
 #include <formulations/side_by_side.hpp>
@@ -10,9 +11,11 @@
 #include <scenes/make_mechanism.hpp>
 #include <simulation/simulate.hpp>
 
-int main(int, char** argv) {
+namespace {
+
+int walk(const char* file) {
   using namespace trivium;
-  const scenes::Scene scene = scenes::read_scene_file(argv[1]);
+  const scenes::Scene scene = scenes::read_scene_file(file);
   const Model<double> model = make_model<double>(scene);
   const RowAnalysis rows = analyse_rows(model);
   const auto one = solve_printed<RP<double>>(model, rows);
@@ -26,4 +29,10 @@ int main(int, char** argv) {
     fmt::print("{} {} {}\n", model.mechanism.row_names[k], one.lambda[k], solver.lambda()[k]);
   const bool is_done = one.lambda.size() > 0 && one.lambda.allFinite() && samples.all.size() == 2;
   return is_done && all.discrepancy().lambda <= all.lambda_bound() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int, char** argv) {
+  return trivium::run_guarded([&] { return walk(argv[1]); });
 }

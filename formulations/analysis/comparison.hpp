@@ -10,10 +10,13 @@
 
 namespace trivium {
 
+/// Of the bound below: how many roundings each way to lambda is allowed, beside what kappa makes of one.
+inline constexpr int bound_factor = 100;
+
 /// The bound of a relative difference of lambda between two formulations in arithmetic of unit roundoff u:
-/// 100 u kappa, what a system of condition number kappa may lose to rounding, times a hundred for the number
-/// of roundings on each way to it. Differences within cancellation() of it are rounding too.
-inline double lambda_bound(double u, double kappa) { return 100 * u * kappa; }
+/// 100 u kappa, what a system of condition number kappa may lose to rounding, times bound_factor. Differences
+/// within cancellation() of it are rounding too.
+inline double lambda_bound(double u, double kappa) { return bound_factor * u * kappa; }
 
 /// A difference and what it may be measured against; all in one norm.
 struct Comparison {
@@ -47,7 +50,7 @@ template <class Scalar>
 double lambda_distance(const RowAnalysis& rows, const VectorX<Scalar>& lambda_1,
                        const VectorX<Scalar>& lambda_2);
 
-/// Accelerations in the mass metric (row_analysis.hpp): all, and the shares of r'' and omega_bar', measured
+/// Accelerations in the mass metric (mass_metric.hpp): all, and the shares of r'' and omega_bar', measured
 /// against all.
 struct AccelerationComparison {
   Comparison all, r_ddot, omega_bar_dot;

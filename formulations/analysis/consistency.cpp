@@ -95,6 +95,8 @@ Consistency check_consistency(const Mechanism<double>& mechanism, const Mechanis
   const Extent m = extent_of(mechanism, state);
   Consistency out;
   constexpr double tolerance = 1e-8;  // of the scene's own lengths and speeds
+  constexpr double rate_of_rounding =
+      1e-12;  // [1/s]: of a scene at rest, speeds that are rounding of its lengths
   const VectorX<double> velocity = velocity_residual(eom);
   for (int k = 0; k < eom.nc(); ++k) {
     const bool is_angle = is_of_angle(mechanism.rows[k]);
@@ -106,7 +108,7 @@ Consistency check_consistency(const Mechanism<double>& mechanism, const Mechanis
     };
     out.positions.push_back(judge(eom.row[k].phi, tolerance * length, is_angle ? "rad" : "m"));
     out.velocities.push_back(
-        judge(velocity[k], tolerance * speed + 1e-12 * length, is_angle ? "rad/s" : "m/s"));
+        judge(velocity[k], tolerance * speed + rate_of_rounding * length, is_angle ? "rad/s" : "m/s"));
   }
   for (const Joint<double>& joint : mechanism.joints)
     for (std::string& wrong : wrong_branches_of(joint, global_axes(eom, joint), state.t))

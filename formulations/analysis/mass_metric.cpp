@@ -64,8 +64,9 @@ VectorX<double> least_direction(const MatrixX<double>& H) {
       worst = b;
     }
   const Vector3<double> axis = direction.segment<3>(6 * worst + 3).normalized().unaryExpr([](double x) {
-    return std::abs(x) < 1e-9 ? 0.0 : x;
-  });  // the eigenvector's rounding
+    constexpr double rounding_of_eigenvectors = 1e-9;
+    return std::abs(x) < rounding_of_eigenvectors ? 0.0 : x;
+  });
   throw ModelError(
       fmt::format("body \"{}\" has no inertia about its axis ({:.3g}, {:.3g}, {:.3g}) and no constraint "
                   "holds it there, so its "
@@ -120,8 +121,9 @@ void MassMetric::factor_augmented(const TangentSystem& s) {
       principal.diagonal().unaryExpr([](double x) { return x > 0 ? 1 / std::sqrt(x) : 1.0; });
   const MatrixX<double> scaled = scale.asDiagonal() * principal * scale.asDiagonal();
   const Eigen::LLT<MatrixX<double>> llt(scaled);
-  // a pivot of the equilibrated metric is the square of a distance: below 1e-13 it is rounding
-  if (llt.info() != Eigen::Success || llt.matrixLLT().diagonal().minCoeff() < std::sqrt(1e-13))
+  // a pivot of the equilibrated metric is the square of a distance, and rounding below this
+  constexpr double least_pivot = 1e-13;
+  if (llt.info() != Eigen::Success || llt.matrixLLT().diagonal().minCoeff() < std::sqrt(least_pivot))
     throw_without_inertia(s, axes * scale.cwiseProduct(least_direction(scaled)));
   axes_ = std::move(axes);
   dense_factor_ = scale.cwiseInverse().asDiagonal() * MatrixX<double>(llt.matrixL());

@@ -1,6 +1,7 @@
 #pragma once
 /// The metric of the tangent space in which accelerations and rows are measured: the mass matrix, or the mass
-/// matrix with weighted rows added where it is singular.
+/// matrix with weighted rows added where it is singular. Decided here: the weights of those rows, and which
+/// motions have no inertia and no constraint.
 
 #include <vector>
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Every tolerance that decides whether a row of constraints is dependent, and so the rank, side by side. The
+/// Every tolerance that decides whether a row of constraints is dependent, and so the rank, side by side, for
+/// the analysis and for the solver along the graph. The
 /// analysis of a mechanism (row_analysis.hpp) decides once, in double, by singular values. The solver along
 /// the graph (structured/) decides at every state, in its own Scalar, by sines between rows and by pivots.
 /// Both find the same rank: a sine is compared with the same number as a singular value, and a pivot, which
@@ -62,6 +63,14 @@ S pivot_rounding() {
 /// A dependent row is restored where the energy of the motion that it forces is more than this many times
 /// that of what one more refinement changes: a motion of rounding does not last.
 inline constexpr double least_energy_above_rounding = 100;
+
+/// The pivot of a body's own block, in the motions that its joint leaves, as a share of what it was made of,
+/// that is rounding: those motions have no inertia. Of a point link half of that, whose blocks are made of
+/// less.
+template <class S>
+S inertia_rounding() {
+  return S(16 * unit_roundoff<S>());
+}
 
 // pivots of the rows of one joint, sines
 

@@ -1,6 +1,6 @@
 #pragma once
 /// The norms in which lambda and accelerations are measured, and what could cause them, at one state. No rank
-/// is decided here and no condition number: those are row_analysis.hpp.
+/// is decided here and no condition number: those are row_analysis.hpp and condition_number.hpp.
 
 #include "formulations/analysis/mass_metric.hpp"
 

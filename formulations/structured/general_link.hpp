@@ -202,7 +202,7 @@ class GeneralLink {
     bool good = true;
     D_inverse_.setIdentity(n, n);
     for (int k = 0; k < n; ++k) {
-      good = good && L(k, k) > 16 * unit_roundoff<S>() * larger(made_of[k], S(0));
+      good = good && L(k, k) > inertia_rounding<S>() * larger(made_of[k], S(0));
       for (int r = k + 1; r < n; ++r) {
         const S factor = L(r, k) / L(k, k);
         L.row(r) -= factor * L.row(k);

@@ -1,9 +1,11 @@
 /// The factorisation alone: any positive definite blocks, any rows, as projections need it. Only point
-/// joints' rows of orientation are as joints make them.
+/// joints' rows of orientation are, on the child, well apart, as the axes of joints are (point_link.hpp).
 
 #include "formulations/structured/graph_solver.hpp"
 
 #include <gtest/gtest.h>
+
+#include <Eigen/SVD>
 
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/random.hpp"
@@ -18,11 +20,16 @@ using Columns = PaddedColumns<double, 3>;
 /// A system of random numbers on the graph of a mechanism, in blocks and dense.
 class RandomSystem {
  public:
-  /// The last two rows of an edge may be nearly the same.
-  explicit RandomSystem(std::uint64_t seed, double apart = 1, bool has_springs = false)
+  struct Options {
+    double rows_apart = 1;  ///< of an edge, the last two; below 1 nearly the same
+    double axes_apart = 1;  ///< of a point joint, the same; they are then along axes that both bodies share
+    bool has_springs = false;
+  };
+  explicit RandomSystem(std::uint64_t seed) : RandomSystem(seed, Options{}) {}
+  RandomSystem(std::uint64_t seed, const Options& options)
       : random_(seed),
-        apart_(apart),
-        plan_(plan_of(seed, has_springs)),
+        options_(options),
+        plan_(plan_of(seed, options.has_springs)),
         matrix(plan_),
         right_side(plan_.graph) {
     const int bodies = plan_.graph.bodies;
@@ -40,7 +47,7 @@ class RandomSystem {
       if (plan_.rows_slot[e] >= 0) fill_rows(e);
       for (int k = 0; k < plan_.graph.edges[e].size(); ++k) right_side.edge[e][k] = right[first_row_[e] + k];
     }
-    if (has_springs)
+    if (options.has_springs)
       for (const EliminationPlan::Closing& closing : plan_.closings) give_way(closing.edge);
     for (int b = 0; b < bodies; ++b) right_side.body[b] = BodyPart<double>::of(right.segment<6>(6 * b));
   }
@@ -79,6 +86,9 @@ class RandomSystem {
     for (int k = 0; k < n; ++k) C.col(k).head<3>() = random_.vector<double, 3>();
     return C;
   }
+  static bool are_well_apart(const Columns& C, int n) {
+    return n == 0 || Eigen::JacobiSVD<MatrixX<double>>(C.topLeftCorner(3, n)).singularValues()[n - 1] > 0.2;
+  }
   void fill_block(int b) {
     Matrix6<double> root;
     for (int k = 0; k < 6; ++k) root.col(k) = random_.vector<double, 6>();
@@ -99,12 +109,17 @@ class RandomSystem {
     const int m = plan_.graph.edges[link.edge].size() - 3;
     rows.L_child = columns(3);
     rows.L_parent = columns(3);
-    rows.W_child = columns(m);
-    // the joint's axes, along each body's own: rows that depend on each other nearly on one body do so on
-    // both
-    const Matrix3<double> between = rotation_matrix(random_.euler_parameters<double>());
-    rows.W_parent = Columns::Zero();
-    for (int k = 0; k < m; ++k) rows.W_parent.col(k).head<3>() = -between * rows.W_child.col(k).head<3>();
+    do rows.W_child = columns(m);
+    while (!are_well_apart(rows.W_child, m));
+    rows.W_parent = columns(m);
+    if (options_.axes_apart < 1) {
+      if (m > 1) {
+        rows.W_child.col(m - 1) *= options_.axes_apart;
+        rows.W_child.col(m - 1) += rows.W_child.col(m - 2);
+      }
+      const Matrix3<double> between = rotation_matrix(random_.euler_parameters<double>());
+      for (int k = 0; k < m; ++k) rows.W_parent.col(k).head<3>() = -between * rows.W_child.col(k).head<3>();
+    }
     for (int k = 0; k < 3 + m; ++k) {
       const auto gradient = [&](double sign, const Columns& L, const Columns& W) {
         Vector6<double> g = Vector6<double>::Zero();
@@ -126,8 +141,8 @@ class RandomSystem {
     for (int k = 0; k < edge.size(); ++k) {
       const auto draw = [&](int body, BodyColumns<double>& C) {
         Vector6<double> gradient = random_.vector<double, 6>();
-        if (apart_ < 1 && k > 0 && k == edge.size() - 1) {
-          gradient *= apart_;
+        if (options_.rows_apart < 1 && k > 0 && k == edge.size() - 1) {
+          gradient *= options_.rows_apart;
           gradient.head<3>() += C.r.col(k - 1).head<3>();
           gradient.tail<3>() += C.x.col(k - 1).head<3>();
         }
@@ -149,7 +164,7 @@ class RandomSystem {
   }
 
   test::Random random_;
-  double apart_;
+  Options options_;
   EliminationPlan plan_;
   std::vector<int> first_row_;
 
@@ -167,13 +182,21 @@ TEST(GraphSolver, SolvesAnyPositiveBlocksUnderAnyRows) {
 TEST(GraphSolver, SolvesRowsThatAreNearlyTheSame) {
   for (const double apart : {1e-3, 1e-5, 1e-6})
     for (std::uint64_t seed = 0; seed < 100; ++seed)
-      EXPECT_LE(RandomSystem(seed, apart).defect(1), 1e-13 / apart) << seed << " apart " << apart;
+      EXPECT_LE(RandomSystem(seed, {.rows_apart = apart}).defect(1), 1e-13 / apart)
+          << seed << " apart " << apart;
+}
+
+TEST(GraphSolver, SolvesPointJointsWhoseAxesAreNearlyTheSame) {
+  for (const double apart : {1e-1, 1e-2, 1e-3, 1e-4})
+    for (std::uint64_t seed = 0; seed < 200; ++seed)
+      EXPECT_LE(RandomSystem(seed, {.axes_apart = apart}).defect(), 1e-13 / apart)
+          << seed << " apart " << apart;
 }
 
 TEST(GraphSolver, SolvesRowsThatGiveWay) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    EXPECT_LE(RandomSystem(seed, 1, true).defect(), 1e-10) << seed;
-    EXPECT_LE(RandomSystem(seed, 1, true).defect(1), 1e-14) << seed;
+    EXPECT_LE(RandomSystem(seed, {.has_springs = true}).defect(), 1e-10) << seed;
+    EXPECT_LE(RandomSystem(seed, {.has_springs = true}).defect(1), 1e-14) << seed;
   }
 }
 

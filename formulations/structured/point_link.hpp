@@ -118,7 +118,7 @@ class PointLink {
     const PaddedColumns<S, free> U_x = times<S, 3>(xx, N_);
     const Matrix<S, free, free> D = products<free>(N_, U_x);
     const S moments = xx.diagonal().cwiseAbs().sum() + H.xx.diagonal().cwiseAbs().sum();
-    if (!invert_positive<S, free>(D, 8 * unit_roundoff<S>() * moments * N_.squaredNorm(), D_inverse_))
+    if (!invert_positive<S, free>(D, inertia_rounding<S>() / 2 * moments * N_.squaredNorm(), D_inverse_))
       return Elimination::no_inertia;
     const Matrix<S, free, m> carried = products<m>(U_x, Y_);
     P_ = D_inverse_ * carried;

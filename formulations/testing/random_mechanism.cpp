@@ -1,10 +1,9 @@
 #include "formulations/testing/random_mechanism.hpp"
 
-#include <Eigen/QR>
-
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
+#include "formulations/analysis/assemble.hpp"
 #include "formulations/side_by_side.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "scenes/scene_state.hpp"
@@ -222,24 +221,8 @@ scenes::Scene random_scene(std::uint64_t seed, const MechanismOptions& options) 
 }
 
 void project_velocities(scenes::Scene& scene) {
-  const auto mechanism = make_mechanism<double>(scene);
-  auto state = make_state<double>(scene);
-  const TangentSystem system = tangent_system(mechanism, state);
-  if (system.Phi.rows() == 0) return;
-  VectorX<double> v(6 * mechanism.nb()), root_inverse(6 * mechanism.nb()), nu(mechanism.nc());
-  for (int b = 0; b < mechanism.nb(); ++b) {
-    v.segment<6>(6 * b) << state.twist[b].r_dot, state.twist[b].omega_bar;
-    root_inverse.segment<6>(6 * b) << Vec::Constant(1 / std::sqrt(mechanism.bodies[b].mass)),
-        mechanism.bodies[b].inertia.diagonal().cwiseSqrt().cwiseInverse();
-  }
-  const auto eom = equations_of_motion<ROmega<double>>(
-      mechanism, to_coordinates<ROmega<double>>(mechanism, state, {}), state.t);
-  for (int k = 0; k < mechanism.nc(); ++k) nu[k] = eom.row[k].nu;
-  Eigen::CompleteOrthogonalDecomposition<MatrixX<double>> weighted;
-  weighted.setThreshold(1e-9);
-  weighted.compute(system.Phi * root_inverse.asDiagonal());
-  for (int pass = 0; pass < 2; ++pass) v -= root_inverse.cwiseProduct(weighted.solve(system.Phi * v - nu));
-  for (int b = 0; b < mechanism.nb(); ++b) state.twist[b] = {v.segment<3>(6 * b), v.segment<3>(6 * b + 3)};
+  auto [mechanism, state] = make_model<double>(scene);
+  trivium::project_velocities(mechanism, state);
   set_state(scene, state);
 }
 

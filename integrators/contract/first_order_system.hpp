@@ -34,7 +34,7 @@ namespace trivium::integrators {
 ///   projection_is_too_large
 ///                        from (before, stepped, projected): whether the projection of a step went so far
 ///                        that the step may have left its branch. The threshold is the system's
-///                        (simulation/system/first_order_equations.hpp); checked_step of integrate.cpp then
+///                        (simulation/system/branch_check.hpp); checked_step of integrate.cpp then
 ///                        has a shorter step taken
 ///   accept_state         is told every state that the motion has reached, projected. Returns whether y is in
 ///                        other coordinates since: what a method remembers of y is void then

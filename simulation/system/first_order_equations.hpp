@@ -4,8 +4,8 @@
 /// file: projection and violation of constraints, energy, charts, jumps of velocities, the check for other
 /// branches, the log.
 ///
-/// Decided here: which rows count as dependent along a motion (once, at its start), and whether solutions are
-/// refined between the states that it reaches.
+/// Decided here: which rows count as dependent along a motion (anew at every state that it reaches, in the
+/// way that is chosen once, at its start), and whether solutions are refined between those states.
 ///
 /// Models integrators' FirstOrderSystem.
 

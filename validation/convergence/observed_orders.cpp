@@ -59,19 +59,20 @@ Errors errors_of(const std::vector<MotionSample>& found, const std::vector<Motio
 
 }  // namespace
 
+TwoModels::TwoModels(const NamedScene& of) : named(of), in_quad(make_model<Quad>(of.scene, Quad(of.t))) {}
+
 /// At the middle and at the end: where an error happens to pass zero at the one it does not at the other.
-std::vector<MotionSample> outputs_of(const scenes::Scene& scene, SimulationOptions options, bool is_double) {
+std::vector<MotionSample> outputs_of(const TwoModels& models, SimulationOptions options, bool is_double) {
   options.output_step = options.end / 2;
   Samples samples;
-  is_double ? simulate(make_model<double>(scene), options, samples)
-            : simulate(make_model<Quad>(scene), options, samples);
+  is_double ? simulate(models.named.model(), options, samples) : simulate(models.in_quad, options, samples);
   samples.all.erase(samples.all.begin());
   return samples.all;
 }
 
-OrderResult measure(const NamedScene& named, const std::string& formulation, const Case& of, double t_end,
+OrderResult measure(const TwoModels& models, const std::string& formulation, const Case& of, double t_end,
                     int levels, const std::vector<MotionSample>& exact) {
-  OrderResult row{named.scene.name,
+  OrderResult row{models.named.scene.name,
                   formulation,
                   "",
                   of,
@@ -87,10 +88,10 @@ OrderResult measure(const NamedScene& named, const std::string& formulation, con
     for (int level = 0; level < levels; ++level) {
       row.h.push_back(t_end / (of.steps << level));
       options.step = row.h.back();
-      row.errors.push_back(errors_of(outputs_of(named.scene, options, of.is_double), exact));
+      row.errors.push_back(errors_of(outputs_of(models, options, of.is_double), exact));
     }
   } catch (const std::runtime_error& error) {
-    row.error = name_source(named.source, error.what());
+    row.error = name_source(models.named.source, error.what());
   }
   return row;
 }

@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "bodies/numbers/quad.hpp"
 #include "simulation/simulate.hpp"
 #include "validation/convergence/published_orders.hpp"
-#include "validation/harness/consistent_scenes.hpp"
+#include "validation/harness/named_scene.hpp"
 
 namespace trivium::convergence {
 
@@ -64,13 +65,20 @@ struct OrderResult {
   }
 };
 
+/// A scene's models in the two precisions that orders are observed in, made once for all runs.
+struct TwoModels {
+  explicit TwoModels(const NamedScene& named);
+  const NamedScene& named;
+  Model<Quad> in_quad;
+};
+
 /// The outputs of a run that errors are measured at: its middle and its end. In quad, or in double.
-std::vector<MotionSample> outputs_of(const scenes::Scene& scene, SimulationOptions options,
+std::vector<MotionSample> outputs_of(const TwoModels& models, SimulationOptions options,
                                      bool is_double = false);
 
 /// The errors of one method in one formulation at `levels` steps, each half of the one before, against the
 /// exact outputs. A run that fails is a result with an error.
-OrderResult measure(const NamedScene& named, const std::string& formulation, const Case& of, double t_end,
+OrderResult measure(const TwoModels& models, const std::string& formulation, const Case& of, double t_end,
                     int levels, const std::vector<MotionSample>& exact);
 
 }  // namespace trivium::convergence

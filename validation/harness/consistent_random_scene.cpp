@@ -11,20 +11,20 @@
 
 namespace trivium {
 
-scenes::RandomScene consistent_random_scene(std::uint64_t seed, const scenes::RandomOptions& options) {
+NamedScene consistent_random_scene(std::uint64_t seed, const scenes::RandomOptions& options) {
   // A locked loop may be told to move by functions of time that contradict each other; then no velocity or no
   // acceleration is consistent, and the next attempt is the seed's mechanism.
   for (std::uint64_t attempt = 0;; ++attempt) {
     scenes::RandomScene random = scenes::random_scene(seed + (attempt << 40), options);
     random.scene.name = fmt::format("random_{}", seed);
-    const auto mechanism = make_mechanism<double>(random.scene);
-    auto state = make_state<double>(random.scene, random.t);
+    auto [mechanism, state] = make_model<double>(random.scene, random.t);
     project_velocities(mechanism, state);
     set_state(random.scene, state);
-    state = make_state<double>(random.scene, random.t);
+    state = make_state<double>(random.scene, random.t);  // as a file would have it
     if (check_consistency(mechanism, state).holds() &&
         analyse_rows(tangent_system(mechanism, state)).contradictory.empty())
-      return random;
+      return {fmt::format("random mechanism of seed {}", seed), std::move(random.scene),
+              Model<double>{std::move(mechanism), std::move(state)}};
   }
 }
 

@@ -4,10 +4,11 @@
 /// themselves.
 
 #include "scenes/random_scene.hpp"
+#include "validation/harness/named_scene.hpp"
 
 namespace trivium {
 
 /// The mechanism of a seed; the same for ever.
-scenes::RandomScene consistent_random_scene(std::uint64_t seed, const scenes::RandomOptions& options = {});
+NamedScene consistent_random_scene(std::uint64_t seed, const scenes::RandomOptions& options = {});
 
 }  // namespace trivium

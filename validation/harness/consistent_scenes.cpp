@@ -4,7 +4,6 @@
 
 #include "formulations/analysis/assemble.hpp"
 #include "scenes/format/scene_file.hpp"
-#include "scenes/make_mechanism.hpp"
 
 namespace trivium {
 
@@ -14,14 +13,14 @@ InputErrors::InputErrors(const std::vector<std::string>& messages)
 namespace {
 
 /// What of its constraints a scene's state does not satisfy; empty where it satisfies all.
-std::string inconsistency(const NamedScene& named, double t) {
+std::string inconsistency(const NamedScene& named) {
   try {
-    const auto [mechanism, state] = make_model<double>(named.scene, t);
+    const auto& [mechanism, state] = named.model();
     const Consistency consistency = check_consistency(mechanism, state);
     if (consistency.holds()) return {};
     std::string report = consistency.report();
     report.erase(report.find_last_not_of('\n') + 1);
-    return fmt::format("{}: the state at t = {} does not satisfy its constraints:\n{}", named.source, t,
+    return fmt::format("{}: the state at t = {} does not satisfy its constraints:\n{}", named.source, named.t,
                        report);
   } catch (const ModelError&) {
     return {};  // no equations at this state: the solver says so, and of this scene alone
@@ -35,8 +34,8 @@ std::vector<NamedScene> load_consistent_scenes(const std::vector<std::string>& p
   std::vector<std::string> messages;
   for (const std::string& source : paths_or_names) {
     try {
-      NamedScene named{source, load_scene(source, t)};
-      const std::string message = inconsistency(named, t);
+      NamedScene named(source, load_scene(source, t), t);
+      const std::string message = inconsistency(named);
       if (message.empty())
         scenes.push_back(std::move(named));
       else

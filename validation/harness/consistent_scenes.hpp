@@ -7,14 +7,9 @@
 
 #include "base/error.hpp"
 #include "scenes/catalogue.hpp"
+#include "validation/harness/named_scene.hpp"
 
 namespace trivium {
-
-/// A scene and the path or name that it was asked for by, which messages about it carry.
-struct NamedScene {
-  std::string source;
-  scenes::Scene scene;
-};
 
 /// Scenes that cannot be read, or whose states do not satisfy their constraints: a message for each, one
 /// line "error: ..." after the other where a program prints them.

@@ -6,10 +6,11 @@
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "base/csv.hpp"
 
 namespace trivium {
 
@@ -27,22 +28,17 @@ struct TrustedNumbers {
     const std::string path = directory + "/" + name + ".csv";
     std::ifstream file(path);
     if (!file) throw std::runtime_error(path + ": cannot be read; TRIVIUM_REFERENCE names its folder");
-    std::vector<std::string> header;
-    for (std::string line; std::getline(file, line);) {
-      if (line.starts_with('#')) continue;
-      std::istringstream fields(line);
-      std::vector<std::string> cells;
-      for (std::string cell; std::getline(fields, cell, ',');) cells.push_back(cell);
-      if (header.empty()) {
-        header = cells;
-        continue;
-      }
+    std::string table;
+    for (std::string line; std::getline(file, line);)
+      if (!line.starts_with('#')) table += line + "\n";
+    const std::vector<std::vector<std::string>> records = parse_csv(table);
+    const std::vector<std::string>& header = records.at(0);
+    for (std::size_t row = 1; row < records.size(); ++row)
       for (std::size_t k = 0; k < header.size(); ++k)
         if (header[k] == "name")
-          names.push_back(cells[k]);
+          names.push_back(records[row].at(k));
         else
-          columns[header[k]].push_back(std::stod(cells[k]));
-    }
+          columns[header[k]].push_back(std::stod(records[row].at(k)));
   }
 
   std::size_t rows() const { return columns.begin()->second.size(); }

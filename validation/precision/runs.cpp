@@ -50,8 +50,7 @@ void add_errors(const MechanismState<double>& found, const MechanismState<double
 
 void measure_ours(const TimedMotion& motion, const ReferenceMotion& reference, RunResult& result) {
   Samples samples;
-  const SimulationReport report =
-      simulate(make_model<double>(motion.scene), options_of(motion, result.settings), samples);
+  const SimulationReport report = simulate(motion.model(), options_of(motion, result.settings), samples);
   double reaction = 0;
   for (std::size_t k = 0; k < reference.samples.size(); ++k) {
     add_errors(samples.all[k].state, reference.samples[k].state, result.errors);
@@ -79,7 +78,7 @@ double time_once(const TimedMotion& motion, const RunSettings& settings) {
   SimulationObserver nobody;
   SimulationOptions options = options_of(motion, settings);
   options.watches = false;
-  return simulate(make_model<double>(motion.scene), options, nobody).seconds;
+  return simulate(motion.model(), options, nobody).seconds;
 }
 
 Seconds summary(std::vector<double> seconds) {

@@ -7,17 +7,18 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "integrators/method_parameters.hpp"
-#include "scenes/scene.hpp"
 #include "simulation/motion.hpp"
+#include "validation/harness/named_scene.hpp"
 
 namespace trivium::precision {
 
-struct TimedMotion {
-  scenes::Scene scene;
-  double t_end = 1;
+struct TimedMotion : NamedScene {
+  TimedMotion(NamedScene named, double end) : NamedScene(std::move(named)), t_end(end) {}
+  double t_end;
 };
 
 /// A method with one tolerance or step.

@@ -47,8 +47,8 @@ std::vector<RunSettings> peer_settings(bool quick) {
 
 PeerMotion peer_motion(const TimedMotion& motion, const RunSettings& settings) {
   const simbody::Motion found =
-      simbody::move(to_simbody(motion.scene, 0), simbody::Way::mobilizers, integrator_of(settings.method),
-                    *settings.rtol, output_times(motion));
+      simbody::move(to_simbody(motion.scene, motion.model()), simbody::Way::mobilizers,
+                    integrator_of(settings.method), *settings.rtol, output_times(motion));
   PeerMotion out{{}, found.seconds, found.steps, found.realizations};
   for (const auto& bodies : found.states) {
     MechanismState<double>& state = out.states.emplace_back();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "bodies/inertia.hpp"
 #include "bodies/numbers/scalar.hpp"
@@ -24,8 +25,8 @@ double relative_distance(const VectorX<double>& a, const VectorX<double>& b, dou
 
 /// Everything that one scene's comparisons share.
 struct Subject {
-  Subject(const scenes::Scene& scene, double t)
-      : made(make_model<double>(scene, t)),
+  Subject(const scenes::Scene& scene, Model<double> model_of_scene)
+      : made(std::move(model_of_scene)),
         model(to_simbody(scene, made)),
         side(side_by_side(made, analyse_rows(made))),
         frame(made, side.rows) {}
@@ -128,22 +129,25 @@ std::string_view name_of(simbody::Way way) {
   return "";
 }
 
-std::vector<SimbodyComparison> compare_with_simbody(const scenes::Scene& scene, double t) {
+std::vector<SimbodyComparison> compare_with_simbody(const NamedScene& named) {
   std::optional<Subject> subject, twin;
   const auto compare_scene = [&](SimbodyComparison& out) {
-    if (!subject) subject.emplace(scene, t);
+    if (!subject) subject.emplace(named.scene, named.model());
     compare(*subject, out);
   };
   const auto compare_twin = [&](SimbodyComparison& out) {
-    if (!twin) twin.emplace(physical_twin(scene), t);
+    if (!twin) {
+      const scenes::Scene scene = physical_twin(named.scene);
+      twin.emplace(scene, make_model<double>(scene, named.t));
+    }
     compare(*twin, out);
   };
   std::vector<SimbodyComparison> ways;
   for (const auto way : {simbody::Way::mobilizers, simbody::Way::free_bodies, simbody::Way::built_in}) {
     SimbodyComparison& out = ways.emplace_back();
-    out.scene = scene.name;
+    out.scene = named.scene.name;
     out.way = way;
-    out.nb = static_cast<int>(scene.bodies.size());
+    out.nb = static_cast<int>(named.scene.bodies.size());
     try {
       try {
         compare_scene(out);

@@ -1,18 +1,18 @@
 #pragma once
 /// One scene in every formulation against the ways of rebuilding it in Simbody. Compared are accelerations,
-/// lambda and reactions, each relative and in the metric of row_analysis.hpp; what Simbody cannot solve is
+/// lambda and reactions, each relative and in the metric of mass_metric.hpp; what Simbody cannot solve is
 /// compared as its physical twin, and said so.
 
 #include <string>
 #include <vector>
 
 #include "formulations/side_by_side.hpp"
-#include "scenes/scene.hpp"
+#include "validation/harness/named_scene.hpp"
 #include "validation/simbody/way.hpp"
 
 namespace trivium {
 
-/// One formulation's distance from Simbody, relative, each in the metric of row_analysis.hpp.
+/// One formulation's distance from Simbody, relative, each in the metric of mass_metric.hpp.
 struct SimbodyDistance {
   std::string formulation, error;  ///< error: why the formulation has no answer
   double acceleration = 0;         ///< acceleration_distance
@@ -50,7 +50,7 @@ struct SimbodyComparison {
 
 std::string_view name_of(simbody::Way way);
 
-/// The scene's state, taken as the state at time t, in all three ways.
-std::vector<SimbodyComparison> compare_with_simbody(const scenes::Scene& scene, double t);
+/// The scene's state in all three ways.
+std::vector<SimbodyComparison> compare_with_simbody(const NamedScene& named);
 
 }  // namespace trivium

@@ -72,7 +72,7 @@ scenes::Scene on_joint(const JointCase& joint) {
 }
 
 TEST_P(EveryJoint, AgreesInEveryWay) {
-  for (const SimbodyComparison& c : compare_with_simbody(on_joint(GetParam()), 0)) {
+  for (const SimbodyComparison& c : compare_with_simbody({"joint", on_joint(GetParam()), 0.0})) {
     EXPECT_FALSE(c.twin) << c.refusal;
     EXPECT_LT(c.pose_defect, 1e-14);
     EXPECT_TRUE(c.agrees()) << name_of(c.way);

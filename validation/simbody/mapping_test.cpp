@@ -158,7 +158,7 @@ TEST(SimbodyModel, RefusesAnUnphysicalInertiaAndComparesTheTwin) {
   hold(scene, ConstraintType::fixed, upright, upright);
   for (const scenes::Vector3 inertia : {scenes::Vector3{0.1, 0.1, 0.9}, scenes::Vector3{0, 0, 0.9}}) {
     scene.bodies[0].inertia = inertia;
-    for (const SimbodyComparison& c : compare_with_simbody(scene, 0)) {
+    for (const SimbodyComparison& c : compare_with_simbody({scene.name, scene, 0.0})) {
       EXPECT_TRUE(c.twin);
       EXPECT_NE(c.refusal.find("triangle inequality"), std::string::npos) << c.refusal;
       EXPECT_EQ(c.refusal.find('\n'), std::string::npos);
@@ -174,7 +174,7 @@ TEST(SimbodyComparison, IsNotPossibleWithMobilizersWhereNoJointBecomesOne) {
   cd.direction = {0, 0, 1};
   for (const bool hinged : {false, true}) {
     if (hinged) hold(scene, ConstraintType::spherical, {}, {});
-    for (const SimbodyComparison& c : compare_with_simbody(scene, 0)) {
+    for (const SimbodyComparison& c : compare_with_simbody({scene.name, scene, 0.0})) {
       SCOPED_TRACE(name_of(c.way));
       const bool possible = hinged || c.way != Way::mobilizers;
       EXPECT_EQ(c.possible, possible);
@@ -196,7 +196,7 @@ TEST(SimbodyComparison, ReactionsOfADirectedRowAgreeOnEitherEnd) {
     cd.f = swapped ? 2.6 : -2.6;
     if (swapped) std::swap(cd.i, cd.j);
     hold(scene, ConstraintType::fixed, upright, upright);
-    for (const SimbodyComparison& c : compare_with_simbody(scene, 0)) {
+    for (const SimbodyComparison& c : compare_with_simbody({scene.name, scene, 0.0})) {
       EXPECT_TRUE(c.agrees()) << name_of(c.way);
       EXPECT_LT(c.worst().reaction, 1e-13) << name_of(c.way);
     }

@@ -137,7 +137,7 @@ TEST(MasslessMotion, LengthsAreMeasuredInBodySizes) {
 /// Asked nevertheless, Simbody returns accelerations that are none.
 TEST(MasslessMotion, ComparesTheTwinAndSaysWhy) {
   const scenes::Scene scene = spherical_rod_with_its_spin_held();
-  for (const SimbodyComparison& c : compare_with_simbody(scene, 0)) {
+  for (const SimbodyComparison& c : compare_with_simbody({scene.name, scene, 0.0})) {
     SCOPED_TRACE(name_of(c.way));
     EXPECT_TRUE(c.twin);
     EXPECT_NE(c.refusal.find("body \"body\" has no inertia about an axis"), std::string::npos) << c.refusal;
@@ -146,7 +146,8 @@ TEST(MasslessMotion, ComparesTheTwinAndSaysWhy) {
 }
 
 TEST(MasslessMotion, TheSceneItselfIsComparedWhereMobilizersHoldIt) {
-  for (const SimbodyComparison& c : compare_with_simbody(rod_on_pin_about({0, 1, 0}, {0, 0, -0.6}), 0)) {
+  for (const SimbodyComparison& c :
+       compare_with_simbody({"rod", rod_on_pin_about({0, 1, 0}, {0, 0, -0.6}), 0.0})) {
     EXPECT_EQ(c.twin, c.way != Way::mobilizers);
     EXPECT_TRUE(c.agrees()) << name_of(c.way);
   }

@@ -13,8 +13,7 @@ namespace trivium::simbody {
 enum class Way {
   /// A spanning tree of joints as mobilizers; what closes it, as custom constraints. Closing rows that the
   /// tree satisfies identically (a second hinge on the same axis) are disabled: Simbody decides rank relative
-  /// to
-  /// the largest row, so that where all closing rows vanish it takes their rounding for a constraint.
+  /// to the largest row, so that where all closing rows vanish it takes their rounding for a constraint.
   mobilizers,
   free_bodies,  ///< every body free on Ground; every row a custom constraint
   built_in      ///< every body free on Ground; Simbody's own constraints where one exists, else custom ones
