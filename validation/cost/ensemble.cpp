@@ -12,6 +12,7 @@
 #include "bodies/rotations/so3.hpp"
 #include "scenes/catalogue.hpp"
 #include "scenes/make_mechanism.hpp"
+#include "scenes/scene_state.hpp"
 #include "validation/cost/peer_translation.hpp"
 #include "validation/cost/quad_solution.hpp"
 #include "validation/cost/state_sweep.hpp"
