@@ -18,7 +18,7 @@ set(trivium_may ${simulation_may} scenes trivium)
 set(validation_may ${simulation_may} scenes results validation)
 set(paper_may base results paper)
 
-set(sources_match "\\.(hpp|cpp|h|cc|cxx|ipp|inl|hpp\\.in)$")
+set(sources_match "\\.(hpp|cpp|h|cc|cxx|ipp|inl|(hpp|cpp)\\.in)$")
 
 # read_includes(<file> <variable>): its lines that include something, however they are spelt: with <> or "", with blanks
 # and comments around the #, over several lines, as digraph or import. Comments of a whole line go first, as they may hold

@@ -12,27 +12,27 @@
 namespace trivium {
 
 /// One body in a formulation's coordinates, in the chart chosen for it.
-template <Formulation F>
+template <EquationsAsPrinted F>
 struct BodyState {
   Vector3<typename F::Scalar> r, r_dot;
   typename F::Chart chart;
   typename F::Coordinates q;
 };
 
-template <Formulation F>
+template <EquationsAsPrinted F>
 typename F::Kinematics kinematics_of(const BodyState<F>& body) {
   return F::kinematics(body.chart, body.r, body.r_dot, body.q);
 }
 
 /// The state of a mechanism in a formulation's coordinates; throws a ModelError that names the body whose
 /// chart is singular.
-template <Formulation F>
+template <EquationsAsPrinted F>
 std::vector<BodyState<F>> to_coordinates(const Mechanism<typename F::Scalar>& mechanism,
                                          const MechanismState<typename F::Scalar>& state,
                                          const ChartOptions& options);
 
 /// The kinematics of all bodies, the ground's last.
-template <Formulation F>
+template <EquationsAsPrinted F>
 std::vector<typename F::Kinematics> body_kinematics(const std::vector<BodyState<F>>& bodies);
 
 /// The applied wrenches of all bodies, the ground's last.

@@ -10,7 +10,7 @@
 namespace trivium {
 
 /// All pieces of the equations of motion at one state.
-template <Formulation F>
+template <EquationsAsPrinted F>
 struct EquationsOfMotion {
   using S = typename F::Scalar;
   using Row = ConstraintRow<S, F::rotational_unknowns>;
@@ -29,7 +29,7 @@ struct EquationsOfMotion {
   int nc() const { return static_cast<int>(row.size()); }
 };
 
-template <Formulation F>
+template <EquationsAsPrinted F>
 EquationsOfMotion<F> equations_of_motion(const Mechanism<typename F::Scalar>& mechanism,
                                          const std::vector<BodyState<F>>& bodies,
                                          const typename F::Scalar& t);

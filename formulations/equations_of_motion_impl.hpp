@@ -8,7 +8,7 @@
 
 namespace trivium {
 
-template <Formulation F>
+template <EquationsAsPrinted F>
 std::vector<BodyState<F>> to_coordinates(const Mechanism<typename F::Scalar>& mechanism,
                                          const MechanismState<typename F::Scalar>& state,
                                          const ChartOptions& options) {
@@ -27,7 +27,7 @@ std::vector<BodyState<F>> to_coordinates(const Mechanism<typename F::Scalar>& me
   return bodies;
 }
 
-template <Formulation F>
+template <EquationsAsPrinted F>
 std::vector<typename F::Kinematics> body_kinematics(const std::vector<BodyState<F>>& bodies) {
   using S = typename F::Scalar;
   std::vector<typename F::Kinematics> kinematics;
@@ -43,7 +43,7 @@ std::vector<typename F::Kinematics> body_kinematics(const std::vector<BodyState<
   return kinematics;
 }
 
-template <Formulation F>
+template <EquationsAsPrinted F>
 EquationsOfMotion<F> equations_of_motion(const Mechanism<typename F::Scalar>& mechanism,
                                          const std::vector<BodyState<F>>& bodies,
                                          const typename F::Scalar& t) {

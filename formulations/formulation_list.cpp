@@ -4,14 +4,10 @@
 
 namespace trivium {
 
-std::vector<std::string> formulation_names() {
-  return std::apply([](auto... f) { return std::vector<std::string>{std::string(decltype(f)::name)...}; },
-                    FormulationList<double>{});
-}
+std::vector<std::string> formulation_names() { return AllFormulations::names(); }
 
-void detail::throw_no_formulation(const std::string& name) {
-  throw ModelError(fmt::format("there is no formulation \"{}\"; accepted: {}", name,
-                               fmt::join(formulation_names(), ", ")));
+void detail::throw_no_formulation(const std::string& name, const std::vector<std::string>& names) {
+  throw ModelError(fmt::format("there is no formulation \"{}\"; accepted: {}", name, fmt::join(names, ", ")));
 }
 
 }  // namespace trivium

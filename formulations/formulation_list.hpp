@@ -1,6 +1,7 @@
 #pragma once
-/// The one list of formulations. A new formulation is entered here; reports, comparisons and simulations take
-/// their formulations from here, by name.
+/// Lists of formulations, and the one of the library. A new formulation is entered there; reports,
+/// comparisons and simulations take their formulations from it, by name. Who has a formulation outside the
+/// library hands AllFormulations::With<Mine> to what takes a list.
 
 #include <string>
 #include <tuple>
@@ -13,32 +14,51 @@
 
 namespace trivium {
 
-/// The formulations over one Scalar, in the order in which they are reported.
-template <class Scalar>
-using FormulationList = std::tuple<ROmega<Scalar>, RP<Scalar>, REpsilon<Scalar>, REpsilonOmegaFirst<Scalar>>;
+/// Formulations in the order in which they are reported, over any Scalar.
+template <template <class> class... F>
+struct Formulations {
+  template <class Scalar>
+  using In = std::tuple<F<Scalar>...>;
+  template <template <class> class... More>
+  using With = Formulations<F..., More...>;
+  static std::vector<std::string> names() { return {std::string(F<double>::name)...}; }
+};
+
+/// The list of the library, once: X(F, ...) for every formulation F. Types follow from it below; what is
+/// compiled for each formulation (instances/, also from CMake) has no other way to repeat itself.
+#define TRIVIUM_FORMULATIONS(X, ...) \
+  X(ROmega, __VA_ARGS__)             \
+  X(RP, __VA_ARGS__)                 \
+  X(REpsilon, __VA_ARGS__)           \
+  X(REpsilonOmegaFirst, __VA_ARGS__)
+
+#define TRIVIUM_WITH(F, ...) ::With<F>
+using AllFormulations = Formulations<> TRIVIUM_FORMULATIONS(TRIVIUM_WITH);
+#undef TRIVIUM_WITH
 
 /// Their names, in the same order.
 std::vector<std::string> formulation_names();
 
 namespace detail {
 /// A ModelError that names the formulations there are.
-[[noreturn]] void throw_no_formulation(const std::string& name);
+[[noreturn]] void throw_no_formulation(const std::string& name, const std::vector<std::string>& names);
 
-template <class Scalar, std::size_t place, class Use>
+template <class Scalar, class List, std::size_t place, class Use>
 auto with_formulation_from(const std::string& name, const Use& use) {
-  using F = std::tuple_element_t<place, FormulationList<Scalar>>;
+  using In = typename List::template In<Scalar>;
+  using F = std::tuple_element_t<place, In>;
   if (name == F::name) return use.template operator()<F>();
-  if constexpr (place + 1 < std::tuple_size_v<FormulationList<Scalar>>)
-    return with_formulation_from<Scalar, place + 1>(name, use);
+  if constexpr (place + 1 < std::tuple_size_v<In>)
+    return with_formulation_from<Scalar, List, place + 1>(name, use);
   else
-    throw_no_formulation(name);
+    throw_no_formulation(name, List::names());
 }
 }  // namespace detail
 
 /// use.operator()<F>() of the formulation of that name; throws a ModelError if there is none.
-template <class Scalar, class Use>
+template <class Scalar, class List = AllFormulations, class Use>
 auto with_formulation(const std::string& name, const Use& use) {
-  return detail::with_formulation_from<Scalar, 0>(name, use);
+  return detail::with_formulation_from<Scalar, List, 0>(name, use);
 }
 
 }  // namespace trivium

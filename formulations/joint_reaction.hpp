@@ -3,14 +3,14 @@
 /// -Phi_r^T lambda and its moment about the centre of mass -Phi_pi_bar^T lambda in the body frame; here
 /// Phi_pi_bar comes from the formulation's own Jacobian, Phi_rot lift.
 
+#include "bodies/reaction.hpp"
 #include "formulations/equations_of_motion.hpp"
-#include "formulations/reaction.hpp"
 
 namespace trivium {
 
 /// The reaction of one joint on the body at one end: global frame, about that body's centre of mass (the
 /// ground's is the origin).
-template <Formulation F>
+template <EquationsAsPrinted F>
 Reaction<typename F::Scalar> joint_reaction(const EquationsOfMotion<F>& eom,
                                             const Joint<typename F::Scalar>& joint,
                                             const VectorX<typename F::Scalar>& lambda, End end) {
@@ -27,7 +27,7 @@ Reaction<typename F::Scalar> joint_reaction(const EquationsOfMotion<F>& eom,
 }
 
 /// The global position of a joint's point on body i.
-template <Formulation F>
+template <EquationsAsPrinted F>
 Vector3<typename F::Scalar> joint_point(const EquationsOfMotion<F>& eom,
                                         const Joint<typename F::Scalar>& joint) {
   return eom.body[joint.i].point(joint.frame_i.point);

@@ -17,7 +17,7 @@
 namespace trivium {
 
 struct SolveOptions {
-  std::vector<std::string> formulations = formulation_names();
+  std::vector<std::string> formulations;  ///< by name; empty: all of the list
   ChartOptions charts;
 };
 
@@ -79,8 +79,9 @@ struct SideBySide {
 /// Solves a model as printed, in every formulation asked for. A formulation that cannot is an entry with an
 /// error; what no formulation can do (singular mass without constraint, an effect that is not defined here)
 /// throws a ModelError. Errors are estimated where the same model in more digits judges them.
-/// Compiled in instances/, for float to Real50.
-template <class Scalar>
+/// Compiled in instances/, for float to Real50; for a list of other formulations include
+/// side_by_side_impl.hpp.
+template <class List = AllFormulations, class Scalar>
 SideBySide<Scalar> side_by_side(const Model<Scalar>& model, const RowAnalysis& rows,
                                 const SolveOptions& options = {},
                                 const Model<NextPrecisionT<Scalar>>* judge = nullptr);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "formulations/reaction.hpp"
+#include "bodies/reaction.hpp"
 #include "integrators/contract/method.hpp"
 #include "integrators/projection_report.hpp"
 #include "mechanism/mechanism_state.hpp"

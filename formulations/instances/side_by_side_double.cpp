@@ -1,8 +1,13 @@
-#include "formulations/instances/side_by_side_impl.hpp"
+#include "formulations/side_by_side_impl.hpp"
 
 #include "bodies/numbers/scalar.hpp"
 
+namespace trivium::detail {
+TRIVIUM_FORMULATIONS(TRIVIUM_SOLVE_ONE, double, )
+}  // namespace trivium::detail
+
 namespace trivium {
-template SideBySide<double> side_by_side(const Model<double>&, const RowAnalysis&, const SolveOptions&,
-                                         const Model<NextPrecisionT<double>>*);
+template SideBySide<double> side_by_side<AllFormulations>(const Model<double>&, const RowAnalysis&,
+                                                          const SolveOptions&,
+                                                          const Model<NextPrecisionT<double>>*);
 }  // namespace trivium

@@ -1,8 +1,9 @@
-#include "formulations/instances/side_by_side_impl.hpp"
+#include "formulations/side_by_side_impl.hpp"
 
 #include "bodies/numbers/scalar.hpp"
 
 namespace trivium {
-template SideBySide<float> side_by_side(const Model<float>&, const RowAnalysis&, const SolveOptions&,
-                                        const Model<NextPrecisionT<float>>*);
+template SideBySide<float> side_by_side<AllFormulations>(const Model<float>&, const RowAnalysis&,
+                                                         const SolveOptions&,
+                                                         const Model<NextPrecisionT<float>>*);
 }  // namespace trivium

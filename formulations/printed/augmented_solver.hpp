@@ -17,7 +17,7 @@ namespace trivium {
 
 /// One formulation's augmented system at one state, and what a solution of it means. The system is solved
 /// with its dependent rows left out: x is a solution of that reduced system, in printed order.
-template <Formulation F>
+template <EquationsAsPrinted F>
 class AugmentedEquations {
  public:
   using S = typename F::Scalar;
@@ -54,7 +54,7 @@ class AugmentedEquations {
 };
 
 /// The same with its reduced matrix factored.
-template <Formulation F>
+template <EquationsAsPrinted F>
 class AugmentedSolver : public AugmentedEquations<F> {
  public:
   using S = typename F::Scalar;
@@ -78,7 +78,7 @@ class AugmentedSolver : public AugmentedEquations<F> {
 };
 
 /// Accelerations and lambda of a model in one formulation, solved as printed.
-template <Formulation F>
+template <EquationsAsPrinted F>
 PhysicalSolution<typename F::Scalar> solve_printed(const Model<typename F::Scalar>& model,
                                                    const RowAnalysis& rows, const ChartOptions& charts = {});
 

@@ -7,7 +7,7 @@
 
 namespace trivium {
 
-template <Formulation F>
+template <EquationsAsPrinted F>
 AugmentedEquations<F>::AugmentedEquations(const Mechanism<S>& mechanism, const MechanismState<S>& state,
                                           const RowAnalysis& rows, const ChartOptions& options)
     : mechanism_(mechanism),
@@ -22,35 +22,35 @@ AugmentedEquations<F>::AugmentedEquations(const Mechanism<S>& mechanism, const M
   for (int k : rows.independent) kept_.push_back(fixed + k);
 }
 
-template <Formulation F>
+template <EquationsAsPrinted F>
 auto AugmentedEquations<F>::reduced_matrix() const -> MatrixX<S> {
   return rows_.dependent.empty() ? K_ : MatrixX<S>(K_(kept_, kept_));
 }
-template <Formulation F>
+template <EquationsAsPrinted F>
 auto AugmentedEquations<F>::reduced_right_side() const -> VectorX<S> {
   return b_(kept_);
 }
 
-template <Formulation F>
+template <EquationsAsPrinted F>
 auto AugmentedEquations<F>::expand(const VectorX<S>& x) const -> VectorX<S> {
   VectorX<S> full = VectorX<S>::Zero(K_.rows());
   full(kept_) = x;
   return full;
 }
-template <Formulation F>
+template <EquationsAsPrinted F>
 auto AugmentedEquations<F>::reduce(const VectorX<S>& full) const -> VectorX<S> {
   return full(kept_);
 }
-template <Formulation F>
+template <EquationsAsPrinted F>
 auto AugmentedEquations<F>::defect(const VectorX<S>& full) const -> VectorX<S> {
   return b_ - K_ * full;
 }
 
-template <Formulation F>
+template <EquationsAsPrinted F>
 Unknowns<F> AugmentedEquations<F>::split(const VectorX<S>& full) const {
   return split_unknowns<F>(full, eom_.nb(), eom_.nc());
 }
-template <Formulation F>
+template <EquationsAsPrinted F>
 auto AugmentedEquations<F>::accelerations_of(const VectorX<S>& full) const -> PhysicalSolution<S> {
   const Unknowns<F> u = split(full);
   PhysicalSolution<S> out;
@@ -61,23 +61,23 @@ auto AugmentedEquations<F>::accelerations_of(const VectorX<S>& full) const -> Ph
   out.lambda = u.lambda;
   return out;
 }
-template <Formulation F>
+template <EquationsAsPrinted F>
 MatrixFreeResidual AugmentedEquations<F>::residual(const VectorX<S>& full) const {
   return matrix_free_residual<F>(mechanism_, eom_, split(full), rows_.dependent);
 }
 
-template <Formulation F>
+template <EquationsAsPrinted F>
 AugmentedSolver<F>::AugmentedSolver(const Mechanism<S>& mechanism, const MechanismState<S>& state,
                                     const RowAnalysis& rows, const ChartOptions& options)
     : AugmentedEquations<F>(mechanism, state, rows, options),
       solver_(this->reduced_matrix()),
       redundant_multipliers_(mechanism, state, rows) {}
 
-template <Formulation F>
+template <EquationsAsPrinted F>
 auto AugmentedSolver<F>::solve() const -> VectorX<S> {
   return to_minimum_norm(this->expand(solve_reduced()));
 }
-template <Formulation F>
+template <EquationsAsPrinted F>
 auto AugmentedSolver<F>::solve_reduced() const -> VectorX<S> {
   VectorX<S> x = solver_.solve(this->reduced_right_side());
   if (!x.allFinite())
@@ -85,11 +85,11 @@ auto AugmentedSolver<F>::solve_reduced() const -> VectorX<S> {
         "the augmented matrix is numerically singular at this state; a higher --scalar may resolve it");
   return x;
 }
-template <Formulation F>
+template <EquationsAsPrinted F>
 auto AugmentedSolver<F>::substitute(const VectorX<S>& b) const -> VectorX<S> {
   return solver_.substitute(b);
 }
-template <Formulation F>
+template <EquationsAsPrinted F>
 auto AugmentedSolver<F>::to_minimum_norm(VectorX<S> full) const -> VectorX<S> {
   VectorX<S> lambda = full.tail(this->equations().nc());
   redundant_multipliers_.to_minimum_norm(lambda);
@@ -97,7 +97,7 @@ auto AugmentedSolver<F>::to_minimum_norm(VectorX<S> full) const -> VectorX<S> {
   return full;
 }
 
-template <Formulation F>
+template <EquationsAsPrinted F>
 PhysicalSolution<typename F::Scalar> solve_printed(const Model<typename F::Scalar>& model,
                                                    const RowAnalysis& rows, const ChartOptions& charts) {
   const AugmentedSolver<F> solver(model.mechanism, model.state, rows, charts);

@@ -19,7 +19,7 @@ namespace trivium {
 ///
 /// J, Phi_rot, tau, gamma are the literature's J^p, Phi_p, tau_hat, gamma_hat in r-p; Jbar, Phi_pi_bar, n_bar
 /// - omega~ Jbar omega_bar in r-omega; J^epsilon, Phi_epsilon, tau in r-epsilon.
-template <Formulation F>
+template <EquationsAsPrinted F>
 struct AugmentedSystem {
   using S = typename F::Scalar;
   int nb = 0, nc = 0;
@@ -48,7 +48,7 @@ struct AugmentedSystem {
   }
 };
 
-template <Formulation F>
+template <EquationsAsPrinted F>
 AugmentedSystem<F> augmented_system(const EquationsOfMotion<F>& eom) {
   using S = typename F::Scalar;
   constexpr int n = F::rotational_unknowns, m = F::internal_constraints;
@@ -88,7 +88,7 @@ AugmentedSystem<F> augmented_system(const EquationsOfMotion<F>& eom) {
 }
 
 /// Accelerations in a formulation's own unknowns, and the multipliers.
-template <Formulation F>
+template <EquationsAsPrinted F>
 struct Unknowns {
   using S = typename F::Scalar;
   std::vector<BodyAcceleration<S, F::rotational_unknowns>> body;  ///< nb + 1: the ground's are zero
@@ -96,7 +96,7 @@ struct Unknowns {
 };
 
 /// Splits a solution vector of the augmented system.
-template <Formulation F>
+template <EquationsAsPrinted F>
 Unknowns<F> split_unknowns(const VectorX<typename F::Scalar>& x, int nb, int nc) {
   constexpr int n = F::rotational_unknowns, m = F::internal_constraints;
   Unknowns<F> u;

@@ -17,7 +17,7 @@ struct ErrorEstimate {
 /// gives the solution to well beyond S, and the distance to it is the error. Reported is twice the sum of
 /// that distance, of what the last correction leaves in doubt and, where rows are dependent only to the
 /// rounding of the scene's numbers, of what leaving out these rows and not others decided; plus u.
-template <Formulation F, Formulation Higher>
+template <EquationsAsPrinted F, EquationsAsPrinted Higher>
 ErrorEstimate estimate_error(const AugmentedSolver<F>& solver, const VectorX<typename F::Scalar>& x,
                              const AugmentedEquations<Higher>& higher);
 

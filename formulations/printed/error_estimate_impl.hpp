@@ -14,7 +14,7 @@ namespace detail {
 
 /// How far x would move if the dependent rows were met as well as the others, in the least-squares
 /// sense, and if their multipliers' share acted on nothing exactly: what dropping just these rows decided.
-template <Formulation F, Formulation Higher>
+template <EquationsAsPrinted F, EquationsAsPrinted Higher>
 VectorX<typename F::Scalar> ambiguity_of(const AugmentedSolver<F>& solver,
                                          const VectorX<typename F::Scalar>& x,
                                          const AugmentedEquations<Higher>& higher) {
@@ -33,7 +33,7 @@ VectorX<typename F::Scalar> ambiguity_of(const AugmentedSolver<F>& solver,
 
 }  // namespace detail
 
-template <Formulation F, Formulation Higher>
+template <EquationsAsPrinted F, EquationsAsPrinted Higher>
 ErrorEstimate estimate_error(const AugmentedSolver<F>& solver, const VectorX<typename F::Scalar>& x,
                              const AugmentedEquations<Higher>& higher) {
   using S = typename F::Scalar;

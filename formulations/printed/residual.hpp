@@ -18,7 +18,7 @@ struct MatrixFreeResidual {
   double bodies = 0, rows = 0, dependent_rows = 0;
 };
 
-template <Formulation F>
+template <EquationsAsPrinted F>
 MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar>& mechanism,
                                         const EquationsOfMotion<F>& eom, const Unknowns<F>& u,
                                         const std::vector<int>& dependent = {}) {

@@ -9,7 +9,7 @@ namespace trivium {
 
 namespace {
 
-template <Formulation F>
+template <EquationsAsPrinted F>
 Sparsity sparsity_of(const Mechanism<double>& mechanism, const MechanismState<double>& state) {
   const auto eom = equations_of_motion<F>(mechanism, to_coordinates<F>(mechanism, state, {}), state.t);
   const auto filled = [](const auto& block) { return static_cast<long>((block.array() != 0.0).count()); };

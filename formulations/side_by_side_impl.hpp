@@ -10,7 +10,7 @@
 namespace trivium::detail {
 
 /// Everything of one formulation but what can fail; throws a ModelError if the formulation cannot answer.
-template <Formulation F>
+template <EquationsAsPrinted F>
 FormulationResult<typename F::Scalar> solve_one(const Model<typename F::Scalar>& model,
                                                 const Model<NextPrecisionT<typename F::Scalar>>* judge,
                                                 const RowAnalysis& rows, const ChartOptions& charts) {
@@ -36,21 +36,28 @@ FormulationResult<typename F::Scalar> solve_one(const Model<typename F::Scalar>&
   return result;
 }
 
+// those of the library are compiled with it
+#define TRIVIUM_SOLVE_ONE(F, S, kind)                                                                  \
+  kind template FormulationResult<S> solve_one<F<S>>(const Model<S>&, const Model<NextPrecisionT<S>>*, \
+                                                     const RowAnalysis&, const ChartOptions&);
+TRIVIUM_FORMULATIONS(TRIVIUM_SOLVE_ONE, double, extern)
+
 }  // namespace trivium::detail
 
 namespace trivium {
 
-template <class Scalar>
+template <class List, class Scalar>
 SideBySide<Scalar> side_by_side(const Model<Scalar>& model, const RowAnalysis& rows,
                                 const SolveOptions& options, const Model<NextPrecisionT<Scalar>>* judge) {
   SideBySide<Scalar> out{rows, {}};
-  for (const std::string& name : formulation_names()) {
+  for (const std::string& name : List::names()) {
     const auto& wanted = options.formulations;
-    if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
     FormulationResult<Scalar> result;
     try {
-      result = with_formulation<Scalar>(
-          name, [&]<Formulation F>() { return detail::solve_one<F>(model, judge, rows, options.charts); });
+      result = with_formulation<Scalar, List>(name, [&]<EquationsAsPrinted F>() {
+        return detail::solve_one<F>(model, judge, rows, options.charts);
+      });
     } catch (const ModelError& error) {
       result.error = error.what();
     }

@@ -1,0 +1,28 @@
+/// A formulation with six internal rows a body beside those of the library: its lambda, solved as printed.
+///   directors_lambda SCENE...
+
+#include <fmt/format.h>
+#include <formulations/equations_of_motion_impl.hpp>
+#include <formulations/printed/augmented_solver_impl.hpp>
+#include <formulations/printed/error_estimate_impl.hpp>
+#include <formulations/side_by_side_impl.hpp>
+#include <scenes/format/scene_file.hpp>
+#include <scenes/make_mechanism.hpp>
+
+#include "directors.hpp"
+
+int main(int count, char** arguments) {
+  using namespace trivium;
+  bool passed = count > 1;
+  for (int k = 1; k < count; ++k) {
+    const Model<double> model = make_model<double>(scenes::read_scene_file(arguments[k]));
+    const auto all = side_by_side<AllFormulations::With<Directors>>(model, analyse_rows(model));
+    if (const std::string& error = all.formulations.back().error; !error.empty()) throw ModelError(error);
+    const double difference = all.discrepancy().lambda;
+    fmt::print("{}: lambda of {} formulations, {} among them, differs by {:.1e}; bound {:.1e}\n",
+               model.mechanism.name, all.formulations.size(), Directors<double>::name, difference,
+               all.lambda_bound());
+    passed = passed && difference <= all.lambda_bound();
+  }
+  return passed ? 0 : 1;
+}

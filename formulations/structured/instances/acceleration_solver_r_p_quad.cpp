@@ -1,5 +1,0 @@
-#include "bodies/numbers/quad.hpp"
-#include "formulations/structured/acceleration_solver_impl.hpp"
-
-template class trivium::GraphAssembly<trivium::RP<trivium::Quad>>;
-template class trivium::AccelerationSolver<trivium::RP<trivium::Quad>>;

@@ -1,9 +1,0 @@
-#include "formulations/r_p.hpp"
-#include "simulation/simulate_impl.hpp"
-
-namespace trivium {
-
-template SimulationReport simulate_in<RP<double>>(const Model<double>&, const SimulationOptions&,
-                                                  SimulationObserver&);
-
-}  // namespace trivium
