@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/raise.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "formulations/analysis/comparison.hpp"
 #include "formulations/formulation_list.hpp"
@@ -68,9 +69,9 @@ struct SideBySide {
         const auto& x = formulations[a].solution;
         const auto& y = formulations[b].solution;
         const AccelerationDistance d = acceleration_distance(rows, x, y);
-        worst.lambda = std::max(worst.lambda, lambda_distance(rows, x.lambda, y.lambda));
-        worst.r_ddot = std::max(worst.r_ddot, d.r_ddot);
-        worst.omega_bar_dot = std::max(worst.omega_bar_dot, d.omega_bar_dot);
+        raise(worst.lambda, lambda_distance(rows, x.lambda, y.lambda));
+        raise(worst.r_ddot, d.r_ddot);
+        raise(worst.omega_bar_dot, d.omega_bar_dot);
       }
     return worst;
   }

@@ -89,6 +89,18 @@ TEST(BalancedRotor, HasADiscrepancyWithinWhatCancels) {
   }
 }
 
+TEST(BalancedRotor, IsNotTouchedByASpringWithoutLength) {
+  scenes::Scene scene = rotor(100);
+  const double before = test::solve_scene<double>(scene).cancellation();
+  scenes::SpringDamper spring;
+  spring.i = test::side(scenes::ground, scenes::Vector3{});
+  spring.j = test::side(0, scenes::Vector3{});
+  spring.stiffness = 10;
+  spring.free_length = 0;
+  scene.effects.push_back(spring);
+  EXPECT_EQ(test::solve_scene<double>(scene).cancellation(), before);
+}
+
 /// Two bodies in space on a rope, and a spring and damper between them.
 scenes::Scene roped_pair() {
   auto scene = test::random_scene(3, {.bodies = 3, .closings = 0});

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/raise.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "formulations/joint_reaction.hpp"
 #include "integrators/contract/any_method.hpp"
@@ -49,9 +50,6 @@ class MotionWatch {
   Seen watch(const S& t, const StateVector& y) {
     const Seen seen{first_order().energy(t, y), static_cast<double>(first_order().position_violation(t, y)),
                     static_cast<double>(first_order().velocity_violation(t, y))};
-    const auto raise = [](double& largest, double now) {
-      if (!(now <= largest)) largest = now;
-    };
     raise(report_.normalisation, static_cast<double>(first_order().normalisation_violation(y)));
     raise(report_.phi, seen.phi);
     raise(report_.phi_dot, seen.phi_dot);

@@ -12,6 +12,7 @@
 #include "base/number_text.hpp"
 #include "base/option_checks.hpp"
 #include "base/progress.hpp"
+#include "base/raise.hpp"
 #include "base/table.hpp"
 #include "formulations/side_by_side.hpp"
 #include "validation/harness/consistent_random_scene.hpp"
@@ -73,7 +74,9 @@ struct Answer {
     return verdict == Verdict::ok || verdict == Verdict::cancels || verdict == Verdict::exceeds;
   }
   double worst() const {
-    return difference.empty() ? 0.0 : *std::max_element(difference.begin(), difference.end());
+    double largest = 0;
+    for (const double x : difference) raise(largest, x);
+    return largest;
   }
 };
 

@@ -94,6 +94,7 @@ class MagnitudeBounds {
   void add(const SpringDamper<double>& spring, VectorX<double>& Q) const {
     const auto &i = body_[spring.i], &j = body_[spring.j];
     const V d = point_offset(i, spring.s_bar_i, j, spring.s_bar_j);
+    if (d.isZero(0)) return;  // it has no direction, and no force: else it is an error (spring_damper.hpp)
     const V d_dot = point_offset_rate(i, spring.s_bar_i, j, spring.s_bar_j);
     const double pull = spring.stiffness * (d.norm() + std::abs(spring.free_length)) +
                         std::abs(spring.damping * d.dot(d_dot) / d.norm()) + std::abs(spring.actuator(t_).f);

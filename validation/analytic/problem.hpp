@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/raise.hpp"
 #include "scenes/scene.hpp"
 #include "simulation/motion.hpp"
 
@@ -24,7 +25,7 @@ struct Errors {
   void raise(const std::string& quantity, double error, double bound) {
     for (Check& c : checks)
       if (c.quantity == quantity) {
-        if (!(error <= c.error)) c.error = error;
+        trivium::raise(c.error, error);
         return;
       }
     checks.push_back({"", "", quantity, error, bound});

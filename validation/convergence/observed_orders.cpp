@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/command_line.hpp"
+#include "base/raise.hpp"
 #include "bodies/numbers/quad.hpp"
 #include "scenes/make_mechanism.hpp"
 
@@ -28,7 +29,7 @@ Errors floors_of(const std::vector<MotionSample>& exact, double share) {
 /// The largest of the outputs, with what doubles leave of each.
 Errors errors_of(const std::vector<MotionSample>& found, const std::vector<MotionSample>& exact) {
   Errors e{};
-  const auto raise = [&](int quantity, double error) { e[quantity] = std::max(e[quantity], error); };
+  const auto raise = [&](int quantity, double error) { trivium::raise(e[quantity], error); };
   const auto rest = [](const MotionSample& sample, const auto& part) {
     return sample.state_rest ? part(*sample.state_rest) : decltype(part(*sample.state_rest))::Zero().eval();
   };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/raise.hpp"
 #include "bodies/numbers/real50.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/side_by_side.hpp"
@@ -33,7 +34,7 @@ double QuadSolution::error_of(const std::vector<Vector3>& other) const {
   for (std::size_t b = 0; b < r_ddot.size(); ++b) {
     const Vector3 &x = r_ddot[b], &y = other[b];
     const double d = std::hypot(y[0] - x[0], y[1] - x[1], y[2] - x[2]);
-    if (std::isnan(d) || d > difference) difference = d;  // a NaN goes in and stays
+    raise(difference, d);
     size = std::max(size, std::hypot(x[0], x[1], x[2]));
   }
   return difference == 0 ? 0 : difference / size;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/raise.hpp"
 #include "bodies/numbers/quad.hpp"
 #include "bodies/rotations/so3.hpp"
 #include "scenes/make_mechanism.hpp"
@@ -30,10 +31,6 @@ SimulationOptions options_of(const TimedMotion& motion, const RunSettings& setti
   if (settings.rtol) options.tolerances = {*settings.rtol, *settings.rtol / 100};
   if (settings.step) options.step = *settings.step * motion.t_end;
   return options;
-}
-
-void raise(double& largest, double now) {
-  if (!(now <= largest)) largest = now;
 }
 
 void add_errors(const MechanismState<double>& found, const MechanismState<double>& exact,

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 
+#include "base/raise.hpp"
 #include "scenes/catalogue.hpp"
 #include "validation/harness/trusted_numbers.hpp"
 #include "validation/precision/runs.hpp"
@@ -26,7 +27,7 @@ double andrews(const MotionSample& sample, const TrustedNumbers& file, std::size
   const auto angles = andrews_angles(file);
   double most = 0;
   for (std::size_t b = 0; b < angles.size(); ++b)
-    most = std::max(most, apart_from_angle(sample.state.pose[b].p, angles[b]));
+    raise(most, apart_from_angle(sample.state.pose[b].p, angles[b]));
   return most;
 }
 
@@ -52,7 +53,7 @@ std::optional<double> apart_from_trusted(const std::string& scene, const std::ve
   for (const MotionSample& sample : samples)
     for (std::size_t row = 0; row < times.size(); ++row)
       if (std::abs(sample.state.t - times[row]) <= 1e-12 * (1 + times[row]) && sample.state.t > 0)
-        most = std::max(most.value_or(0), apart(sample, file, row));
+        raise(most ? *most : most.emplace(0), apart(sample, file, row));
   return most;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/raise.hpp"
 #include "bodies/inertia.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "bodies/rotations/so3.hpp"
@@ -99,9 +100,9 @@ double SimbodyComparison::bound() const {
 SimbodyDistance SimbodyComparison::worst() const {
   SimbodyDistance worst;
   for (const SimbodyDistance& d : formulations) {
-    worst.acceleration = std::max(worst.acceleration, d.acceleration);
-    worst.lambda = std::max(worst.lambda, d.lambda);
-    worst.reaction = std::max(worst.reaction, d.reaction);
+    raise(worst.acceleration, d.acceleration);
+    raise(worst.lambda, d.lambda);
+    raise(worst.reaction, d.reaction);
   }
   return worst;
 }
@@ -114,7 +115,7 @@ bool SimbodyComparison::solved() const {
 
 bool SimbodyComparison::agrees() const {
   const SimbodyDistance d = worst();
-  return solved() && std::max({d.acceleration, d.lambda, d.reaction}) <= bound();
+  return solved() && d.acceleration <= bound() && d.lambda <= bound() && d.reaction <= bound();
 }
 
 std::string_view name_of(simbody::Way way) {

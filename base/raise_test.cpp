@@ -1,0 +1,34 @@
+/// The largest number, and a number that is none.
+
+#include "base/raise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace trivium {
+namespace {
+
+double largest_of(std::initializer_list<double> numbers) {
+  double largest = 0;
+  for (const double x : numbers) raise(largest, x);
+  return largest;
+}
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Raise, KeepsTheLargest) {
+  EXPECT_EQ(largest_of({1, 3, 2}), 3);
+  EXPECT_EQ(largest_of({-1}), 0);
+  EXPECT_EQ(largest_of({1, std::numeric_limits<double>::infinity(), 2}),
+            std::numeric_limits<double>::infinity());
+}
+
+TEST(Raise, KeepsWhatIsNoNumberWhereverItStands) {
+  EXPECT_TRUE(std::isnan(largest_of({nan, 1, 2})));
+  EXPECT_TRUE(std::isnan(largest_of({1, nan, 2})));
+  EXPECT_TRUE(std::isnan(largest_of({1, 2, nan})));
+}
+
+}  // namespace
+}  // namespace trivium
