@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "base/error.hpp"
@@ -56,8 +57,16 @@ struct RowsOrError {
 };
 
 template <class Scalar>
-void compare(const scenes::Scene& scene, const RowAnalysis& rows, PrecisionResult& rung) {
-  const SideBySide<Scalar> result = side_by_side(make_model<Scalar>(scene), rows);
+Model<Scalar> model_in(const NamedScene& named) {
+  if constexpr (std::is_same_v<Scalar, double>)
+    return named.model();
+  else
+    return make_model<Scalar>(named.scene);
+}
+
+template <class Scalar>
+void compare(const NamedScene& named, const RowAnalysis& rows, PrecisionResult& rung) {
+  const SideBySide<Scalar> result = side_by_side(model_in<Scalar>(named), rows);
   rung.analysed = true;
   rung.nc = static_cast<int>(result.rows.unique.size());
   rung.rank = result.rows.rank;
@@ -76,7 +85,7 @@ PrecisionResult solve_in(const NamedScene& named, const RowsOrError& rows, const
   rung.u = static_cast<double>(unit_roundoff<Scalar>());
   try {
     if (!rows.analysis) throw ModelError(rows.error);
-    compare<Scalar>(named.scene, *rows.analysis, rung);
+    compare<Scalar>(named, *rows.analysis, rung);
   } catch (const ModelError& error) {
     rung.error = name_source(named.source, error.what());
   }

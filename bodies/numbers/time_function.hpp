@@ -1,7 +1,7 @@
 #pragma once
-/// f(t), f' and f'' exactly: the functions of time that a scene may prescribe (docs/scene-format.md,
-/// "Functions of time"). A driver's row needs f in Phi, f' in nu and f'' in gamma, so none is formed by
-/// differences.
+/// f(t), f' and f'' exactly: the functions of time that a scene may prescribe
+/// (scenes/format/scene.schema.json). A driver's row needs f in Phi, f' in nu and f'' in gamma, so none is
+/// formed by differences.
 
 #include <algorithm>
 #include <cmath>

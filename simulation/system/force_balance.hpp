@@ -59,13 +59,13 @@ class ForceBalance {
     S largest(0);
     for (int b = 0; b < mechanism_.nb(); ++b) {
       const BalanceSize& size = size_[components.component_of(b)];
-      const auto raise = [&](const S& left, const S& whole) {
+      const auto take_share = [&](const S& left, const S& whole) {
         if (left > largest * whole) largest = left / whole;
       };
-      raise(size.force_left, size.force);
+      take_share(size.force_left, size.force);
       // arms are differences of places
-      raise(S(size.moment_left - u * components.length_of(b) * size.force),
-            S(size.moment + components.arm_of(b) * size.force));
+      take_share(S(size.moment_left - u * components.length_of(b) * size.force),
+                 S(size.moment + components.arm_of(b) * size.force));
     }
     return largest;
   }
