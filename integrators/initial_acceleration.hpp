@@ -2,8 +2,8 @@
 /// What implicit methods need beside a state to begin from there: accelerations, multipliers and their rates.
 /// The rates come from two states a little ahead, to second order.
 
-#include "integrators/contract/constrained_system.hpp"
 #include "integrators/contract/method.hpp"
+#include "integrators/contract/residual.hpp"
 
 namespace trivium::integrators {
 
@@ -14,7 +14,7 @@ struct InitialAcceleration {
   StateVector<S> v_dot, lambda, v_ddot, lambda_dot;
   S work_rate{0};
 
-  template <ConstrainedSystem System>
+  template <HasResidual System>
   InitialAcceleration(System& system, const S& t, const StateVector<S>& y, const S& h, Counters& counters) {
     const int nq = system.position_size(), nv = system.velocity_size();
     const StateVector<S> v = y.segment(nq, nv);

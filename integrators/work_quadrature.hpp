@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "integrators/contract/constrained_system.hpp"
+#include "integrators/contract/residual.hpp"
 
 namespace trivium::integrators {
 
@@ -13,11 +13,12 @@ template <class S>
 class WorkQuadrature {
  public:
   void begin(const S& rate) { rate_ = rate; }
-  /// Over a step of h to where the system was evaluated last.
-  template <ConstrainedSystem System>
-  void add(System& system, const StateVector<S>& lambda, const S& h, StateVector<S>& y) {
+  /// Over a step of h to y, where the system is evaluated.
+  template <HasResidual System>
+  void add(System& system, const typename System::Evaluation& at, const StateVector<S>& lambda, const S& h,
+           StateVector<S>& y) {
     const int motion = system.position_size() + system.velocity_size();
-    if (y.size() > motion) add(S(system.work_rate(lambda)), h, y[motion]);
+    if (y.size() > motion) add(S(system.work_rate(at, lambda)), h, y[motion]);
   }
   /// Over a step of h to where this is its rate.
   void add(const S& rate, const S& h, S& work) {

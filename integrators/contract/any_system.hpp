@@ -3,8 +3,10 @@
 /// scalar, not once for each formulation.
 
 #include <string>
+#include <type_traits>
 #include <utility>
 
+#include "integrators/contract/any_value.hpp"
 #include "integrators/contract/constrained_system.hpp"
 #include "integrators/contract/errors.hpp"
 
@@ -15,8 +17,11 @@ template <class S>
 class AnySystem {
  public:
   using Scalar = S;
+  using Evaluation = AnyEvaluation;
+  using Factors = AnyFactors;
 
   virtual ~AnySystem() = default;
+  // of a FirstOrderSystem
   virtual int size() const = 0;
   virtual StateVector<S> start() const = 0;
   virtual void derivative(const S& t, const StateVector<S>& y, StateVector<S>& y_dot) = 0;
@@ -34,14 +39,11 @@ class AnySystem {
   virtual bool pass_discontinuity(const S& before, const S& t, StateVector<S>& y) = 0;
   virtual std::string diagnose(const S& t, const StateVector<S>& y) = 0;
 
-  // of a ConstrainedSystem
+  // HasDisplacements
   virtual int position_size() const = 0;
   virtual int velocity_size() const = 0;
-  virtual int multipliers() const = 0;
-  virtual void accelerations(const S& t, const StateVector<S>& y, StateVector<S>& v_dot,
-                             StateVector<S>& lambda) = 0;
   virtual void displace(const StateVector<S>& from, const StateVector<S>& displacement,
-                        StateVector<S>& y) const = 0;
+                        StateVector<S>& to) const = 0;
   virtual void displacement(const StateVector<S>& from, const StateVector<S>& to,
                             StateVector<S>& displacement) const = 0;
   virtual void displacement_rate(const StateVector<S>& displacement, const StateVector<S>& v,
@@ -49,37 +51,43 @@ class AnySystem {
   virtual void position_rate(const StateVector<S>& y, const StateVector<S>& v,
                              StateVector<S>& rate) const = 0;
   virtual void position_sizes(const StateVector<S>& y, StateVector<S>& sizes) const = 0;
-  virtual bool normalise_step(const S& share, StateVector<S>& y, StateVector<S>& v_dot) const = 0;
-  virtual void normalise_step_velocity(const S& share, const StateVector<S>& y,
-                                       StateVector<S>& v_dot) const = 0;
+
+  // HasResidual
+  virtual void evaluate(const S& t, const StateVector<S>& y, AnyEvaluation& at) = 0;
+  virtual int multipliers() const = 0;
+  virtual void accelerations(const S& t, const StateVector<S>& y, StateVector<S>& v_dot,
+                             StateVector<S>& lambda) = 0;
   virtual bool inertia_is_constant() const = 0;
-  virtual void inertia_force(const StateVector<S>& y, const StateVector<S>& v_dot, StateVector<S>& force) = 0;
-  virtual void applied_force(const S& t, const StateVector<S>& y, StateVector<S>& force) = 0;
-  virtual S residual(const S& t, const StateVector<S>& y, const StateVector<S>& force,
-                     const StateVector<S>& lambda) = 0;
-  virtual S position_rows(const S& t, const StateVector<S>& y) = 0;
-  virtual S velocity_rows() = 0;
-  virtual S relative_row_violation() const = 0;
-  virtual std::string least_met_row() const = 0;
-  virtual void select(int number) = 0;
-  virtual void factor(const S& velocity_share, const S& position_share) = 0;
-  virtual void newton(const S& share, StateVector<S>& v_dot, StateVector<S>& lambda) = 0;
-  virtual void project(const S& share, StateVector<S>& x) = 0;
-  virtual void velocity_projection(const StateVector<S>& force, StateVector<S>& x, StateVector<S>& mu) = 0;
-  virtual void row_residual(StateVector<S>& rows) const = 0;
-  virtual void force_residual(StateVector<S>& left) const = 0;
-  virtual void solve(const StateVector<S>& left, const StateVector<S>& rows, StateVector<S>& x,
-                     StateVector<S>& mu) = 0;
-  virtual void solve(const StateVector<S>& left, const StateVector<S>& rows, const StateVector<S>& slack,
-                     StateVector<S>& x, StateVector<S>& mu, StateVector<S>& stretch) = 0;
-  virtual void take_force(const StateVector<S>& force, StateVector<S>& left) = 0;
-  virtual void solve_force(const StateVector<S>& force, StateVector<S>& x, StateVector<S>& mu) = 0;
-  virtual void take_internal_rows(const StateVector<S>& v_dot, StateVector<S>& left) const = 0;
-  virtual void solve_internal_rows(const StateVector<S>& y, const StateVector<S>& left,
+  virtual void inertia_force(const AnyEvaluation& at, const StateVector<S>& x, StateVector<S>& force) = 0;
+  virtual void applied_force(const AnyEvaluation& at, StateVector<S>& force) = 0;
+  virtual S residual(const AnyEvaluation& at, const StateVector<S>& force, const StateVector<S>& lambda,
+                     StateVector<S>& left) = 0;
+  virtual RowViolation<S> position_rows(const AnyEvaluation& at, StateVector<S>& rows) = 0;
+  virtual RowViolation<S> velocity_rows(const AnyEvaluation& at, StateVector<S>& rows) = 0;
+  virtual std::string row_name(int row) const = 0;
+  virtual S work_rate(const AnyEvaluation& at, const StateVector<S>& lambda) = 0;
+
+  // HasNewtonMatrix
+  virtual void factor(const AnyEvaluation& at, const Shares<S>& shares, AnyFactors& factors) = 0;
+  virtual void solve(const AnyFactors& factors, const AnyEvaluation& at, const StateVector<S>& left,
+                     const StateVector<S>& rows, StateVector<S>& x, StateVector<S>& mu) = 0;
+  virtual void reduce(const AnyFactors& factors, const StateVector<S>& force, StateVector<S>& left) = 0;
+  virtual void inertia_force(const AnyFactors& factors, const StateVector<S>& x, StateVector<S>& force) = 0;
+
+  // HasInternalRows
+  virtual bool normalise_step(const S& share, StateVector<S>& y, StateVector<S>& v_dot) = 0;
+  virtual void normalise_step_velocity(const S& share, const StateVector<S>& y, StateVector<S>& v_dot) = 0;
+  virtual void internal_residual(const AnyEvaluation& at, const StateVector<S>& v_dot,
+                                 StateVector<S>& left) = 0;
+  virtual void solve_internal_rows(const AnyEvaluation& at, const StateVector<S>& left,
                                    StateVector<S>& x) = 0;
-  virtual bool has_springs() const = 0;
-  virtual void spring_constants(StateVector<S>& stiffness, StateVector<S>& damping) const = 0;
-  virtual S work_rate(const StateVector<S>& lambda) = 0;
+
+  // HasSprings
+  virtual int springs() const = 0;
+  virtual void spring_constants(StateVector<S>& stiffness, StateVector<S>& damping) = 0;
+  virtual void solve(const AnyFactors& factors, const AnyEvaluation& at, const StateVector<S>& left,
+                     const StateVector<S>& rows, const StateVector<S>& slack, StateVector<S>& x,
+                     StateVector<S>& mu, StateVector<S>& stretch) = 0;
 };
 
 /// A system that is no ConstrainedSystem refuses what is asked of one.
@@ -119,117 +127,105 @@ class SystemAdapter final : public AnySystem<typename System::Scalar> {
   std::string diagnose(const S& t, const StateVector<S>& y) override { return system_.diagnose(t, y); }
 
   int position_size() const override {
-    return constrained([](const auto& system) { return system.position_size(); });
+    return constrained([&](auto& system) { return system.position_size(); });
   }
   int velocity_size() const override {
-    return constrained([](const auto& system) { return system.velocity_size(); });
+    return constrained([&](auto& system) { return system.velocity_size(); });
+  }
+  void displace(const StateVector<S>& from, const StateVector<S>& displacement,
+                StateVector<S>& to) const override {
+    constrained([&](auto& system) { system.displace(from, displacement, to); });
+  }
+  void displacement(const StateVector<S>& from, const StateVector<S>& to,
+                    StateVector<S>& displacement) const override {
+    constrained([&](auto& system) { system.displacement(from, to, displacement); });
+  }
+  void displacement_rate(const StateVector<S>& displacement, const StateVector<S>& v,
+                         StateVector<S>& rate) const override {
+    constrained([&](auto& system) { system.displacement_rate(displacement, v, rate); });
+  }
+  void position_rate(const StateVector<S>& y, const StateVector<S>& v, StateVector<S>& rate) const override {
+    constrained([&](auto& system) { system.position_rate(y, v, rate); });
+  }
+  void position_sizes(const StateVector<S>& y, StateVector<S>& sizes) const override {
+    constrained([&](auto& system) { system.position_sizes(y, sizes); });
+  }
+
+  void evaluate(const S& t, const StateVector<S>& y, AnyEvaluation& at) override {
+    constrained([&](auto& system) { system.evaluate(t, y, own(at)); });
   }
   int multipliers() const override {
-    return constrained([](const auto& system) { return system.multipliers(); });
+    return constrained([&](auto& system) { return system.multipliers(); });
   }
   void accelerations(const S& t, const StateVector<S>& y, StateVector<S>& v_dot,
                      StateVector<S>& lambda) override {
     constrained([&](auto& system) { system.accelerations(t, y, v_dot, lambda); });
   }
-  void displace(const StateVector<S>& from, const StateVector<S>& displacement,
-                StateVector<S>& y) const override {
-    constrained([&](const auto& system) { system.displace(from, displacement, y); });
-  }
-  void displacement(const StateVector<S>& from, const StateVector<S>& to,
-                    StateVector<S>& displacement) const override {
-    constrained([&](const auto& system) { system.displacement(from, to, displacement); });
-  }
-  void displacement_rate(const StateVector<S>& displacement, const StateVector<S>& v,
-                         StateVector<S>& rate) const override {
-    constrained([&](const auto& system) { system.displacement_rate(displacement, v, rate); });
-  }
-  void position_rate(const StateVector<S>& y, const StateVector<S>& v, StateVector<S>& rate) const override {
-    constrained([&](const auto& system) { system.position_rate(y, v, rate); });
-  }
-  void position_sizes(const StateVector<S>& y, StateVector<S>& sizes) const override {
-    constrained([&](const auto& system) { system.position_sizes(y, sizes); });
-  }
-  bool normalise_step(const S& share, StateVector<S>& y, StateVector<S>& v_dot) const override {
-    return constrained([&](const auto& system) { return system.normalise_step(share, y, v_dot); });
-  }
-  void normalise_step_velocity(const S& share, const StateVector<S>& y,
-                               StateVector<S>& v_dot) const override {
-    constrained([&](const auto& system) { system.normalise_step_velocity(share, y, v_dot); });
-  }
   bool inertia_is_constant() const override {
-    return constrained([](const auto& system) { return system.inertia_is_constant(); });
+    return constrained([&](auto& system) { return system.inertia_is_constant(); });
   }
-  void applied_force(const S& t, const StateVector<S>& y, StateVector<S>& force) override {
-    constrained([&](auto& system) { system.applied_force(t, y, force); });
+  void inertia_force(const AnyEvaluation& at, const StateVector<S>& x, StateVector<S>& force) override {
+    constrained([&](auto& system) { system.inertia_force(own(at), x, force); });
   }
-  void inertia_force(const StateVector<S>& y, const StateVector<S>& v_dot, StateVector<S>& force) override {
-    constrained([&](auto& system) { system.inertia_force(y, v_dot, force); });
+  void applied_force(const AnyEvaluation& at, StateVector<S>& force) override {
+    constrained([&](auto& system) { system.applied_force(own(at), force); });
   }
-  S residual(const S& t, const StateVector<S>& y, const StateVector<S>& force,
-             const StateVector<S>& lambda) override {
-    return constrained([&](auto& system) { return S(system.residual(t, y, force, lambda)); });
+  S residual(const AnyEvaluation& at, const StateVector<S>& force, const StateVector<S>& lambda,
+             StateVector<S>& left) override {
+    return constrained([&](auto& system) { return S(system.residual(own(at), force, lambda, left)); });
   }
-  S position_rows(const S& t, const StateVector<S>& y) override {
-    return constrained([&](auto& system) { return S(system.position_rows(t, y)); });
+  RowViolation<S> position_rows(const AnyEvaluation& at, StateVector<S>& rows) override {
+    return constrained([&](auto& system) { return system.position_rows(own(at), rows); });
   }
-  S velocity_rows() override {
-    return constrained([](auto& system) { return S(system.velocity_rows()); });
+  RowViolation<S> velocity_rows(const AnyEvaluation& at, StateVector<S>& rows) override {
+    return constrained([&](auto& system) { return system.velocity_rows(own(at), rows); });
   }
-  S relative_row_violation() const override {
-    return constrained([](const auto& system) { return S(system.relative_row_violation()); });
+  std::string row_name(int row) const override {
+    return constrained([&](auto& system) { return std::string(system.row_name(row)); });
   }
-  std::string least_met_row() const override {
-    return constrained([](const auto& system) { return std::string(system.least_met_row()); });
+  S work_rate(const AnyEvaluation& at, const StateVector<S>& lambda) override {
+    return constrained([&](auto& system) { return S(system.work_rate(own(at), lambda)); });
   }
-  void select(int number) override {
-    constrained([&](auto& system) { system.select(number); });
+
+  void factor(const AnyEvaluation& at, const Shares<S>& shares, AnyFactors& factors) override {
+    constrained([&](auto& system) { system.factor(own(at), shares, own(factors)); });
   }
-  void factor(const S& velocity_share, const S& position_share) override {
-    constrained([&](auto& system) { system.factor(velocity_share, position_share); });
+  void solve(const AnyFactors& factors, const AnyEvaluation& at, const StateVector<S>& left,
+             const StateVector<S>& rows, StateVector<S>& x, StateVector<S>& mu) override {
+    constrained([&](auto& system) { system.solve(own(factors), own(at), left, rows, x, mu); });
   }
-  void newton(const S& share, StateVector<S>& v_dot, StateVector<S>& lambda) override {
-    constrained([&](auto& system) { system.newton(share, v_dot, lambda); });
+  void reduce(const AnyFactors& factors, const StateVector<S>& force, StateVector<S>& left) override {
+    constrained([&](auto& system) { system.reduce(own(factors), force, left); });
   }
-  void project(const S& share, StateVector<S>& x) override {
-    constrained([&](auto& system) { system.project(share, x); });
+  void inertia_force(const AnyFactors& factors, const StateVector<S>& x, StateVector<S>& force) override {
+    constrained([&](auto& system) { system.inertia_force(own(factors), x, force); });
   }
-  void velocity_projection(const StateVector<S>& force, StateVector<S>& x, StateVector<S>& mu) override {
-    constrained([&](auto& system) { system.velocity_projection(force, x, mu); });
+
+  bool normalise_step(const S& share, StateVector<S>& y, StateVector<S>& v_dot) override {
+    return constrained([&](auto& system) { return system.normalise_step(share, y, v_dot); });
   }
-  void row_residual(StateVector<S>& rows) const override {
-    constrained([&](const auto& system) { system.row_residual(rows); });
+  void normalise_step_velocity(const S& share, const StateVector<S>& y, StateVector<S>& v_dot) override {
+    constrained([&](auto& system) { system.normalise_step_velocity(share, y, v_dot); });
   }
-  void force_residual(StateVector<S>& left) const override {
-    constrained([&](const auto& system) { system.force_residual(left); });
+  void internal_residual(const AnyEvaluation& at, const StateVector<S>& v_dot,
+                         StateVector<S>& left) override {
+    constrained([&](auto& system) { system.internal_residual(own(at), v_dot, left); });
   }
-  void solve(const StateVector<S>& left, const StateVector<S>& rows, StateVector<S>& x,
-             StateVector<S>& mu) override {
-    constrained([&](auto& system) { system.solve(left, rows, x, mu); });
+  void solve_internal_rows(const AnyEvaluation& at, const StateVector<S>& left, StateVector<S>& x) override {
+    constrained([&](auto& system) { system.solve_internal_rows(own(at), left, x); });
   }
-  void solve(const StateVector<S>& left, const StateVector<S>& rows, const StateVector<S>& slack,
-             StateVector<S>& x, StateVector<S>& mu, StateVector<S>& stretch) override {
-    constrained([&](auto& system) { system.solve(left, rows, slack, x, mu, stretch); });
+
+  int springs() const override {
+    return constrained([&](auto& system) { return system.springs(); });
   }
-  void take_force(const StateVector<S>& force, StateVector<S>& left) override {
-    constrained([&](auto& system) { system.take_force(force, left); });
+  void spring_constants(StateVector<S>& stiffness, StateVector<S>& damping) override {
+    constrained([&](auto& system) { system.spring_constants(stiffness, damping); });
   }
-  void solve_force(const StateVector<S>& force, StateVector<S>& x, StateVector<S>& mu) override {
-    constrained([&](auto& system) { system.solve_force(force, x, mu); });
-  }
-  void take_internal_rows(const StateVector<S>& v_dot, StateVector<S>& left) const override {
-    constrained([&](const auto& system) { system.take_internal_rows(v_dot, left); });
-  }
-  void solve_internal_rows(const StateVector<S>& y, const StateVector<S>& left, StateVector<S>& x) override {
-    constrained([&](auto& system) { system.solve_internal_rows(y, left, x); });
-  }
-  bool has_springs() const override {
-    return constrained([](const auto& system) { return system.has_springs(); });
-  }
-  void spring_constants(StateVector<S>& stiffness, StateVector<S>& damping) const override {
-    constrained([&](const auto& system) { system.spring_constants(stiffness, damping); });
-  }
-  S work_rate(const StateVector<S>& lambda) override {
-    return constrained([&](auto& system) { return S(system.work_rate(lambda)); });
+  void solve(const AnyFactors& factors, const AnyEvaluation& at, const StateVector<S>& left,
+             const StateVector<S>& rows, const StateVector<S>& slack, StateVector<S>& x, StateVector<S>& mu,
+             StateVector<S>& stretch) override {
+    constrained(
+        [&](auto& system) { system.solve(own(factors), own(at), left, rows, slack, x, mu, stretch); });
   }
 
  private:
@@ -243,6 +239,17 @@ class SystemAdapter final : public AnySystem<typename System::Scalar> {
   template <class Answer>
   static Answer refuse() {
     throw UsageError("implicit methods need a system with its constraints, and this has none; take dopri5");
+  }
+
+  // the system's own type of a value
+  template <class Value>
+  static decltype(auto) own(Value& value) {
+    if constexpr (!ConstrainedSystem<System>)
+      return (value);
+    else if constexpr (std::is_same_v<std::remove_const_t<Value>, AnyEvaluation>)
+      return value.template as<typename System::Evaluation>();
+    else
+      return value.template as<typename System::Factors>();
   }
 
   System& system_;

@@ -21,14 +21,16 @@
 #include <optional>
 #include <string>
 
-#include "integrators/contract/constrained_system.hpp"
+#include "integrators/contract/internal_rows.hpp"
+#include "integrators/contract/newton_matrix.hpp"
 #include "integrators/explicit/half_explicit_coefficients.hpp"
 #include "integrators/step_size_control.hpp"
 
 namespace trivium::integrators {
 
 /// `Coefficients` are HEM4's or HEDOP5's (half_explicit_coefficients.hpp).
-template <ConstrainedSystem System, class Coefficients>
+template <HasNewtonMatrix System, class Coefficients>
+requires HasInternalRows<System>
 class HalfExplicit {
  public:
   using S = typename System::Scalar;
@@ -110,7 +112,7 @@ class HalfExplicit {
         next_.segment(nq_, nv_) += h * of_.a[1][0] * stage.v_dot;
       } else {
         solve(system, t + of_.c[i] * h, t + of_.c[i + 1] * h, h * of_.a[i + 1][i], at_, stage.v_dot);
-        if (y.size() > nq_ + nv_) stage.work_rate = system.work_rate(lambda_);
+        if (y.size() > nq_ + nv_) stage.work_rate = system.work_rate(stage_at_, lambda_);
       }
       std::swap(at_, next_);
       if (i + 1 == end) reached_ = at_;
@@ -156,20 +158,20 @@ class HalfExplicit {
              StateVector<S>& v_dot) {
     v_dot.setZero(nv_);
     lambda_.setZero();
-    system.residual(t, y, v_dot, lambda_);
+    system.evaluate(t, y, stage_at_);
+    system.residual(stage_at_, v_dot, lambda_, left_);
     ++counters_.right_sides;
-    system.force_residual(left_);
-    system.take_internal_rows(v_dot, left_);
-    system.factor(S(0), S(0));
-    system.solve_internal_rows(y, left_, v_dot);
+    system.internal_residual(stage_at_, v_dot, left_);
+    system.factor(stage_at_, {}, factors_);
+    system.solve_internal_rows(stage_at_, left_, v_dot);
     next_.segment(nq_, nv_) += share * v_dot;
     S before = std::numeric_limits<S>::max();
+    RowViolation<S> missed;
     constexpr int most_repetitions = 60;
     for (int k = 0; k < most_repetitions; ++k) {
-      system.position_rows(t_next, next_);
-      const S violation = system.velocity_rows();
-      system.row_residual(rows_);
-      system.position_rows(t, y);  // the changes are those of this stage
+      system.evaluate(t_next, next_, next_at_);
+      missed = system.velocity_rows(next_at_, rows_);
+      const S& violation = missed.relative;
       if (k > 0 && violation <= rounding<S>()) return;
       if (!(violation < before)) {
         if (k > 1 && violation <= 1000 * rounding<S>()) return;
@@ -177,24 +179,24 @@ class HalfExplicit {
       }
       before = violation;
       change_.setZero(nv_);
-      system.solve(left_, rows_ / -share, change_, lambda_);
+      system.solve(factors_, stage_at_, left_, rows_ / -share, change_, lambda_);
       left_.setZero();
       v_dot += change_;
       next_.segment(nq_, nv_) += share * change_;
       ++counters_.iterations;
     }
-    system.position_rows(t_next, next_);
-    system.velocity_rows();  // for its name
     throw IntegrationError(
         fmt::format("at t = {}: velocities of the next stage do not come to meet row \"{}\"; take smaller "
                     "steps, or another method where rows are dependent",
-                    static_cast<double>(t), system.least_met_row()));
+                    static_cast<double>(t), system.row_name(missed.row)));
   }
 
   const Coefficients of_;
   const std::optional<Tolerances> tolerances_;
   StepSizeControl<S> step_size_;
   std::array<Stage, stages> stage_;
+  typename System::Evaluation stage_at_, next_at_;  ///< of this stage and of the next
+  typename System::Factors factors_;
   StateVector<S> at_, next_, reached_, lambda_, last_lambda_, left_, rows_, change_;
   int nq_ = 0, nv_ = 0;
   bool has_begun_ = false, has_stepped_ = false;

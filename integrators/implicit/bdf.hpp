@@ -33,7 +33,8 @@ struct BackwardFormula {
   }
 };
 
-template <ConstrainedSystem System>
+template <HasSprings System>
+requires HasInternalRows<System>
 class BDF {
  public:
   using S = typename System::Scalar;
@@ -90,7 +91,6 @@ class BDF {
     start_.step(system, t, y, stop);
     counters_.right_sides += start_.counters().right_sides - before.right_sides;
     counters_.iterations += start_.counters().iterations - before.iterations;
-    system.select(0);
   }
 
   void advance(System& system, const S& t, StateVector<S>& y) {
@@ -114,7 +114,7 @@ class BDF {
     };
     StepUnknowns<S> x{predicted(&Point::v_dot), predicted(&Point::lambda), {}};
     newton_(system, t, {b * b, b}, place, y, x, counters_);
-    if (y.size() > nq + nv) y[nq + nv] = known[nv] + b * system.work_rate(x.lambda);
+    if (y.size() > nq + nv) y[nq + nv] = known[nv] + b * system.work_rate(newton_.at(), x.lambda);
     push({y, x.v_dot, x.lambda});
   }
   /// theta = theta_known + b rate(theta, v), by iteration: what a body turns in a step is a small angle.

@@ -22,7 +22,8 @@
 
 namespace trivium::integrators {
 
-template <ConstrainedSystem System>
+template <HasNewtonMatrix System>
+requires HasInternalRows<System>
 class GeneralizedAlpha {
  public:
   using S = typename System::Scalar;
@@ -55,7 +56,7 @@ class GeneralizedAlpha {
     StepUnknowns<S> x{v_dot_.ahead(ahead), lambda_.ahead(ahead),
                       StateVector<S>::Zero(is_stabilised_ ? nv : 0)};
     newton_(system, stop, shares, place, y, x, counters_);
-    work_.add(system, x.lambda, h, y);
+    work_.add(system, newton_.at(), x.lambda, h, y);
     v_dot_.push(x.v_dot);
     lambda_.push(x.lambda);
     a_ = next_a_;

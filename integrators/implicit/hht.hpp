@@ -18,7 +18,8 @@
 
 namespace trivium::integrators {
 
-template <ConstrainedSystem System>
+template <HasNewtonMatrix System>
+requires HasInternalRows<System>
 class HHT {
  public:
   using S = typename System::Scalar;
@@ -38,14 +39,15 @@ class HHT {
       system.displace(from, displacement_, to);
       to.segment(nq, nv) = v + h * ((1 - gamma_) * a + gamma_ * per_x * x.v_dot);
     };
-    const auto force = [&](const StateVector<S>& at, const StateVector<S>& x, StateVector<S>& total) {
+    const auto force = [&](const typename System::Evaluation& at, const StateVector<S>& x,
+                           StateVector<S>& total) {
       system.inertia_force(at, x, inertia_);
       total = inertia_ - alpha_ / per_x * g_;
     };
     const S ahead = h / *last_h_;
     StepUnknowns<S> x{a_.ahead(ahead) / per_x, lambda_.ahead(ahead), {}};
     newton_(system, stop, {h * h * beta_ * per_x, h * gamma_ * per_x}, place, y, x, counters_, force);
-    work_.add(system, x.lambda, h, y);
+    work_.add(system, newton_.at(), x.lambda, h, y);
     g_ = alpha_ / per_x * g_ - inertia_;
     a_.push(per_x * x.v_dot);
     lambda_.push(x.lambda);
@@ -66,7 +68,9 @@ class HHT {
     const InitialAcceleration<S> start(system, t, y, h, counters_);
     a_.begin(start.v_dot, start.v_ddot, h);
     lambda_.begin(start.lambda, start.lambda_dot, h);
-    system.inertia_force(y, start.v_dot, inertia_);
+    typename System::Evaluation at;
+    system.evaluate(t, y, at);
+    system.inertia_force(at, start.v_dot, inertia_);
     g_ = -inertia_;
     last_h_ = h;
     work_.begin(start.work_rate);

@@ -10,9 +10,10 @@
 #include <limits>
 #include <string>
 
-#include "integrators/contract/constrained_system.hpp"
 #include "integrators/contract/errors.hpp"
+#include "integrators/contract/internal_rows.hpp"
 #include "integrators/contract/method.hpp"
+#include "integrators/contract/newton_matrix.hpp"
 #include "integrators/contract/tolerances.hpp"
 #include "integrators/implicit/anderson.hpp"
 
@@ -25,12 +26,6 @@ struct NewtonOptions {
   bool is_full = false;  ///< a matrix for every iteration; else one for every step, and more where needed
 };
 
-/// How far q and v of a step move with v'.
-template <class S>
-struct Shares {
-  S position, velocity;
-};
-
 /// The unknowns of a step, which begin as predicted. On the stabilised index 2, `shift` moves positions onto
 /// their constraints, and v' meets those of velocities; on index 3 it is empty and v' meets positions.
 template <class S>
@@ -38,34 +33,36 @@ struct StepUnknowns {
   StateVector<S> v_dot, lambda, shift;
 };
 
-/// Says which row is not met, or that forces do not balance, by what was evaluated last.
-template <ConstrainedSystem System>
-[[noreturn]] void throw_not_converged(System& system, const typename System::Scalar& t) {
+/// Says which row is not met by the last iterate, or that its forces do not balance.
+template <HasResidual System>
+[[noreturn]] void throw_not_converged(const System& system, const typename System::Scalar& t,
+                                      const RowViolation<typename System::Scalar>& violation) {
   using S = typename System::Scalar;
   constexpr double met =
       1e-8;  // half of a double's digits; what does not converge is far above or at rounding
-  const bool of_rows = !(system.relative_row_violation() <= S(met));
-  throw IntegrationError(fmt::format("at t = {}: Newton's method does not converge: {}; take smaller steps",
-                                     static_cast<double>(t),
-                                     of_rows ? fmt::format("row \"{}\" is not met", system.least_met_row())
-                                             : std::string("forces do not balance")));
+  const bool of_rows = !(violation.relative <= S(met));
+  throw IntegrationError(fmt::format(
+      "at t = {}: Newton's method does not converge: {}; take smaller steps", static_cast<double>(t),
+      of_rows ? fmt::format("row \"{}\" is not met", system.row_name(violation.row))
+              : std::string("forces do not balance")));
 }
 
-template <ConstrainedSystem System>
+template <HasNewtonMatrix System>
+requires HasInternalRows<System>
 class Newton {
  public:
   using S = typename System::Scalar;
 
   explicit Newton(const NewtonOptions& options) : options_(options) {}
 
-  /// `place(x, y)` moves y to where the unknowns lead; `force(y, v_dot, f)` is what stands in the place of M
+  /// `place(x, y)` moves y to where the unknowns lead; `force(at, v_dot, f)` is what stands in the place of M
   /// v', which it is unless given. Throws an IntegrationError that names the row, or says that forces do not
   /// balance.
   template <class Place>
   void operator()(System& system, const S& t, const Shares<S>& shares, const Place& place, StateVector<S>& y,
                   StepUnknowns<S>& x, Counters& counters) {
     (*this)(system, t, shares, place, y, x, counters,
-            [&](const StateVector<S>& at, const StateVector<S>& v_dot, StateVector<S>& force) {
+            [&](const typename System::Evaluation& at, const StateVector<S>& v_dot, StateVector<S>& force) {
               system.inertia_force(at, v_dot, force);
             });
   }
@@ -75,6 +72,7 @@ class Newton {
     const bool is_stabilised = x.shift.size() > 0;
     const Eigen::Index nv = x.v_dot.size(), nc = x.lambda.size();
     bool is_fresh = false;
+    RowViolation<S> violation;
     anderson_.clear();
     S before = std::numeric_limits<S>::max();
     for (int k = 0, rises = 0; k < most_iterations && rises < most_rises; ++k) {
@@ -85,34 +83,41 @@ class Newton {
         place(x, y);
       }
       if (!x.v_dot.allFinite() || !x.lambda.allFinite()) break;
-      force(y, x.v_dot, force_);
-      const S imbalance = system.residual(t, y, force_, x.lambda);
+      system.evaluate(t, y, at_);
+      force(at_, x.v_dot, force_);
+      const S imbalance = system.residual(at_, force_, x.lambda, left_);
       ++counters.right_sides;
-      S violation = system.relative_row_violation();
-      if (is_stabilised) violation = std::max(violation, S(system.velocity_rows()));
-      if (imbalance <= enough() && violation <= rounding<S>()) return;
+      violation = system.position_rows(at_, phi_);
+      if (is_stabilised) violation = larger(violation, RowViolation<S>(system.velocity_rows(at_, phi_dot_)));
+      if (imbalance <= enough() && violation.relative <= rounding<S>()) return;
       // what falls no more by a matrix made there is rounding, or no solution
-      const S now = imbalance / enough() + violation / rounding<S>();
+      const S now = imbalance / enough() + violation.relative / rounding<S>();
       const bool falls = now <= before / 2;
       if (!falls && is_fresh) {
-        if (imbalance <= S(1e3) * enough() && violation <= S(1e3) * rounding<S>()) return;
+        if (imbalance <= S(1e3) * enough() && violation.relative <= S(1e3) * rounding<S>()) return;
         ++rises;
       }
       before = now;
       is_fresh = k == 0 || options_.is_full || (!falls && !is_fresh);
       if (is_fresh) {
-        system.factor(shares.velocity, shares.position);
+        system.factor(at_, shares, factors_);
         if (!options_.is_full) anderson_.clear();
       }
-      change_.setZero(nv + nc + x.shift.size());
-      if (is_stabilised) {
-        shift_change_.setZero(nv);
-        system.project(S(shares.position / shares.velocity), shift_change_);
-        change_.tail(nv) = shift_change_;
-      }
+      change_.resize(nv + nc + x.shift.size());
       v_change_.setZero(nv);
+      if (is_stabilised) {
+        // v' that meets the velocity rows moves Phi by a share of them
+        phi_ = shares.position / shares.velocity * phi_dot_ - phi_;
+        mu_.setZero(nc);
+        system.solve(factors_, at_, StateVector<S>::Zero(nv), phi_, v_change_, mu_);
+        change_.tail(nv) = v_change_;
+        v_change_.setZero(nv);
+        phi_dot_ /= -shares.velocity;
+      } else {
+        phi_ /= -shares.position;
+      }
       lambda_change_.setZero(nc);
-      system.newton(is_stabilised ? shares.velocity : shares.position, v_change_, lambda_change_);
+      system.solve(factors_, at_, left_, is_stabilised ? phi_dot_ : phi_, v_change_, lambda_change_);
       change_.head(nv) = v_change_;
       change_.segment(nv, nc) = lambda_change_;
       const StateVector<S>& step = anderson_.step(change_, nv);
@@ -121,8 +126,10 @@ class Newton {
       if (is_stabilised) x.shift += step.tail(nv);
       ++counters.iterations;
     }
-    throw_not_converged(system, t);
+    throw_not_converged(system, t, violation);
   }
+  /// Where the last iteration ended.
+  const typename System::Evaluation& at() const { return at_; }
 
  private:
   static constexpr int most_iterations = 40, most_rises = 5;
@@ -131,7 +138,10 @@ class Newton {
 
   NewtonOptions options_;
   Anderson<S> anderson_;
-  StateVector<S> force_, change_, v_change_, lambda_change_, shift_change_;
+  typename System::Evaluation at_;
+  typename System::Factors factors_;
+  StateVector<S> force_, left_, phi_, phi_dot_;
+  StateVector<S> change_, v_change_, lambda_change_, mu_;
 };
 
 }  // namespace trivium::integrators

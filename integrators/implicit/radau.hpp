@@ -43,7 +43,8 @@
 namespace trivium::integrators {
 
 /// Of an odd number of stages.
-template <ConstrainedSystem System, int s>
+template <HasSprings System, int s>
+requires HasInternalRows<System>
 class Radau {
  public:
   using S = typename System::Scalar;
@@ -73,10 +74,7 @@ class Radau {
         system, step_size_, {S(-1) / (s + 1), S(8)}, counters_, t, y, stop,
         [&](const S& h) {
           const S error = advance(system, t, h, y);
-          if (error <= S(1)) {
-            system.select(s - 1);
-            row_projection_.move(system, S(t + h), stages_.last().y);
-          }
+          if (error <= S(1)) row_projection_.move(system, stages_.last().factors, S(t + h), stages_.last().y);
           return error;
         },
         [&](const S& h) { accept(h, y); });
@@ -130,11 +128,11 @@ class Radau {
     // after a transient what the last stages foretell may be far off, and in one even what they end with
     if (!(stages_.predict(h) && solved()) && !solved_from(stages_.known().v_dot) &&
         !solved_from(StateVector<S>::Zero(nv_)))
-      throw_not_converged(system, t);
+      throw_not_converged(system, t, violation_);
     if (!error_) return S(0);
     // where the stages were as predicted, none was asked for
     if (!has_matrix_) factor(system, h);
-    return error_->of_step(system, stages_, h, y);
+    return error_->of_step(system, stages_, t, h, y);
   }
 
   /// From the stages as predicted; whether they came to solve their equations.
@@ -152,30 +150,27 @@ class Radau {
     for (int k = 0, rises = 0; k < 40 && rises < 5; ++k) {
       stages_.place(system, h, y, v);
       stages_.normalise(system, h, y, v);
-      S imbalance(0), violation(0);
+      S imbalance(0);
+      violation_ = {};
       for (int i = 0; i < s; ++i) {
         Stage& stage = stages_[i];
-        system.select(i);
         if (!stage.v_dot.allFinite() || !stage.lambda.allFinite()) return false;
-        system.inertia_force(stage.y, stage.v_dot, force_);
-        imbalance =
-            std::max(imbalance,
-                     S(system.residual(t + stages_.coefficients().c[i] * h, stage.y, force_, stage.lambda)));
+        system.evaluate(t + stages_.coefficients().c[i] * h, stage.y, stage.at);
+        system.inertia_force(stage.at, stage.v_dot, force_);
+        imbalance = std::max(imbalance, S(system.residual(stage.at, force_, stage.lambda, stage.left)));
         ++counters_.right_sides;
-        violation = std::max(violation, S(system.relative_row_violation()));
-        system.row_residual(stage.phi);
-        violation = std::max(violation, S(system.velocity_rows()));
-        system.row_residual(stage.phi_dot);
-        system.force_residual(stage.left);
-        stage_work_[i] = y.size() > nq_ + nv_ ? S(system.work_rate(stage.lambda)) : S(0);
+        violation_ = larger(violation_, RowViolation<S>(system.position_rows(stage.at, stage.phi)));
+        violation_ = larger(violation_, RowViolation<S>(system.velocity_rows(stage.at, stage.phi_dot)));
+        stage_work_[i] = y.size() > nq_ + nv_ ? S(system.work_rate(stage.at, stage.lambda)) : S(0);
       }
-      const S now = imbalance / enough + violation / rounding<S>();
-      if (imbalance <= enough && violation <= rounding<S>()) return true;
+      const S now = imbalance / enough + violation_.relative / rounding<S>();
+      if (imbalance <= enough && violation_.relative <= rounding<S>()) return true;
       const bool falls = now <= before / 2;
       if (!falls) {
         // forces of bodies far lighter than others are none beside theirs, but changes tell of them too
         const bool is_still = !error_ || moved_before <= S(1);
-        if (is_fresh && is_still && imbalance <= rounding_level && violation <= 1000 * rounding<S>())
+        if (is_fresh && is_still && imbalance <= rounding_level &&
+            violation_.relative <= 1000 * rounding<S>())
           return true;
         ++rises;
         refresh();
@@ -217,8 +212,8 @@ class Radau {
         system,
         [&](int i) -> const StateVector<S>& {
           // what of the shift is along the rows goes, springs too being in the way
-          system.inertia_force(stages_[i].linearised_at, stages_[i].shift, force_);
-          system.take_force(-force_, along_);
+          system.inertia_force(stages_[i].factors, stages_[i].shift, force_);
+          system.reduce(stages_[i].factors, -force_, along_);
           return along_;
         },
         [&](int i, const StateVector<S>& x, const StateVector<S>&) {
@@ -238,11 +233,7 @@ class Radau {
   }
   void factor(System& system, const S& h) {
     const S share = h * stages_.coefficients().gamma;
-    for (int i = 0; i < s; ++i) {
-      system.select(i);
-      system.factor(share, S(share * share));
-      stages_[i].linearised_at = stages_[i].y;
-    }
+    for (Stage& stage : stages_) system.factor(stage.at, {share * share, share}, stage.factors);
     springs_.refactor(share);
     has_matrix_ = true;
   }
@@ -266,6 +257,7 @@ class Radau {
   Stages stages_;
   RadauSprings<System, s> springs_;
   RowProjection<System> row_projection_;
+  RowViolation<S> violation_;  ///< of the last iterate
   std::array<S, s> stage_work_;
   StateVector<S> force_, along_, change_;
   int nq_ = 0, nv_ = 0, nc_ = 0;
@@ -273,9 +265,9 @@ class Radau {
   Counters counters_;
 };
 
-template <ConstrainedSystem System>
+template <class System>
 using Radau5 = Radau<System, 3>;
-template <ConstrainedSystem System>
+template <class System>
 using Radau9 = Radau<System, 5>;
 
 }  // namespace trivium::integrators

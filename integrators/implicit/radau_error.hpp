@@ -11,7 +11,8 @@
 
 namespace trivium::integrators {
 
-template <ConstrainedSystem System, int s>
+template <HasSprings System, int s>
+requires HasInternalRows<System>
 class RadauError {
  public:
   using S = typename System::Scalar;
@@ -41,7 +42,7 @@ class RadauError {
 
   /// The estimated error of the step from y, of order s, filtered by the matrix of springs: what it would
   /// damp is no error.
-  S of_step(System& system, const Stages& stages, const S& h, const StateVector<S>& y) {
+  S of_step(System& system, const Stages& stages, const S& t, const S& h, const StateVector<S>& y) {
     const auto& coefficients = stages.coefficients();
     const StateVector<S> v = y.segment(stages.nq(), stages.nv());
     const auto& e = coefficients.error;
@@ -49,10 +50,13 @@ class RadauError {
     StateVector<S> off_v = gamma * h * stages.known().v_dot;
     for (int i = 0; i < s; ++i) off_v += e[i] * (stages[i].v - v);
     const StateVector<S> off_q = gamma * h * v + stages.mixed(e, &Stages::Stage::theta);
-    system.inertia_force(y, off_v, force_);
+    const auto& last = stages.last();
+    system.evaluate(t, y, at_start_);
+    system.inertia_force(at_start_, off_v, force_);
+    system.reduce(last.factors, force_, left_);
     of_v_.setZero(stages.nv());
     mu_.setZero(stages.nc());
-    system.solve_force(force_, of_v_, mu_);
+    system.solve(last.factors, last.at, left_, StateVector<S>::Zero(stages.nc()), of_v_, mu_);
     return in_tolerances(stages, y, off_q, of_v_);
   }
 
@@ -74,7 +78,8 @@ class RadauError {
 
   Tolerances tolerances_;
   StateVector<S> sizes_;  ///< of what displacements move
-  StateVector<S> of_q_, of_v_, force_, mu_;
+  typename System::Evaluation at_start_;
+  StateVector<S> of_q_, of_v_, force_, left_, mu_;
 };
 
 }  // namespace trivium::integrators

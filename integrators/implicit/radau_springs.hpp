@@ -10,7 +10,8 @@
 
 namespace trivium::integrators {
 
-template <ConstrainedSystem System, int s>
+template <HasSprings System, int s>
+requires HasInternalRows<System>
 class RadauSprings {
  public:
   using S = typename System::Scalar;

@@ -11,12 +11,14 @@
 #include <optional>
 #include <utility>
 
-#include "integrators/contract/constrained_system.hpp"
+#include "integrators/contract/internal_rows.hpp"
+#include "integrators/contract/springs.hpp"
 #include "integrators/implicit/radau_coefficients.hpp"
 
 namespace trivium::integrators {
 
-template <ConstrainedSystem System, int s>
+template <HasSprings System, int s>
+requires HasInternalRows<System>
 class RadauStages {
  public:
   using S = typename System::Scalar;
@@ -31,8 +33,9 @@ class RadauStages {
     StateVector<S> v, theta, rate, y;    ///< where they lead
     StateVector<S> chart_correction;     ///< by how much theta's rate is not v + shift + internal_correction
     StateVector<S> left, phi, phi_dot;   ///< what is left to solve
-    StateVector<S> linearised_at;        ///< the state that the matrix is of
-    StateVector<S> rows;                 ///< asked of it
+    typename System::Evaluation at;      ///< the stage, evaluated
+    typename System::Factors factors;    ///< of its matrix, or of one nearby
+    StateVector<S> rows;                 ///< asked of that
     StateVector<S> slack, stretch;       ///< of springs, with the last change
     StateVector<S> stretched;            ///< by the shift
   };
@@ -166,8 +169,8 @@ class RadauStages {
     for (int i = 0; i < s; ++i) {
       x_.setZero(nv_);
       mu_.setZero(nc_);
-      system.select(i);
-      system.solve(left(i), stage_[i].rows, stage_[i].slack, x_, mu_, stage_[i].stretch);
+      system.solve(stage_[i].factors, stage_[i].at, left(i), stage_[i].rows, stage_[i].slack, x_, mu_,
+                   stage_[i].stretch);
       take(i, x_, mu_);
     }
   }

@@ -12,20 +12,24 @@
 
 namespace trivium::integrators {
 
-template <ConstrainedSystem System>
+template <HasNewtonMatrix System>
+requires HasInternalRows<System>
 class RowProjection {
  public:
   using S = typename System::Scalar;
 
-  /// By the matrix selected, which is of a state nearby. Throws an IntegrationError if the rows cannot be
-  /// met.
-  void move(System& system, const S& t, StateVector<S>& y) {
+  /// By factors of a matrix of a state nearby. Throws an IntegrationError if the rows cannot be met.
+  void move(System& system, const typename System::Factors& factors, const S& t, StateVector<S>& y) {
     const int nv = system.velocity_size();
     auto v = y.segment(system.position_size(), nv);
     x_.setZero(nv);
     system.normalise_step(S(1), y, x_);
     meet(
-        system, t, [&] { return S(system.position_rows(t, y)); },
+        system, factors, t,
+        [&] {
+          system.evaluate(t, y, at_);
+          return system.position_rows(at_, rows_);
+        },
         [&] {
           const StateVector<S> from = y;
           system.displace(from, x_, y);
@@ -35,29 +39,31 @@ class RowProjection {
     system.normalise_step_velocity(S(1), y, x_);
     v += x_;
     meet(
-        system, t,
+        system, factors, t,
         [&] {
-          system.position_rows(t, y);
-          return S(system.velocity_rows());
+          system.evaluate(t, y, at_);
+          return system.velocity_rows(at_, rows_);
         },
         [&] { v += x_; });
   }
 
  private:
   template <class Violation, class Move>
-  void meet(System& system, const S& t, const Violation& violation, const Move& move) {
-    S before = std::numeric_limits<S>::max(), now = violation();
-    for (; now > rounding<S>() && now < before; now = violation()) {
-      before = now;
-      system.row_residual(rows_);
+  void meet(System& system, const typename System::Factors& factors, const S& t, const Violation& violation,
+            const Move& move) {
+    S before = std::numeric_limits<S>::max();
+    RowViolation<S> now = violation();
+    for (; now.relative > rounding<S>() && now.relative < before; now = violation()) {
+      before = now.relative;
       x_.setZero(system.velocity_size());
       mu_.setZero(system.multipliers());
-      system.solve(StateVector<S>::Zero(x_.size()), -rows_, x_, mu_);
+      system.solve(factors, at_, StateVector<S>::Zero(x_.size()), -rows_, x_, mu_);
       move();
     }
-    if (!(now <= 1000 * rounding<S>())) throw_not_converged(system, t);
+    if (!(now.relative <= 1000 * rounding<S>())) throw_not_converged(system, t, now);
   }
 
+  typename System::Evaluation at_;
   StateVector<S> rows_, x_, mu_;
 };
 

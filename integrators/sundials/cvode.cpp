@@ -58,7 +58,7 @@ class Cvode final : public OdeStepper {
     accept(CVodeSetLinSysFn(memory(), linear_system), "its matrix");
     // what Newton's method leaves along stiff springs is little of a length and much of a force, which the
     // estimated errors of the steps behind see
-    if (system().has_springs())
+    if (system().springs() > 0)
       accept(CVodeSetNonlinConvCoef(memory(), 0.01), "how far Newton's method goes");
     if (!projects_) return;
     accept(CVodeSetProjFn(memory(), project), "its projection");

@@ -56,9 +56,9 @@ class Ida final : public Stepper {
     }
     system().derivative(t, y, y_dot_);
     system().accelerations(t, y, v_dot_, lambda_);
-    system().residual(t, y, StateVectorD::Zero(nv_), lambda_);
-    system().factor(0, 0);
-    system().applied_force(t, y, force_at_);
+    system().evaluate(t, y, linearised_);
+    system().applied_force(linearised_, force_at_);
+    system().factor(linearised_, {}, factors_);
     counters_.right_sides += 2;
     flat(numbers()) << y, lambda_, StateVectorD::Zero(nc_);
     flat(rates_.get()) << y_dot_, StateVectorD::Zero(2 * nc_);
@@ -100,35 +100,36 @@ class Ida final : public Stepper {
   static int residual(double t, N_Vector numbers, N_Vector rates, N_Vector left, void* stepper) {
     Ida& self = of(stepper);
     return self.guarded([&] {
-      self.evaluate(t, numbers, rates);
+      self.evaluate(t, numbers, rates, self.evaluated_);
       flat(left) << self.off_q_, -self.off_v_, self.off_work_, self.phi_dot_, self.phi_;
       return flat(left).allFinite();
     });
   }
-  void evaluate(double t, N_Vector numbers, N_Vector rates) {
+  /// What the equations miss, at an evaluation of the library's numbers.
+  void evaluate(double t, N_Vector numbers, N_Vector rates, AnyEvaluation& at) {
     ++counters_.right_sides;
     AnySystem<double>& system = this->system();
     const StateVectorD& y = state(numbers);
+    system.evaluate(t, y, at);
     lambda_ = flat(numbers).segment(ny_, nc_);
-    move(y, y.segment(nq_, nv_), flat(numbers).tail(nc_));
+    move(at, y, y.segment(nq_, nv_), flat(numbers).tail(nc_));
     off_q_ = flat(rates).head(nq_) - rate_;
     v_dot_ = flat(rates).segment(nq_, nv_);
-    system.inertia_force(y, v_dot_, force_);
-    system.residual(t, y, force_, lambda_);
-    system.force_residual(off_v_);
-    system.take_internal_rows(v_dot_, off_v_);
-    system.row_residual(phi_);
+    system.inertia_force(at, v_dot_, force_);
+    system.residual(at, force_, lambda_, off_v_);
+    system.internal_residual(at, v_dot_, off_v_);
+    system.position_rows(at, phi_);
+    system.velocity_rows(at, phi_dot_);
     off_work_.resize(ny_ - nq_ - nv_);
-    if (off_work_.size() > 0) off_work_[0] = flat(rates)[nq_ + nv_] - system.work_rate(lambda_);
-    system.velocity_rows();
-    system.row_residual(phi_dot_);
+    if (off_work_.size() > 0) off_work_[0] = flat(rates)[nq_ + nv_] - system.work_rate(at, lambda_);
   }
   /// q' where bodies move with v and the rows by sigma.
-  void move(const StateVectorD& y, const StateVectorD& v, const StateVectorD& sigma) {
+  void move(const AnyEvaluation& at, const StateVectorD& y, const StateVectorD& v,
+            const StateVectorD& sigma) {
     moved_ = v;
     if (!sigma.isZero(0)) {
       mu_.setZero(nc_);
-      system().solve(StateVectorD::Zero(nv_), sigma, moved_, mu_);
+      system().solve(factors_, at, StateVectorD::Zero(nv_), sigma, moved_, mu_);
     }
     system().position_rate(y, moved_, rate_);
   }
@@ -137,13 +138,13 @@ class Ida final : public Stepper {
                     N_Vector, N_Vector, N_Vector) {
     Ida& self = of(stepper);
     return self.guarded([&] {
-      self.evaluate(t, numbers, rates);
-      self.system().factor(1 / c, 1 / (c * c));
+      self.evaluate(t, numbers, rates, self.linearised_);
+      self.system().applied_force(self.linearised_, self.force_at_);
+      self.system().factor(self.linearised_, {1 / (c * c), 1 / c}, self.factors_);
       self.at_ = self.state(numbers);
       self.at_t_ = t;
       self.c_ = c;
       self.phi_dot_at_ = self.phi_dot_;
-      self.system().applied_force(t, self.at_, self.force_at_);
       return true;
     });
   }
@@ -161,28 +162,28 @@ class Ida final : public Stepper {
     moved.head(nq_) += b.head(nq_);
     system.displacement(at_, moved, displacement_);
     const StateVectorD v = at_.segment(nq_, nv_), along = rows_of(at_, v + displacement_) - phi_dot_at_;
-    move(at_, StateVectorD::Zero(nv_), c_ * b_phi - along);
+    move(evaluated_, at_, StateVectorD::Zero(nv_), c_ * b_phi - along);
     moved = at_;
     moved.head(nq_) += (b.head(nq_) + rate_) / c_;
     const StateVectorD b_phi_dot = b.segment(ny_, nc_) - (rows_of(moved, v) - phi_dot_at_);
     StateVectorD u = StateVectorD::Zero(nv_), x_lambda = StateVectorD::Zero(nc_);
-    system.solve(b_v, c_ * b_phi_dot, u, x_lambda);
-    system.solve_internal_rows(at_, b_v, u);
-    if (system.has_springs()) {
-      system.applied_force(at_t_, moved, moved_force_);
-      system.solve_force(moved_force_ - force_at_, u, x_lambda);
+    system.solve(factors_, evaluated_, b_v, c_ * b_phi_dot, u, x_lambda);
+    system.solve_internal_rows(linearised_, b_v, u);
+    if (system.springs() > 0) {
+      system.applied_force(evaluated_, moved_force_);
+      system.reduce(factors_, moved_force_ - force_at_, left_);
+      system.solve(factors_, evaluated_, left_, StateVectorD::Zero(nc_), u, x_lambda);
     }
     const StateVectorD x_v = u / c_, x_sigma = c_ * b_phi - b_phi_dot - along;
-    move(at_, x_v, x_sigma);
+    move(evaluated_, at_, x_v, x_sigma);
     x << (b.head(nq_) + rate_) / c_, x_v, b.segment(nq_ + nv_, ny_ - nq_ - nv_) / c_, x_lambda, x_sigma;
   }
-  /// Phi_q v - nu where y is.
+  /// Phi_q v - nu where y is, which is evaluated then.
   StateVectorD rows_of(const StateVectorD& y, const StateVectorD& v) {
     StateVectorD at = y, rows;
     at.segment(nq_, nv_) = v;
-    system().position_rows(at_t_, at);
-    system().velocity_rows();
-    system().row_residual(rows);
+    system().evaluate(at_t_, at, evaluated_);
+    system().velocity_rows(evaluated_, rows);
     return rows;
   }
 
@@ -214,7 +215,9 @@ class Ida final : public Stepper {
   StateVectorD lambda_, y_dot_, v_dot_, force_, mu_, moved_, rate_, displacement_;
   StateVectorD off_q_, off_v_, off_work_, phi_, phi_dot_;  ///< what the equations miss
   StateVectorD at_, phi_dot_at_, force_at_;                ///< where the matrix was made
-  StateVectorD moved_force_;
+  AnyEvaluation evaluated_, linearised_;                   ///< of now, and there
+  AnyFactors factors_;
+  StateVectorD moved_force_, left_;
   double at_t_ = 0, c_ = 1;
 };
 

@@ -33,12 +33,10 @@ int OdeStepper::linear_system(double t, N_Vector numbers, N_Vector, SUNMatrix, i
     self.t_ = t;
     self.gamma_ = gamma;
     self.at_ = self.state(numbers);
-    if (system.has_springs()) {
-      const StateVectorD no_force = StateVectorD::Zero(system.velocity_size()),
-                         no_lambda = StateVectorD::Zero(system.multipliers());
-      system.residual(t, self.at_, no_force, no_lambda);
-      system.factor(gamma, gamma * gamma);
-      system.applied_force(t, self.at_, self.force_);
+    if (system.springs() > 0) {
+      system.evaluate(t, self.at_, self.evaluated_);
+      system.applied_force(self.evaluated_, self.force_);
+      system.factor(self.evaluated_, {gamma * gamma, gamma}, self.factors_);
     }
     return true;
   });
@@ -51,14 +49,16 @@ void OdeStepper::solve(const Eigen::Map<StateVectorD>& b, Eigen::Map<StateVector
   system.position_rate(at_, b_v_, rate_);
   x = b;
   x.head(nq) += gamma_ * rate_;
-  if (!system.has_springs()) return;
+  if (system.springs() == 0) return;
   moved_ = at_;
   moved_.head(nq) += x.head(nq);
   moved_.segment(nq, nv) += b_v_;
-  system.applied_force(t_, moved_, moved_force_);
+  system.evaluate(t_, moved_, evaluated_);
+  system.applied_force(evaluated_, moved_force_);
+  system.reduce(factors_, moved_force_ - force_, left_);
   w_.setZero(nv);
   mu_.setZero(system.multipliers());
-  system.solve_force(moved_force_ - force_, w_, mu_);
+  system.solve(factors_, evaluated_, left_, StateVectorD::Zero(mu_.size()), w_, mu_);
   x.segment(nq, nv) += gamma_ * w_;
   system.position_rate(at_, w_, rate_);
   x.head(nq) += gamma_ * gamma_ * rate_;

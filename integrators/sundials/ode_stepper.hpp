@@ -35,7 +35,9 @@ class OdeStepper : public Stepper {
   const bool is_implicit_;
   double t_ = 0, gamma_ = 0;
   StateVectorD at_, force_;  ///< what was linearised about, and Q there
-  StateVectorD y_dot_, b_v_, rate_, moved_, moved_force_, w_, mu_;
+  AnyEvaluation evaluated_;
+  AnyFactors factors_;
+  StateVectorD y_dot_, b_v_, rate_, moved_, moved_force_, left_, w_, mu_;
 };
 
 }  // namespace trivium::integrators::sundials_library

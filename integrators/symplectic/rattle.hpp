@@ -19,13 +19,14 @@
 #include <limits>
 
 #include "integrators/contract/errors.hpp"
+#include "integrators/contract/newton_matrix.hpp"
 #include "integrators/contract/tolerances.hpp"
 #include "integrators/initial_acceleration.hpp"
 #include "integrators/work_quadrature.hpp"
 
 namespace trivium::integrators {
 
-template <ConstrainedSystem System>
+template <HasNewtonMatrix System>
 class Rattle {
  public:
   using S = typename System::Scalar;
@@ -69,11 +70,11 @@ class Rattle {
     lambda_ = last_mu_ = start.lambda;
     last_h_ = S(0);
     // what constraints do: what does not balance with their multipliers, less what does not without
-    factor(system, t, y);
-    system.force_residual(held_);
-    system.residual(t, y, none_, StateVector<S>::Zero(system.multipliers()));
-    system.force_residual(left_);
+    system.evaluate(t, y, at_);
+    system.residual(at_, none_, lambda_, held_);
+    system.residual(at_, none_, StateVector<S>::Zero(system.multipliers()), left_);
     held_ -= left_;
+    factor(system);
     work_.begin(start.work_rate);
     has_begun_ = true;
   }
@@ -82,42 +83,46 @@ class Rattle {
     const S h = t_next - t;
     const int nq = system.position_size(), nv = system.velocity_size();
     const StateVector<S> from = y, v = y.segment(nq, nv);
-    system.applied_force(t, y, force_);
-    system.inertia_force(y, v, momentum_);
+    system.evaluate(t, y, at_);
+    system.applied_force(at_, force_);
+    system.inertia_force(at_, v, momentum_);
     StateVector<S> known = h * momentum_ + h * h / 2 * (force_ + held_), theta = h * v;
     mu_.setZero(system.multipliers());
     approach(
         system, t_next, known,
         [&] {
           system.displace(from, theta, y);
-          system.inertia_force(y, theta, momentum_);
+          system.evaluate(t_next, y, at_);
+          system.inertia_force(at_, theta, momentum_);
           system.displacement_rate(theta, momentum_, rate_);
           left_ = known - rate_;
-          return S(system.position_rows(t_next, y));
+          return system.position_rows(at_, rows_);
         },
         [&] {
           theta += change_;
-          known += momentum_of(system, y, change_) - left_;  // by what constraints do
+          known += momentum_of(system, change_) - left_;  // by what constraints do
         });
     // lambda_n and mu_n are off by as much to either side, in proportion to the step after and before
     const StateVector<S> off = h / (h + last_h_) * 2 / (h * h) * mu_;
-    system.inertia_force(y, theta, momentum_);
+    system.inertia_force(at_, theta, momentum_);
     system.displacement_rate(-theta, momentum_, rate_);
     const StateVector<S> arriving = rate_ / h;
     y.segment(nq, nv) = theta / h;
-    factor(system, t_next, y);
+    system.evaluate(t_next, y, at_);
+    factor(system);
     held_.setZero(nv);
     mu_.setZero();
     approach(
         system, t_next, arriving,
         [&] {
-          system.applied_force(t_next, y, force_);
-          left_ = arriving + h / 2 * (force_ + held_) - momentum_of(system, y, y.segment(nq, nv));
-          return S(system.velocity_rows());
+          system.evaluate(t_next, y, at_);
+          system.applied_force(at_, force_);
+          left_ = arriving + h / 2 * (force_ + held_) - momentum_of(system, y.segment(nq, nv));
+          return system.velocity_rows(at_, rows_);
         },
         [&] {
           y.segment(nq, nv) += change_;
-          held_ += 2 / h * (momentum_of(system, y, change_) - left_);
+          held_ += 2 / h * (momentum_of(system, change_) - left_);
         });
     last_mu_ = 2 / h * mu_;
     last_h_ = h;
@@ -128,42 +133,46 @@ class Rattle {
     work_.add(y_dot_[nq + nv], h, y[nq + nv]);
   }
 
-  /// To rounding, by the matrix at hand: `look` leaves what does not balance in left_ and returns the rows'
-  /// violation, `move` takes what would mend it from change_.
+  /// To rounding, by the factors made last: `look` leaves what does not balance in left_, what the rows miss
+  /// in rows_, and returns their violation; `move` takes what would mend both from change_.
   template <class Look, class Move>
   void approach(System& system, const S& t, const StateVector<S>& beside, const Look& look,
                 const Move& move) {
     S before = std::numeric_limits<S>::max();
+    RowViolation<S> rows;
     for (int k = 0; k < 50; ++k) {
-      const S rows = look(), size = beside.norm();
+      rows = look();
+      const S size = beside.norm();
       const S unbalanced = size > S(0) ? S(left_.norm() / size) : left_.norm();
-      const S now = std::max(rows, unbalanced);
+      const S now = std::max(rows.relative, unbalanced);
       if (now <= rounding<S>() / 4 || (now <= 64 * rounding<S>() && !(now <= before / 2))) return;
       if (k > 5 && !(now <= before)) break;
       before = now;
       change_.setZero(none_.size());
-      system.velocity_projection(left_, change_, mu_);
+      system.reduce(factors_, left_, reduced_);
+      system.solve(factors_, at_, reduced_, -rows_, change_, mu_);
       move();
       ++counters_.iterations;
     }
     throw IntegrationError(fmt::format("row \"{}\" at t = {}: the step does not meet it; take smaller steps",
-                                       system.least_met_row(), static_cast<double>(t)));
+                                       system.row_name(rows.row), static_cast<double>(t)));
   }
 
-  void factor(System& system, const S& t, const StateVector<S>& y) {
-    system.residual(t, y, none_, lambda_);
-    system.factor(S(0), S(0));
+  void factor(System& system) {
+    system.factor(at_, {}, factors_);
     ++counters_.right_sides;
   }
-  StateVector<S> momentum_of(System& system, const StateVector<S>& y, const StateVector<S>& v) {
+  StateVector<S> momentum_of(System& system, const StateVector<S>& v) {
     StateVector<S> momentum;
-    system.inertia_force(y, v, momentum);
+    system.inertia_force(at_, v, momentum);
     return momentum;
   }
 
   const bool is_composed_;
   bool has_begun_ = false;
-  StateVector<S> lambda_, mu_, force_, momentum_, rate_, left_, change_, none_, y_dot_;
+  typename System::Evaluation at_;
+  typename System::Factors factors_;
+  StateVector<S> lambda_, mu_, rows_, reduced_, force_, momentum_, rate_, left_, change_, none_, y_dot_;
   StateVector<S> held_, last_mu_;  ///< what constraints do at the last state
   S last_h_{0};
   WorkQuadrature<S> work_;

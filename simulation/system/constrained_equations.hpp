@@ -18,9 +18,13 @@
 /// Models integrators' ConstrainedSystem.
 
 #include <algorithm>
+#include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "integrators/contract/constrained_system.hpp"
 #include "simulation/system/displacements.hpp"
 #include "simulation/system/first_order_equations.hpp"
 #include "simulation/system/force_balance.hpp"
@@ -36,6 +40,9 @@ class ConstrainedEquations {
   using S = Scalar;
   using StateVector = VectorX<S>;
   using Layout = StateLayout<F>;
+  using Evaluation = trivium::Evaluation<F>;
+  using Factors = NewtonFactors<F>;
+  using RowViolation = integrators::RowViolation<S>;
 
   /// Throws a ModelError that names the body whose chart is singular.
   ConstrainedEquations(const Mechanism<S>& mechanism, const MechanismState<S>& start,
@@ -44,14 +51,12 @@ class ConstrainedEquations {
         mechanism_(first_order_.mechanism()),
         layout_(first_order_.layout()),
         displacements_(layout_, first_order_.state()),
-        plan_(plan_elimination(graph_with_springs(mechanism_))),
-        springs_(mechanism_, plan_),
-        matrix_(mechanism_, plan_),
-        balance_(mechanism_, plan_),
-        violation_(mechanism_, plan_.graph, start.t),
-        right_side_(plan_.graph),
-        rows_(right_side_),
-        given_(right_side_),
+        plan_(std::make_shared<const EliminationPlan>(plan_elimination(graph_with_springs(mechanism_)))),
+        springs_(mechanism_, *plan_),
+        matrix_(mechanism_, *plan_),
+        balance_(mechanism_, *plan_),
+        violation_(mechanism_, plan_->graph, start.t),
+        given_(plan_->graph),
         motion_(nb() + 1),
         wrenches_(nb() + 1) {}
 
@@ -121,128 +126,89 @@ class ConstrainedEquations {
     displacements_.normalise_step_velocity(share, y, v_dot);
   }
 
+  // the model at a state (evaluation.hpp)
+  void evaluate(const S& t, const StateVector& y, Evaluation& at) {
+    first_order_.load(y);
+    auto& model =
+        at.begin(plan_, [&] { return std::make_shared<EvaluatedModel<F>>(mechanism_, plan_, violation_); });
+    model.t = t;
+    for (int b = 0; b < nb(); ++b) model.assembly.move_body(b, first_order_.state()[b]);
+    model.violation.move(model.body());
+  }
   /// Whether M does not depend on q.
   bool inertia_is_constant() const { return F::inertia_is_constant; }
-  /// M(q) v' at y.
-  void inertia_force(const StateVector& y, const StateVector& v_dot, StateVector& force) {
-    if constexpr (!F::inertia_is_constant) first_order_.load(y);
-    force.resize(velocity_size());
-    for (int b = 0; b < nb(); ++b) {
-      const RigidBody<S>& of_body = mechanism_.bodies[b];
-      Layout::of(force, b) << of_body.mass * Layout::r_of(v_dot, b),
-          F::mass_block(kinematics_of(first_order_.state()[b]), of_body.inertia) * Layout::q_of(v_dot, b);
-    }
+  void inertia_force(const Evaluation& at, const StateVector& x, StateVector& force) const {
+    inertia_force(at->body(), x, force);
   }
-  /// What effects do at y.
-  void applied_force(const S& t, const StateVector& y, StateVector& force) {
-    first_order_.load(y);
-    move(t);
-    apply_effects();
+  void inertia_force(const Factors& factors, const StateVector& x, StateVector& force) const {
+    inertia_force(factors.at().body(), x, force);
+  }
+  /// What effects do.
+  void applied_force(const Evaluation& at, StateVector& force) {
+    apply_effects(*at);
     force.resize(velocity_size());
     for (int b = 0; b < nb(); ++b)
-      Layout::of(force, b) << wrenches_[b].F,
-          F::applied_force(matrix_.evaluated().body()[b], wrenches_[b].n_bar);
+      Layout::of(force, b) << wrenches_[b].F, F::applied_force(at->body()[b], wrenches_[b].n_bar);
   }
-  /// Evaluations and matrices can be kept side by side, as those of several stages: all that follows is about
-  /// the one of this number, until the next is selected.
-  void select(int number) { matrix_.select(number); }
-  /// Evaluates force + Phi_q^T lambda - Q, Phi and Phi_q at y, from where `newton` and `factor` take them;
-  /// `force` is what stands in the place of M v'. Returns the largest imbalance of a body, as a share of the
-  /// forces or moments on the bodies that it is connected with.
-  S residual(const S& t, const StateVector& y, const StateVector& force, const StateVector& lambda) {
-    first_order_.load(y);
-    move(t);
-    apply_effects();
-    springs_.evaluate(matrix_.evaluated(), view());
-    matrix_.assemble(t);
-    measure_positions();
-    return balance_.measure(matrix_.evaluated(), wrenches_, springs_, violation_, force, lambda, right_side_);
+  /// Q - force - Phi_q^T lambda, where the force stands in the place of M v', reduced. Returns the largest
+  /// imbalance of a body, as a share of the forces or moments on the bodies that it is connected with.
+  S residual(const Evaluation& at, const StateVector& force, const StateVector& lambda, StateVector& left) {
+    apply_effects(*at);
+    assemble(*at);
+    return balance_.measure(*at, wrenches_, force, lambda, left);
   }
-  /// Phi at y alone, or Phi' where bodies were moved last, in the place of Phi; how large it is beside the
-  /// lengths or speeds of what moves together.
-  S position_rows(const S& t, const StateVector& y) {
-    first_order_.load(y);
-    move(t);
-    return measure_positions();
+  /// Phi, and Phi' = Phi_q q' - nu, by the numbers of rows.
+  RowViolation position_rows(const Evaluation& at, StateVector& phi) {
+    at->assembly.positions(at->t, given_);
+    at->violation.measure_positions(given_);
+    return taken(at->violation, phi);
   }
-  S velocity_rows() {
-    rows_.edge = right_side_.edge;
-    matrix_.evaluated().velocities(t_, right_side_);
-    violation_.measure_velocities(right_side_);
-    return violation_.relative();
+  RowViolation velocity_rows(const Evaluation& at, StateVector& phi_dot) {
+    at->assembly.velocities(at->t, given_);
+    at->violation.measure_velocities(given_);
+    return taken(at->violation, phi_dot);
   }
-  /// The largest |Phi_k| (or |Phi_k'|) of what was evaluated last, beside the lengths (or speeds) of what
-  /// moves together; and of which row.
-  const S& relative_row_violation() const { return violation_.relative(); }
-  const std::string& least_met_row() const { return violation_.worst_row(); }
-  /// Newton's matrix of what was balanced last. Throws a ModelError.
-  void factor(const S& velocity_share, const S& position_share) {
-    springs_.let_resist(matrix_.evaluated(), velocity_share, position_share);
-    matrix_.factor(first_order_.solver(), t_);
+  const std::string& row_name(int row) const { return violation_.row_name(row); }
+  /// The rate of the work [W].
+  S work_rate(const Evaluation& at, const StateVector& lambda) {
+    return first_order_.account().power(view(*at), at->body(), lambda);
   }
-  /// What removes the imbalance and the rows' violation evaluated last, by the factors at hand: added to v'
-  /// and lambda, where v' moves what the rows measure by `share`.
-  void newton(const S& share, StateVector& v_dot, StateVector& lambda) {
-    for (Vector6<S>& row : right_side_.edge) row /= -share;
-    solve(right_side_, v_dot, &lambda);
+
+  // linear systems (newton_matrix.hpp)
+  /// Throws a ModelError.
+  void factor(const Evaluation& at, const integrators::Shares<S>& shares, Factors& factors) {
+    assemble(*at);
+    springs_.let_resist(at->assembly, shares.velocity, shares.position);
+    matrix_.factor(at, first_order_.solver(), factors);
   }
-  /// M x + Phi_q^T mu = 0, Phi_q x = -Phi + share Phi' of what was evaluated last, velocity rows after
-  /// positions: added to x. Where v' meets the velocity rows, it moves Phi by that share of them.
-  void project(const S& share, StateVector& x) {
-    for (std::size_t e = 0; e < rows_.edge.size(); ++e)
-      rows_.edge[e] = share * right_side_.edge[e] - rows_.edge[e];
-    solve(rows_, x, nullptr);
-  }
-  /// What was evaluated last, to solve for with others of its kind: the rows by number, and what the bodies'
-  /// forces leave (reduced, in the places of velocities).
-  void row_residual(StateVector& rows) const { matrix_.take_rows(right_side_, rows); }
-  void force_residual(StateVector& left) const { matrix_.take_reduced(right_side_, left); }
-  /// The same of a generalised force, where the matrix is.
-  void take_force(const StateVector& force, StateVector& left) const { matrix_.reduce(force, left); }
-  /// M x + Phi_q^T mu = left, Phi_q x = rows: added to x and mu.
-  void solve(const StateVector& left, const StateVector& rows, StateVector& x, StateVector& mu) {
+  void solve(const Factors& factors, const Evaluation& at, const StateVector& left, const StateVector& rows,
+             StateVector& x, StateVector& mu) {
     give(left, rows);
-    solve(given_, x, &mu);
+    springs_.clear_slack(given_);
+    matrix_.solve(factors, at->body(), given_, x, mu);
   }
-  /// The same where springs resist only what x stretches them by beyond a slack; and by how much it does
-  /// stretch them.
-  void solve(const StateVector& left, const StateVector& rows, const StateVector& slack, StateVector& x,
-             StateVector& mu, StateVector& stretch) {
-    give(left, rows);
-    springs_.put_slack(slack, given_);
-    matrix_.solve(given_, x, &mu);
-    springs_.stretch_of(matrix_.factored(), slack, matrix_.solution(), stretch);
+  void reduce(const Factors& factors, const StateVector& force, StateVector& left) const {
+    matrix_.reduce(factors.at().body(), force, left);
   }
-  /// The same for a generalised force, and rows that ask nothing.
-  void solve_force(const StateVector& force, StateVector& x, StateVector& mu) {
-    matrix_.put_force(force, given_);
-    for (Vector6<S>& rows : given_.edge) rows.setZero();
-    solve(given_, x, &mu);
-  }
-  bool has_springs() const { return !springs_.empty(); }
+  // springs (spring_rows.hpp)
+  int springs() const { return springs_.count(); }
   /// [N/m, N s/m], or of moments by angles [N m, N m s].
   void spring_constants(StateVector& stiffness, StateVector& damping) const {
     springs_.constants(stiffness, damping);
   }
-  /// What v' leaves of the internal rows' second derivatives where bodies were loaded last, in the places of
-  /// velocities that force_residual leaves at 0.
-  void take_internal_rows(const StateVector& v_dot, StateVector& left) const {
-    displacements_.internal_residual(v_dot, left);
+  void solve(const Factors& factors, const Evaluation& at, const StateVector& left, const StateVector& rows,
+             const StateVector& slack, StateVector& x, StateVector& mu, StateVector& stretch) {
+    give(left, rows);
+    springs_.put_slack(slack, given_);
+    matrix_.solve(factors, at->body(), given_, x, mu);
+    springs_.stretch_of(factors.at().assembly, slack, matrix_.solution(), stretch);
   }
-  /// Adds to x what removes that, by the least change of the unknowns.
-  void solve_internal_rows(const StateVector& y, const StateVector& left, StateVector& x) {
-    if constexpr (F::internal_constraints > 0) first_order_.load(y);
-    displacements_.solve_internal_rows(left, x);
+  // internal rows (displacements.hpp)
+  void internal_residual(const Evaluation& at, const StateVector& v_dot, StateVector& left) const {
+    displacements_.internal_residual(at->body(), v_dot, left);
   }
-  /// M x + Phi_q^T mu = force, Phi_q x = - the rows evaluated last: added to x and mu.
-  void velocity_projection(const StateVector& force, StateVector& x, StateVector& mu) {
-    matrix_.put_force(force, right_side_);
-    newton(S(1), x, mu);
-  }
-  /// The rate of the work [W] where it was evaluated last.
-  S work_rate(const StateVector& lambda) {
-    take_motion();
-    return first_order_.account().power(view(), matrix_.evaluated().body(), lambda);
+  void solve_internal_rows(const Evaluation& at, const StateVector& left, StateVector& x) const {
+    displacements_.solve_internal_rows(at->body(), left, x);
   }
 
   long factorisations() const { return first_order_.factorisations() + newton_matrices(); }
@@ -250,50 +216,52 @@ class ConstrainedEquations {
   long newton_matrices() const { return matrix_.factorisations(); }
 
  private:
-  /// To the state that is loaded.
-  void move(const S& t) {
-    matrix_.begin_evaluation();
-    t_ = t;
-    for (int b = 0; b < nb(); ++b) matrix_.evaluated().move_body(b, first_order_.state()[b]);
-    violation_.move(matrix_.evaluated().body());
+  void inertia_force(const std::vector<typename F::Reduced>& body, const StateVector& x,
+                     StateVector& force) const {
+    force.resize(velocity_size());
+    for (int b = 0; b < nb(); ++b) {
+      const RigidBody<S>& of_body = mechanism_.bodies[b];
+      Layout::of(force, b) << of_body.mass * Layout::r_of(x, b),
+          F::mass_block(body[b], of_body.inertia) * Layout::q_of(x, b);
+    }
   }
-  void take_motion() {
-    const auto& body = matrix_.evaluated().body();
-    std::copy(body.begin(), body.end(), motion_.begin());
+  EffectView<S> view(const EvaluatedModel<F>& model) {
+    std::copy(model.body().begin(), model.body().end(), motion_.begin());
+    return {mechanism_.bodies, motion_, model.t};
   }
-  EffectView<S> view() const { return {mechanism_.bodies, motion_, t_}; }
-  void apply_effects() {
-    take_motion();
+  void apply_effects(const EvaluatedModel<F>& model) {
     for (Wrench<S>& w : wrenches_) w = {};
-    mechanism_.effects.apply(view(), wrenches_);
+    mechanism_.effects.apply(view(model), wrenches_);
   }
-  S measure_positions() {
-    matrix_.evaluated().positions(t_, right_side_);
-    violation_.measure_positions(right_side_);
-    return violation_.relative();
+  /// Once a state: factors go on using what is assembled.
+  void assemble(EvaluatedModel<F>& model) {
+    if (model.is_factored)
+      throw std::logic_error("an evaluation was factored, and is asked for residuals or factors again");
+    if (std::exchange(model.is_assembled, true)) return;
+    if (springs() > 0) springs_.evaluate(model.assembly, view(model), model.spring_sizes);
+    matrix_.assemble(model.assembly, model.t);
+  }
+  RowViolation taken(const ConstraintViolation<S>& violation, StateVector& rows) const {
+    matrix_.take_rows(given_, rows);
+    return {violation.relative(), violation.worst()};
   }
   void give(const StateVector& left, const StateVector& rows) {
     matrix_.put_reduced(left, given_);
     matrix_.put_rows(rows, given_);
-  }
-  void solve(GraphVector<S>& right_side, StateVector& x, StateVector* lambda) {
-    springs_.clear_slack(right_side);
-    matrix_.solve(right_side, x, lambda);
   }
 
   FirstOrderEquations<F> first_order_;
   const Mechanism<S>& mechanism_;
   const Layout& layout_;
   const Displacements<F> displacements_;
-  const EliminationPlan plan_;
-  SpringRows<F> springs_;
+  const std::shared_ptr<const EliminationPlan> plan_;  ///< evaluations and factors share it
+  const SpringRows<F> springs_;
   NewtonMatrix<F> matrix_;
   ForceBalance<F> balance_;
-  ConstraintViolation<S> violation_;
-  GraphVector<S> right_side_, rows_, given_;  ///< the bodies of rows_ stay 0
+  const ConstraintViolation<S> violation_;  ///< of no state: evaluations begin with it
+  GraphVector<S> given_;                    ///< a right side
   std::vector<BodyMotion<S>> motion_;
   std::vector<Wrench<S>> wrenches_;
-  S t_{0};
 };
 
 }  // namespace trivium

@@ -28,12 +28,22 @@ ConstrainedEquations<F> form_of(const scenes::Scene& scene) {
 template <class F>
 struct Step {
   ConstrainedEquations<F>& form;
-  StateVector v_dot, lambda, force;
+  StateVector v_dot, lambda, force, left, phi, phi_dot;
+  typename ConstrainedEquations<F>::Evaluation at;
+  typename ConstrainedEquations<F>::Factors factors;
 
   explicit Step(ConstrainedEquations<F>& f) : form(f) { form.accelerations(0, form.start(), v_dot, lambda); }
   double imbalance(const StateVector& y) {
-    form.inertia_force(y, v_dot, force);
-    return form.residual(0, y, force, lambda);
+    form.evaluate(0, y, at);
+    form.inertia_force(at, v_dot, force);
+    return form.residual(at, force, lambda, left);
+  }
+  double violation() { return form.position_rows(at, phi).relative; }
+  /// A Newton correction of v' and lambda, where v' moves positions by a share.
+  void correct(const integrators::Shares<double>& shares, double position_share) {
+    violation();
+    form.factor(at, shares, factors);
+    form.solve(factors, at, left, phi / -position_share, v_dot, lambda);
   }
 };
 
@@ -42,10 +52,10 @@ TYPED_TEST(Constrained, ForcesBalanceWhereTheMotionIs) {
     auto form = form_of<TypeParam>(test::varied_scene(seed));
     Step<TypeParam> step(form);
     EXPECT_LE(step.imbalance(form.start()), 1e-12) << seed;
-    EXPECT_LE(form.relative_row_violation(), 1e-13) << seed;
+    EXPECT_LE(step.violation(), 1e-13) << seed;
     // states of random scenes need not move as drivers would have it
     form.velocity_violation(0, form.start());
-    EXPECT_NEAR(form.velocity_rows(), form.relative_violation(), 1e-12) << seed;
+    EXPECT_NEAR(form.velocity_rows(step.at, step.phi_dot).relative, form.relative_violation(), 1e-12) << seed;
     // and nowhere else
     step.v_dot[0] += 1e-3 * (1 + step.v_dot.cwiseAbs().maxCoeff());
     EXPECT_GT(step.imbalance(form.start()), 1e-7) << seed;
@@ -62,8 +72,7 @@ TYPED_TEST(Constrained, NewtonFindsAccelerationsAndLambdaInOneIteration) {
     // off by what keeps the rows, so that Phi = 0 asks nothing: lambda alone, of rows that are not redundant
     for (double& x : step.lambda) x += x == 0 ? 0 : random.uniform();
     step.imbalance(form.start());
-    form.factor(1e-12, 1e-12);
-    form.newton(1e30, step.v_dot, step.lambda);
+    step.correct({1e-12, 1e-12}, 1e30);
     EXPECT_LE(step.imbalance(form.start()), 1e-11) << seed;
     EXPECT_LE(distance(step.v_dot, v_dot), 1e-9 * (1 + v_dot.norm())) << seed;
   }
@@ -84,17 +93,16 @@ TYPED_TEST(Constrained, NewtonMeetsPositionsByTheirShare) {
     step.v_dot.setZero();
     place();
     step.imbalance(y);
-    const double before = form.relative_row_violation();
+    const double before = step.violation();
     EXPECT_GT(before, 1e-10) << name;
-    form.factor(h, h * h / 2);
-    form.newton(h * h / 2, step.v_dot, step.lambda);
+    step.correct({h * h / 2, h}, h * h / 2);
     place();
     step.imbalance(y);
     // what is left is of the square of that, or of the angle that bodies turn in the step
     double turned = 0;
     for (const Twist<double>& twist : form.first_order().to_mechanism_state(0, from).twist)
       turned = std::max(turned, h * twist.omega_bar.norm());
-    EXPECT_LE(form.relative_row_violation(), (5e-3 + turned) * before) << name;
+    EXPECT_LE(step.violation(), (5e-3 + turned) * before) << name;
   }
 }
 
@@ -112,11 +120,10 @@ TYPED_TEST(Constrained, SpringsAreInNewtonsMatrix) {
       form.displace(from, StateVector(h * v + share * step.v_dot), y);
     y.segment(form.position_size(), form.velocity_size()) = v + h * step.v_dot;
     before = step.imbalance(y);
-    form.factor(h, share);
-    form.newton(share, step.v_dot, step.lambda);
+    step.correct({share, h}, share);
   }
   EXPECT_LE(before, 1e-6);
-  EXPECT_LE(form.relative_row_violation(), 1e-6);
+  EXPECT_LE(step.violation(), 1e-6);
 }
 
 TYPED_TEST(Constrained, DisplacementsLeadFromStateToState) {
@@ -161,16 +168,16 @@ TYPED_TEST(Constrained, AccelerationsLeaveNothingOfInternalRowsAndWhatIsLeftIsSo
     Step<TypeParam> step(form);
     step.imbalance(form.start());
     StateVector left = StateVector::Zero(form.velocity_size());
-    form.take_internal_rows(step.v_dot, left);
+    form.internal_residual(step.at, step.v_dot, left);
     const double size = 1 + step.v_dot.norm() + form.start().squaredNorm();
     EXPECT_LE(left.norm(), 1e-13 * size) << seed;
     Random random(seed);
     for (double& x : step.v_dot) x += random.uniform();
-    form.take_internal_rows(step.v_dot, left);
+    form.internal_residual(step.at, step.v_dot, left);
     EXPECT_EQ(left.norm() > 1e-3, TypeParam::internal_constraints > 0) << seed;
-    form.solve_internal_rows(form.start(), left, step.v_dot);
+    form.solve_internal_rows(step.at, left, step.v_dot);
     left.setZero();
-    form.take_internal_rows(step.v_dot, left);
+    form.internal_residual(step.at, step.v_dot, left);
     EXPECT_LE(left.norm(), 1e-13 * size) << seed;
   }
 }
@@ -182,10 +189,60 @@ TYPED_TEST(Constrained, WorkRateIsThatOfTheFirstOrderForm) {
     StateVector y_dot;
     form.derivative(0, form.start(), y_dot);
     step.imbalance(form.start());
-    EXPECT_NEAR(form.work_rate(step.lambda), y_dot[form.first_order().motion_size()],
+    EXPECT_NEAR(form.work_rate(step.at, step.lambda), y_dot[form.first_order().motion_size()],
                 1e-9 * (1 + std::abs(y_dot[form.first_order().motion_size()])))
         << name;
   }
+}
+
+// what was asked of one state is not changed by what is asked of another
+TYPED_TEST(Constrained, EvaluationsAndFactorsOfTwoStatesStandSideBySide) {
+  for (const char* name : {"flyball_governor", "spatial_slider_crank"}) {
+    auto form = form_of<TypeParam>(catalogue_scene(name));
+    Step<TypeParam> alone(form), beside(form), other(form);
+    StateVector away = form.start();
+    form.displace(form.start(), StateVector::Constant(form.velocity_size(), 0.01), away);
+    const integrators::Shares<double> shares{1e-6, 1e-3};
+    alone.imbalance(form.start());
+    alone.correct(shares, 1);
+
+    beside.imbalance(form.start());
+    other.imbalance(away);
+    beside.violation();
+    form.factor(beside.at, shares, beside.factors);
+    other.correct({}, 1);
+    other.imbalance(form.start());  // the storage of factors in use is left alone
+    form.solve(beside.factors, beside.at, beside.left, -beside.phi, beside.v_dot, beside.lambda);
+    EXPECT_EQ(beside.v_dot, alone.v_dot) << name;
+    EXPECT_EQ(beside.lambda, alone.lambda) << name;
+  }
+}
+
+TYPED_TEST(Constrained, AnEvaluationIsMadeBeforeItIsAskedAndFactoredOnce) {
+  auto form = form_of<TypeParam>(catalogue_scene("door"));
+  Step<TypeParam> step(form);
+  EXPECT_THROW(form.position_rows(step.at, step.phi), std::logic_error);
+  EXPECT_THROW(form.reduce(step.factors, step.v_dot, step.left), std::logic_error);
+  step.imbalance(form.start());
+  form.factor(step.at, {}, step.factors);
+  EXPECT_THROW(form.factor(step.at, {}, step.factors), std::logic_error);
+}
+
+// storage of another mechanism is not used
+TYPED_TEST(Constrained, AnEvaluationServesAnotherMechanism) {
+  auto door = form_of<TypeParam>(catalogue_scene("door")),
+       top = form_of<TypeParam>(catalogue_scene("heavy_top"));
+  Step<TypeParam> of_door(door), of_top(top), again(top);
+  of_door.imbalance(door.start());
+  of_door.correct({}, 1);
+  again.at = std::move(of_door.at);
+  again.factors = std::move(of_door.factors);
+  for (Step<TypeParam>* step : {&of_top, &again}) {
+    step->imbalance(top.start());
+    step->correct({}, 1);
+  }
+  EXPECT_EQ(again.v_dot, of_top.v_dot);
+  EXPECT_EQ(again.lambda, of_top.lambda);
 }
 
 TYPED_TEST(Constrained, RedundantRowsAreLeftOutAsTheMotionHasThem) {
@@ -196,8 +253,7 @@ TYPED_TEST(Constrained, RedundantRowsAreLeftOutAsTheMotionHasThem) {
     step.v_dot.setZero();
     step.lambda.setZero();
     step.imbalance(form.start());
-    form.factor(1e-12, 1e-12);
-    form.newton(1e30, step.v_dot, step.lambda);  // Phi_q v' = 0: no accelerations but those across the rows
+    step.correct({1e-12, 1e-12}, 1e30);  // Phi_q v' = 0: no accelerations but those across the rows
     EXPECT_TRUE(step.v_dot.allFinite()) << name;
     EXPECT_LE(step.lambda.cwiseAbs().maxCoeff(), 1e6) << name;
   }

@@ -76,10 +76,14 @@ class ConstraintViolation {
   /// Of the last measure, the largest beside the lengths, turns or speeds of the row's own component.
   const S& relative() const { return relative_; }
   /// The row of the last measure; "none" where there are none.
-  const std::string& worst_row() const {
+  const std::string& worst_row() const { return row_name(worst()); }
+  const std::string& row_name(int row) const {
     static const std::string none = "none";
-    return mechanism_.nc() == 0 ? none : mechanism_.row_names[graph_.edges[worst_.edge].rows[worst_.k]];
+    return row < 0 ? none : mechanism_.row_names[row];
   }
+
+  /// Its number; -1 where there are none.
+  int worst() const { return mechanism_.nc() == 0 ? -1 : graph_.edges[worst_.edge].rows[worst_.k]; }
 
   /// Bodies that rows connect, not through the ground, have the same number, below nb.
   int component_of(int body) const { return component_[body]; }

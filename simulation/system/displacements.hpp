@@ -78,21 +78,21 @@ class Displacements {
         Layout::of(v_dot, b).tail(F::rotational_unknowns) = change;
       }
   }
-  /// What v' leaves of the internal rows' second derivatives where the bodies' states are, in the places of
-  /// velocities behind the six of a body's reduced forces.
-  void internal_residual(const StateVector& v_dot, StateVector& left) const {
+  /// What v' leaves of the internal rows' second derivatives at these bodies, in the places of velocities
+  /// behind the six of a body's reduced forces.
+  void internal_residual(const std::vector<typename F::Reduced>& body, const StateVector& v_dot,
+                         StateVector& left) const {
     if constexpr (F::internal_constraints > 0)
-      for (int b = 0; b < nb(); ++b) {
-        const auto body = kinematics_of(state_[b]);
+      for (int b = 0; b < nb(); ++b)
         Layout::of(left, b).template tail<F::internal_constraints>() =
-            F::internal_gamma(body) - F::internal_jacobian(body) * Layout::q_of(v_dot, b);
-      }
+            F::internal_gamma(body[b]) - F::internal_jacobian(body[b]) * Layout::q_of(v_dot, b);
   }
   /// Adds to x what removes that, by the least change of the unknowns.
-  void solve_internal_rows(const StateVector& left, StateVector& x) const {
+  void solve_internal_rows(const std::vector<typename F::Reduced>& body, const StateVector& left,
+                           StateVector& x) const {
     if constexpr (F::internal_constraints > 0)
       for (int b = 0; b < nb(); ++b) {
-        const auto P = F::internal_jacobian(kinematics_of(state_[b]));
+        const auto P = F::internal_jacobian(body[b]);
         const auto rows = left.template segment<F::internal_constraints>(Layout::velocities * b + 6);
         Layout::of(x, b).template tail<F::rotational_unknowns>() +=
             P.transpose() * rows.cwiseQuotient(P.rowwise().squaredNorm());

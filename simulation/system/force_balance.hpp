@@ -10,8 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "simulation/system/constraint_violation.hpp"
-#include "simulation/system/spring_rows.hpp"
+#include "simulation/system/evaluation.hpp"
 
 namespace trivium {
 
@@ -26,24 +25,29 @@ class ForceBalance {
   ForceBalance(const Mechanism<S>& mechanism, const EliminationPlan& plan)
       : mechanism_(mechanism), plan_(plan), on_(mechanism.nb() + 1), size_(mechanism.nb() + 1) {}
 
-  /// Puts Q - force - Phi_q^T lambda of every body into the right side. Returns the largest imbalance of a
+  /// Puts Q - force - Phi_q^T lambda of every body into `left`, reduced. Returns the largest imbalance of a
   /// body, as a share of the forces or moments on the bodies that it is connected with.
-  S measure(const GraphAssembly<F>& assembly, const std::vector<Wrench<S>>& wrenches,
-            const SpringRows<F>& springs, const ConstraintViolation<S>& components, const StateVector& force,
-            const StateVector& lambda, GraphVector<S>& right_side) {
-    apply_multipliers(assembly, lambda);
+  S measure(const EvaluatedModel<F>& at, const std::vector<Wrench<S>>& wrenches, const StateVector& force,
+            const StateVector& lambda, StateVector& left) {
+    apply_multipliers(at.assembly, lambda);
+    left.resize(Layout::velocities * mechanism_.nb());
+    if constexpr (Layout::velocities > 6) left.setZero();
+    const ConstraintViolation<S>& components = at.violation;
+    const auto of_springs = [&](int b) {
+      return at.spring_sizes.empty() ? typename SpringRows<F>::SpringSize{} : at.spring_sizes[b];
+    };
     for (BalanceSize& size : size_) size = {};
     const S u = std::numeric_limits<S>::epsilon();
     S all_left(0);
     for (int b = 0; b < mechanism_.nb(); ++b) {
-      const typename F::Reduced& body = assembly.body()[b];
+      const typename F::Reduced& body = at.body()[b];
       const Vector3<S> inertia = F::reduced(body, Layout::q_of(force, b));
       const Vector3<S> applied = F::reduced(body, F::applied_force(body, wrenches[b].n_bar) +
                                                       F::velocity_force(body, mechanism_.bodies[b].inertia));
       const Vector3<S> held_r = unpadded<S>(on_[b].r), held_x = unpadded<S>(on_[b].x);
       const Vector3<S> left_r = wrenches[b].F - Layout::r_of(force, b) - held_r,
                        left_x = applied - inertia - held_x;
-      right_side.body[b] = {padded<S>(left_r), padded<S>(left_x)};
+      Layout::of(left, b).template head<6>() << left_r, left_x;
       const auto norm = [&](const Vector3<S>& x) { return F::moment(body, x).norm(); };
       BalanceSize& size = size_[components.component_of(b)];
       size.force =
@@ -51,16 +55,16 @@ class ForceBalance {
       size.moment = larger(size.moment, S(norm(applied) + norm(inertia) + norm(held_x)));
       all_left += left_r.squaredNorm() + left_x.squaredNorm();
       // springs that hold each other may leave no force that their own rounding could be measured by
-      size.force_left = larger(size.force_left, S(left_r.norm() - u * springs.size_of(b).force));
-      size.moment_left = larger(size.moment_left, S(norm(left_x) - u * springs.size_of(b).moment));
+      size.force_left = larger(size.force_left, S(left_r.norm() - u * of_springs(b).force));
+      size.moment_left = larger(size.moment_left, S(norm(left_x) - u * of_springs(b).moment));
     }
     // comparisons pass over what is no number
     if (!(all_left <= std::numeric_limits<S>::max())) return std::numeric_limits<S>::max();
     S largest(0);
     for (int b = 0; b < mechanism_.nb(); ++b) {
       const BalanceSize& size = size_[components.component_of(b)];
-      const auto take_share = [&](const S& left, const S& whole) {
-        if (left > largest * whole) largest = left / whole;
+      const auto take_share = [&](const S& part, const S& whole) {
+        if (part > largest * whole) largest = part / whole;
       };
       take_share(size.force_left, size.force);
       // arms are differences of places

@@ -43,16 +43,18 @@ class SpringRows {
   struct SpringSize {
     S force{0}, moment{0};
   };
+  /// By body, the ground last; empty where there are no springs.
+  using Sizes = std::vector<SpringSize>;
 
   /// The plan is that of graph_with_springs. Both must outlive this.
   SpringRows(const Mechanism<S>& mechanism, const EliminationPlan& plan)
-      : mechanism_(mechanism), plan_(plan), size_(mechanism.nb() + 1) {
+      : mechanism_(mechanism), plan_(plan) {
     const auto& edges = plan_.graph.edges;
     for (std::size_t e = 0; e < edges.size(); ++e)
       if (edges[e].is_soft) soft_.push_back(static_cast<int>(e));
   }
 
-  bool empty() const { return soft_.empty(); }
+  int count() const { return static_cast<int>(soft_.size()); }
   /// [N/m, N s/m], or of moments by angles [N m, N m s].
   void constants(StateVector& stiffness, StateVector& damping) const {
     stiffness.resize(soft_.size());
@@ -64,9 +66,9 @@ class SpringRows {
     });
   }
   /// What springs and dampers do along themselves.
-  void evaluate(GraphAssembly<F>& assembly, const EffectView<S>& view) {
+  void evaluate(GraphAssembly<F>& assembly, const EffectView<S>& view, Sizes& sizes) const {
     if (soft_.empty()) return;
-    std::fill(size_.begin(), size_.end(), SpringSize{});
+    sizes.assign(mechanism_.nb() + 1, SpringSize{});
     auto edge = soft_.begin();
     for_each_resisting_spring(mechanism_.effects, [&](const auto& spring) {
       EdgeRows<S>& rows = assembly.edge_rows(plan_.rows_slot[*edge++]);
@@ -80,13 +82,13 @@ class SpringRows {
       put(rows.C_j, spring.j, gradient.second);
       const S size = made_of(spring, view);
       for (const auto& [b, on] : {std::pair(spring.i, &gradient.first), {spring.j, &gradient.second}}) {
-        size_[b].force += size * on->F.norm();
-        size_[b].moment += size * on->n_bar.norm();
+        sizes[b].force += size * on->F.norm();
+        sizes[b].moment += size * on->n_bar.norm();
       }
     });
   }
   /// Stiffness and damping into Newton's matrix, where q and v move with v' by these shares.
-  void let_resist(GraphAssembly<F>& assembly, const S& velocity_share, const S& position_share) {
+  void let_resist(GraphAssembly<F>& assembly, const S& velocity_share, const S& position_share) const {
     auto edge = soft_.begin();
     for_each_resisting_spring(mechanism_.effects, [&](const auto& spring) {
       EdgeRows<S>& rows = assembly.edge_rows(plan_.rows_slot[*edge++]);
@@ -113,7 +115,6 @@ class SpringRows {
       stretch[s] = slack[s] + factored.matrix().rows[slot].compliance * solution.edge[soft_[s]][0];
     }
   }
-  const SpringSize& size_of(int body) const { return size_[body]; }
 
  private:
   /// The size of the numbers [N, N m] that a spring's tension is the difference of.
@@ -133,7 +134,6 @@ class SpringRows {
   const Mechanism<S>& mechanism_;
   const EliminationPlan& plan_;
   std::vector<int> soft_;  ///< edges of springs, in the effects' order
-  std::vector<SpringSize> size_;
 };
 
 }  // namespace trivium

@@ -1,0 +1,65 @@
+#pragma once
+/// The equations of motion at one (t, y), as a value: bodies moved there, their rows and mass blocks. Factors
+/// of Newton's matrix go on using those that they were made of; an evaluation that is made anew takes other
+/// storage then, so that nothing is copied and, after the first steps, nothing allocated.
+
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "simulation/system/constraint_violation.hpp"
+#include "simulation/system/spring_rows.hpp"
+
+namespace trivium {
+
+/// What was evaluated.
+template <Formulation F>
+struct EvaluatedModel {
+  using S = typename F::Scalar;
+
+  std::shared_ptr<const EliminationPlan> plan;
+  GraphAssembly<F> assembly;
+  ConstraintViolation<S> violation;
+  typename SpringRows<F>::Sizes spring_sizes;
+  S t{0};
+  bool is_assembled = false;  ///< rows and mass blocks, where the bodies are
+  bool is_factored = false;   ///< its matrix belongs to factors
+
+  EvaluatedModel(const Mechanism<S>& mechanism, std::shared_ptr<const EliminationPlan> of,
+                 const ConstraintViolation<S>& measure)
+      : plan(std::move(of)), assembly(mechanism, *plan), violation(measure) {}
+  const std::vector<typename F::Reduced>& body() const { return assembly.body(); }
+};
+
+template <Formulation F>
+class Evaluation {
+ public:
+  using Model = EvaluatedModel<F>;
+
+  /// Storage for another state of the mechanism that the plan is of: its own, unless factors use it; else
+  /// `make()`'s.
+  template <class Make>
+  Model& begin(const std::shared_ptr<const EliminationPlan>& plan, const Make& make) {
+    const auto is_free = [&] { return model_ && model_.use_count() == 1 && model_->plan == plan; };
+    if (!is_free()) std::swap(model_, spare_);
+    if (!is_free()) model_ = make();
+    model_->is_assembled = model_->is_factored = false;
+    return *model_;
+  }
+  Model& operator*() const {
+    if (!model_) throw_not_made();
+    return *model_;
+  }
+  Model* operator->() const { return &**this; }
+  const std::shared_ptr<Model>& shared() const { return model_; }
+
+ private:
+  [[noreturn, gnu::cold, gnu::noinline]] static void throw_not_made() {
+    throw std::logic_error("an evaluation is asked before it was made");
+  }
+
+  std::shared_ptr<Model> model_, spare_;
+};
+
+}  // namespace trivium
