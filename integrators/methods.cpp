@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -18,30 +16,32 @@
 
 namespace trivium::integrators {
 
+namespace {
+
+template <class S>
+const std::vector<MethodEntry<S>>& entries() {
+  static const std::vector<MethodEntry<S>> all = [] {
+    std::vector<MethodEntry<S>> list;
+    const auto add = [&](const std::vector<MethodEntry<S>>& kind) {
+      list.insert(list.end(), kind.begin(), kind.end());
+    };
+    add(explicit_methods<S>());
+    add(implicit_methods<S>());
+    add(symplectic_methods<S>());
+    if constexpr (std::is_same_v<S, double>) add(sundials_methods());
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace
+
 const std::vector<MethodInfo>& methods() {
-  static const std::vector<MethodInfo> all{
-      {"dopri5", "Dormand-Prince 5(4), explicit Runge-Kutta (Odeint)", 5, true, true, false},
-      {"rkf78", "Fehlberg 7(8), explicit Runge-Kutta (Odeint)", 8, true, true, false},
-      {"bulirsch-stoer", "Bulirsch-Stoer extrapolation, orders 4 to 16 (Odeint)", 0, false, true, false},
-      {"abm", "Adams-Bashforth-Moulton, multistep, orders 1 to 12, at given steps 5 (Odeint)", 5, true, true,
-       false},
-      {"hedop5", "half-explicit Dormand-Prince 5(4), index 2", 5, true, true, false, true},
-      {"hem4", "half-explicit Runge-Kutta, index 2", 4, true, false, false, true},
-      {"generalized-alpha", "generalised-alpha on Lie groups, index 3", 2, true, false, true},
-      {"generalized-alpha-gl2", "generalised-alpha on Lie groups, stabilised index 2", 2, true, false, true},
-      {"hht", "Hilber-Hughes-Taylor, index 3", 2, true, false, true},
-      {"rattle", "RATTLE on Lie groups, symplectic, where M is constant", 2, true, false, true},
-      {"rattle4", "RATTLE composed to order 4, symplectic, where M is constant", 4, true, false, true},
-      {"radau5", "Radau IIA of 3 stages, stabilised index 2", 5, true, true, true},
-      {"radau9", "Radau IIA of 5 stages, stabilised index 2", 9, true, true, true},
-      {"bdf", "backward differentiation, orders 1 to 5, index 3", 0, true, false, true},
-      {"cvode-adams", "Adams, orders 1 to 12 (CVODE)", 0, false, true, false},
-      {"cvode-bdf", "backward differentiation, orders 1 to 5, projected within its steps (CVODE)", 0, false,
-       true, false},
-      {"arkode-erk", "explicit Runge-Kutta, of orders 2 to 8 (ARKODE)", 5, true, true, false},
-      {"arkode-dirk", "diagonally implicit Runge-Kutta, of orders 2 to 5 (ARKODE)", 5, true, true, false},
-      {"ida", "backward differentiation, orders 1 to 5, stabilised index 2 (IDA)", 0, false, true, true},
-  };
+  static const std::vector<MethodInfo> all = [] {
+    std::vector<MethodInfo> infos;
+    for (const MethodEntry<double>& entry : entries<double>()) infos.push_back(entry.info);
+    return infos;
+  }();
   return all;
 }
 
@@ -68,21 +68,19 @@ void check(const MethodInfo& method, Steps steps, const MethodParameters& given)
                     method.name));
   if (steps == Steps::chosen && !method.chooses_steps)
     throw UsageError(fmt::format("{} takes steps of a given length; give it a step", method.name));
-  const auto only = [&](bool is_given, const char* what, std::initializer_list<std::string_view> families) {
-    if (!is_given) return;
+  const auto only = [&](bool is_given, const char* what, bool MethodInfo::*takes) {
+    if (!is_given || method.*takes) return;
     std::vector<std::string_view> names;
     for (const MethodInfo& one : methods())
-      for (const std::string_view family : families)
-        if (one.name.starts_with(family)) names.push_back(one.name);
-    if (std::find(names.begin(), names.end(), method.name) == names.end())
-      throw UsageError(fmt::format("{} is a parameter of {}, and {} has none such", what,
-                                   fmt::join(names, ", "), method.name));
+      if (one.*takes) names.push_back(one.name);
+    throw UsageError(fmt::format("{} is a parameter of {}, and {} has none such", what,
+                                 fmt::join(names, ", "), method.name));
   };
-  only(given.order.has_value(), "an order", {"bdf", "arkode-erk", "arkode-dirk"});
-  only(given.rho.has_value(), "rho", {"generalized-alpha"});
-  only(given.alpha.has_value(), "alpha", {"hht"});
+  only(given.order.has_value(), "an order", &MethodInfo::takes_order);
+  only(given.rho.has_value(), "rho", &MethodInfo::takes_rho);
+  only(given.alpha.has_value(), "alpha", &MethodInfo::takes_alpha);
   only(given.full_newton.has_value(), "a matrix for every iteration (full Newton)",
-       {"generalized-alpha", "hht", "radau", "bdf"});
+       &MethodInfo::takes_full_newton);
 }
 
 }  // namespace
@@ -100,15 +98,10 @@ std::unique_ptr<AnyMethod<S>> make_method(std::string_view name, Steps steps, co
         fmt::format("rtol {} and atol {} are below what rounding leaves of a step; accepted: at "
                     "least one of them from {:.1e} on",
                     tolerances.rtol, tolerances.atol, 4 * u));
-  const std::optional<Tolerances> of_own_choice =
-      chosen ? std::optional<Tolerances>(tolerances) : std::nullopt;
-  if (auto made = make_explicit<S>(name, of_own_choice)) return made;
-  if (auto made = make_implicit<S>(name, of_own_choice, given)) return made;
-  if (auto made = make_symplectic<S>(name)) return made;
-  if constexpr (std::is_same_v<S, double>)
-    return make_sundials(name, of_own_choice, given);
-  else
-    throw UsageError(fmt::format("{} computes in double alone (SUNDIALS does); take another method", name));
+  const MethodRequest request{chosen ? std::optional(tolerances) : std::nullopt, given};
+  for (const MethodEntry<S>& entry : entries<S>())
+    if (entry.info.name == name) return entry.make(request);
+  throw UsageError(fmt::format("{} computes in double alone (SUNDIALS does); take another method", name));
 }
 
 template std::unique_ptr<AnyMethod<double>> make_method<double>(std::string_view, Steps, const Tolerances&,

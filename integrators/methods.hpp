@@ -1,28 +1,18 @@
 #pragma once
-/// The methods by name: what each is and takes. Which class a name leads to is said by kind, in
-/// {explicit,implicit,symplectic,sundials}/methods.cpp.
+/// The methods by name. The one list is put together of the entries of each kind, which stand in
+/// {explicit,symplectic,sundials}/methods.cpp and implicit/methods_impl.hpp.
 
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "integrators/contract/any_method.hpp"
-#include "integrators/contract/tolerances.hpp"
-#include "integrators/method_parameters.hpp"
+#include "integrators/method_entry.hpp"
 
 namespace trivium::integrators {
 
 /// Where a method's steps come from.
 enum class Steps { given, chosen };
-
-struct MethodInfo {
-  std::string_view name, summary;
-  int order;  ///< of positions, velocities and lambda at given steps; 0: it varies
-  bool takes_given_steps, chooses_steps;
-  bool meets_constraints;                   ///< of positions, by its own equations: it is not projected
-  bool has_own_lambda = meets_constraints;  ///< beside that of a state
-};
 
 /// In the order they are listed in.
 const std::vector<MethodInfo>& methods();

@@ -31,30 +31,69 @@ std::unique_ptr<AnyMethod<S>> chosen_adams(const Tolerances& tolerances) {
   }
 }
 
+template <class S, class Stepper>
+std::unique_ptr<AnyMethod<S>> runge_kutta(int order, const MethodRequest& request) {
+  if (request.tolerances) return chosen_runge_kutta<S, Stepper>(order, *request.tolerances);
+  return adapt<S>(GivenSteps<S, Stepper>());
+}
+
 }  // namespace
 
 template <class S>
-std::unique_ptr<AnyMethod<S>> make_explicit(std::string_view name,
-                                            const std::optional<Tolerances>& tolerances) {
-  if (name == "dopri5")
-    return tolerances ? chosen_runge_kutta<S, DormandPrince5<S>>(5, *tolerances)
-                      : adapt<S>(GivenSteps<S, DormandPrince5<S>>());
-  if (name == "rkf78")
-    return tolerances ? chosen_runge_kutta<S, Fehlberg78<S>>(8, *tolerances)
-                      : adapt<S>(GivenSteps<S, Fehlberg78<S>>());
-  if (name == "bulirsch-stoer")
-    return adapt<S>(ChosenSteps<S, BulirschStoer<S>>(
-        BulirschStoer<S>(S(tolerances.value().atol), S(tolerances->rtol)), 8, *tolerances));
-  if (name == "abm")
-    return tolerances ? chosen_adams<S>(*tolerances) : adapt<S>(GivenSteps<S, AdamsBashforthMoulton<S>>());
-  if (name == "hem4") return adapt<S>(HalfExplicit<AnySystem<S>, Hem4Coefficients<S>>());
-  if (name == "hedop5") return adapt<S>(HalfExplicit<AnySystem<S>, Hedop5Coefficients<S>>(tolerances));
-  return nullptr;
+std::vector<MethodEntry<S>> explicit_methods() {
+  using Request = const MethodRequest&;
+  using Made = std::unique_ptr<AnyMethod<S>>;
+  return {
+      {{.name = "dopri5",
+        .summary = "Dormand-Prince 5(4), explicit Runge-Kutta (Odeint)",
+        .order = 5,
+        .takes_given_steps = true,
+        .chooses_steps = true},
+       [](Request request) { return runge_kutta<S, DormandPrince5<S>>(5, request); }},
+      {{.name = "rkf78",
+        .summary = "Fehlberg 7(8), explicit Runge-Kutta (Odeint)",
+        .order = 8,
+        .takes_given_steps = true,
+        .chooses_steps = true},
+       [](Request request) { return runge_kutta<S, Fehlberg78<S>>(8, request); }},
+      {{.name = "bulirsch-stoer",
+        .summary = "Bulirsch-Stoer extrapolation, orders 4 to 16 (Odeint)",
+        .chooses_steps = true},
+       [](Request request) -> Made {
+         const Tolerances& tolerances = request.tolerances.value();
+         return adapt<S>(ChosenSteps<S, BulirschStoer<S>>(
+             BulirschStoer<S>(S(tolerances.atol), S(tolerances.rtol)), 8, tolerances));
+       }},
+      {{.name = "abm",
+        .summary = "Adams-Bashforth-Moulton, multistep, orders 1 to 12, at given steps 5 (Odeint)",
+        .order = 5,
+        .takes_given_steps = true,
+        .chooses_steps = true},
+       [](Request request) -> Made {
+         if (request.tolerances) return chosen_adams<S>(*request.tolerances);
+         return adapt<S>(GivenSteps<S, AdamsBashforthMoulton<S>>());
+       }},
+      {{.name = "hedop5",
+        .summary = "half-explicit Dormand-Prince 5(4), index 2",
+        .order = 5,
+        .takes_given_steps = true,
+        .chooses_steps = true,
+        .has_own_lambda = true,
+        .own_lambda_order = 4},
+       [](Request request) -> Made {
+         return adapt<S>(HalfExplicit<AnySystem<S>, Hedop5Coefficients<S>>(request.tolerances));
+       }},
+      {{.name = "hem4",
+        .summary = "half-explicit Runge-Kutta, index 2",
+        .order = 4,
+        .takes_given_steps = true,
+        .has_own_lambda = true,
+        .own_lambda_order = 2},
+       [](Request) -> Made { return adapt<S>(HalfExplicit<AnySystem<S>, Hem4Coefficients<S>>()); }},
+  };
 }
 
-template std::unique_ptr<AnyMethod<double>> make_explicit<double>(std::string_view,
-                                                                  const std::optional<Tolerances>&);
-template std::unique_ptr<AnyMethod<Quad>> make_explicit<Quad>(std::string_view,
-                                                              const std::optional<Tolerances>&);
+template std::vector<MethodEntry<double>> explicit_methods<double>();
+template std::vector<MethodEntry<Quad>> explicit_methods<Quad>();
 
 }  // namespace trivium::integrators

@@ -1,19 +1,13 @@
 #pragma once
-/// The explicit and half-explicit methods by name. A method's parameters are checked where it is made.
+/// The explicit and half-explicit methods of the list. A new one is an entry in methods.cpp.
 
-#include <memory>
-#include <optional>
-#include <string_view>
+#include <vector>
 
-#include "integrators/contract/any_method.hpp"
-#include "integrators/contract/tolerances.hpp"
+#include "integrators/method_entry.hpp"
 
 namespace trivium::integrators {
 
-/// With steps chosen to the tolerances, or of the grid's length where there are none. Null where none of
-/// these methods has the name.
 template <class S>
-std::unique_ptr<AnyMethod<S>> make_explicit(std::string_view name,
-                                            const std::optional<Tolerances>& tolerances);
+std::vector<MethodEntry<S>> explicit_methods();
 
 }  // namespace trivium::integrators

@@ -1,21 +1,13 @@
 #pragma once
-/// The implicit methods by name. A method's parameters are checked where it is made.
+/// The implicit methods of the list. A new one is an entry in methods_impl.hpp.
 
-#include <memory>
-#include <optional>
-#include <string_view>
+#include <vector>
 
-#include "integrators/contract/any_method.hpp"
-#include "integrators/contract/tolerances.hpp"
-#include "integrators/method_parameters.hpp"
+#include "integrators/method_entry.hpp"
 
 namespace trivium::integrators {
 
-/// With steps chosen to the tolerances, or of the grid's length where there are none. Null where none of
-/// these methods has the name. Throws a UsageError where a parameter is out of its range.
 template <class S>
-std::unique_ptr<AnyMethod<S>> make_implicit(std::string_view name,
-                                            const std::optional<Tolerances>& tolerances,
-                                            const MethodParameters& given);
+std::vector<MethodEntry<S>> implicit_methods();
 
 }  // namespace trivium::integrators

@@ -1,6 +1,6 @@
 #pragma once
-/// The one definition behind make_implicit: an implicit method by its name, its parameters checked. One
-/// translation unit a Scalar.
+/// The entries of the implicit methods. Each checks the range of its own parameters. One translation unit a
+/// Scalar.
 
 #include <fmt/format.h>
 
@@ -26,21 +26,77 @@ Value checked(const char* what, const std::optional<Value>& given, Value standar
 }  // namespace detail
 
 template <class S>
-std::unique_ptr<AnyMethod<S>> make_implicit(std::string_view name,
-                                            const std::optional<Tolerances>& tolerances,
-                                            const MethodParameters& given) {
-  NewtonOptions newton;
-  newton.is_full = given.full_newton.value_or(false);
-  if (name.starts_with("generalized-alpha"))
-    return adapt<S>(GeneralizedAlpha<AnySystem<S>>(detail::checked("rho", given.rho, 0.8, 0.0, 1.0),
-                                                   name.ends_with("gl2"), newton));
-  if (name == "hht")
-    return adapt<S>(HHT<AnySystem<S>>(detail::checked("alpha", given.alpha, -0.2, -1.0 / 3, 0.0), newton));
-  if (name == "radau5") return adapt<S>(Radau5<AnySystem<S>>(tolerances, newton));
-  if (name == "radau9") return adapt<S>(Radau9<AnySystem<S>>(tolerances, newton));
-  if (name == "bdf")
-    return adapt<S>(BDF<AnySystem<S>>(detail::checked("an order of bdf of", given.order, 2, 1, 5), newton));
-  return nullptr;
+std::vector<MethodEntry<S>> implicit_methods() {
+  using Request = const MethodRequest&;
+  using Made = std::unique_ptr<AnyMethod<S>>;
+  static constexpr auto newton = [](Request request) {
+    return NewtonOptions{.is_full = request.given.full_newton.value_or(false)};
+  };
+  static constexpr auto generalized_alpha = [](Request request, bool is_stabilised) -> Made {
+    return adapt<S>(GeneralizedAlpha<AnySystem<S>>(detail::checked("rho", request.given.rho, 0.8, 0.0, 1.0),
+                                                   is_stabilised, newton(request)));
+  };
+  return {
+      {{.name = "generalized-alpha",
+        .summary = "generalised-alpha on Lie groups, index 3",
+        .order = 2,
+        .takes_given_steps = true,
+        .meets_constraints = true,
+        .takes_rho = true,
+        .takes_full_newton = true},
+       [](Request request) { return generalized_alpha(request, false); }},
+      {{.name = "generalized-alpha-gl2",
+        .summary = "generalised-alpha on Lie groups, stabilised index 2",
+        .order = 2,
+        .takes_given_steps = true,
+        .meets_constraints = true,
+        .takes_rho = true,
+        .takes_full_newton = true},
+       [](Request request) { return generalized_alpha(request, true); }},
+      {{.name = "hht",
+        .summary = "Hilber-Hughes-Taylor, index 3",
+        .order = 2,
+        .takes_given_steps = true,
+        .meets_constraints = true,
+        .takes_alpha = true,
+        .takes_full_newton = true},
+       [](Request request) -> Made {
+         return adapt<S>(HHT<AnySystem<S>>(detail::checked("alpha", request.given.alpha, -0.2, -1.0 / 3, 0.0),
+                                           newton(request)));
+       }},
+      {{.name = "radau5",
+        .summary = "Radau IIA of 3 stages, stabilised index 2",
+        .order = 5,
+        .takes_given_steps = true,
+        .chooses_steps = true,
+        .meets_constraints = true,
+        .own_lambda_order = 3,
+        .takes_full_newton = true},
+       [](Request request) -> Made {
+         return adapt<S>(Radau5<AnySystem<S>>(request.tolerances, newton(request)));
+       }},
+      {{.name = "radau9",
+        .summary = "Radau IIA of 5 stages, stabilised index 2",
+        .order = 9,
+        .takes_given_steps = true,
+        .chooses_steps = true,
+        .meets_constraints = true,
+        .own_lambda_order = 5,
+        .takes_full_newton = true},
+       [](Request request) -> Made {
+         return adapt<S>(Radau9<AnySystem<S>>(request.tolerances, newton(request)));
+       }},
+      {{.name = "bdf",
+        .summary = "backward differentiation, orders 1 to 5, index 3",
+        .takes_given_steps = true,
+        .meets_constraints = true,
+        .takes_order = true,
+        .takes_full_newton = true},
+       [](Request request) -> Made {
+         return adapt<S>(BDF<AnySystem<S>>(
+             detail::checked("an order of bdf of", request.given.order, 2, 1, 5), newton(request)));
+       }},
+  };
 }
 
 }  // namespace trivium::integrators

@@ -6,18 +6,47 @@
 
 namespace trivium::integrators {
 
-DoubleMethod make_sundials(std::string_view name, const std::optional<Tolerances>& tolerances,
-                           const MethodParameters& given) {
-  if (name == "cvode-adams") return make_cvode_adams(tolerances.value());
-  if (name == "cvode-bdf") return make_cvode_bdf(tolerances.value(), given.projects);
-  if (name == "ida") return make_ida(tolerances.value());
-  const bool is_implicit = name == "arkode-dirk";
-  if (!is_implicit && name != "arkode-erk") return nullptr;
-  const int order = given.order.value_or(5);
+namespace {
+
+DoubleMethod arkode(const MethodRequest& request, bool is_implicit, std::string_view name) {
+  const int order = request.given.order.value_or(5);
   if (order < 2 || order > (is_implicit ? 5 : 8) || order == 7)
     throw UsageError(
         fmt::format("an order {} of {}; accepted: {}", order, name, is_implicit ? "2 to 5" : "2 to 6 and 8"));
-  return make_arkode(is_implicit, order, tolerances);
+  return make_arkode(is_implicit, order, request.tolerances);
+}
+
+}  // namespace
+
+std::vector<MethodEntry<double>> sundials_methods() {
+  using Request = const MethodRequest&;
+  return {
+      {{.name = "cvode-adams", .summary = "Adams, orders 1 to 12 (CVODE)", .chooses_steps = true},
+       [](Request request) { return make_cvode_adams(request.tolerances.value()); }},
+      {{.name = "cvode-bdf",
+        .summary = "backward differentiation, orders 1 to 5, projected within its steps (CVODE)",
+        .chooses_steps = true},
+       [](Request request) { return make_cvode_bdf(request.tolerances.value(), request.given.projects); }},
+      {{.name = "arkode-erk",
+        .summary = "explicit Runge-Kutta, of orders 2 to 8 (ARKODE)",
+        .order = 5,
+        .takes_given_steps = true,
+        .chooses_steps = true,
+        .takes_order = true},
+       [](Request request) { return arkode(request, false, "arkode-erk"); }},
+      {{.name = "arkode-dirk",
+        .summary = "diagonally implicit Runge-Kutta, of orders 2 to 5 (ARKODE)",
+        .order = 5,
+        .takes_given_steps = true,
+        .chooses_steps = true,
+        .takes_order = true},
+       [](Request request) { return arkode(request, true, "arkode-dirk"); }},
+      {{.name = "ida",
+        .summary = "backward differentiation, orders 1 to 5, stabilised index 2 (IDA)",
+        .chooses_steps = true,
+        .meets_constraints = true},
+       [](Request request) { return make_ida(request.tolerances.value()); }},
+  };
 }
 
 }  // namespace trivium::integrators

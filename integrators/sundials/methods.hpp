@@ -7,19 +7,16 @@
 
 #include <memory>
 #include <optional>
-#include <string_view>
+#include <vector>
 
-#include "integrators/contract/any_method.hpp"
-#include "integrators/contract/tolerances.hpp"
-#include "integrators/method_parameters.hpp"
+#include "integrators/method_entry.hpp"
 
 namespace trivium::integrators {
 
 using DoubleMethod = std::unique_ptr<AnyMethod<double>>;
 
-/// By name; null where none of these methods has it. Throws a UsageError where it has no such order.
-DoubleMethod make_sundials(std::string_view name, const std::optional<Tolerances>& tolerances,
-                           const MethodParameters& given);
+/// The entries of the list, in double. A new one is an entry in methods.cpp.
+std::vector<MethodEntry<double>> sundials_methods();
 
 /// Orders 1 to 12, solved by fixed-point iteration.
 DoubleMethod make_cvode_adams(const Tolerances& tolerances);

@@ -6,13 +6,25 @@
 namespace trivium::integrators {
 
 template <class S>
-std::unique_ptr<AnyMethod<S>> make_symplectic(std::string_view name) {
-  if (name == "rattle") return adapt<S>(Rattle<AnySystem<S>>(2));
-  if (name == "rattle4") return adapt<S>(Rattle<AnySystem<S>>(4));
-  return nullptr;
+std::vector<MethodEntry<S>> symplectic_methods() {
+  return {
+      {{.name = "rattle",
+        .summary = "RATTLE on Lie groups, symplectic, where M is constant",
+        .order = 2,
+        .takes_given_steps = true,
+        .meets_constraints = true},
+       [](const MethodRequest&) { return adapt<S>(Rattle<AnySystem<S>>(2)); }},
+      {{.name = "rattle4",
+        .summary = "RATTLE composed to order 4, symplectic, where M is constant",
+        .order = 4,
+        .takes_given_steps = true,
+        .meets_constraints = true,
+        .own_lambda_order = 2},
+       [](const MethodRequest&) { return adapt<S>(Rattle<AnySystem<S>>(4)); }},
+  };
 }
 
-template std::unique_ptr<AnyMethod<double>> make_symplectic<double>(std::string_view);
-template std::unique_ptr<AnyMethod<Quad>> make_symplectic<Quad>(std::string_view);
+template std::vector<MethodEntry<double>> symplectic_methods<double>();
+template std::vector<MethodEntry<Quad>> symplectic_methods<Quad>();
 
 }  // namespace trivium::integrators

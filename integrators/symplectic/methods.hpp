@@ -1,15 +1,13 @@
 #pragma once
-/// The symplectic methods by name. A method's parameters are checked where it is made.
+/// The symplectic methods of the list. A new one is an entry in methods.cpp.
 
-#include <memory>
-#include <string_view>
+#include <vector>
 
-#include "integrators/contract/any_method.hpp"
+#include "integrators/method_entry.hpp"
 
 namespace trivium::integrators {
 
-/// With steps of the grid's length. Null where none of these methods has the name.
 template <class S>
-std::unique_ptr<AnyMethod<S>> make_symplectic(std::string_view name);
+std::vector<MethodEntry<S>> symplectic_methods();
 
 }  // namespace trivium::integrators

@@ -1,7 +1,5 @@
 #include "integrators/implicit/methods_impl.hpp"
 
 namespace trivium::integrators {
-template std::unique_ptr<AnyMethod<double>> make_implicit<double>(std::string_view,
-                                                                  const std::optional<Tolerances>&,
-                                                                  const MethodParameters&);
+template std::vector<MethodEntry<double>> implicit_methods<double>();
 }  // namespace trivium::integrators

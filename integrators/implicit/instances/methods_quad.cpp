@@ -2,7 +2,5 @@
 #include "integrators/quad.hpp"
 
 namespace trivium::integrators {
-template std::unique_ptr<AnyMethod<Quad>> make_implicit<Quad>(std::string_view,
-                                                              const std::optional<Tolerances>&,
-                                                              const MethodParameters&);
+template std::vector<MethodEntry<Quad>> implicit_methods<Quad>();
 }  // namespace trivium::integrators

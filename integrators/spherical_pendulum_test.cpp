@@ -1,0 +1,224 @@
+// Every method alone on the model of one page, a spherical pendulum in plain coordinates.
+
+#include "integrators/testing/spherical_pendulum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "integrators/contract/laws.hpp"
+#include "integrators/implicit/bdf.hpp"
+#include "integrators/implicit/generalized_alpha.hpp"
+#include "integrators/implicit/hht.hpp"
+#include "integrators/integrate.hpp"
+#include "integrators/methods.hpp"
+#include "integrators/quad.hpp"
+#include "integrators/symplectic/rattle.hpp"
+
+namespace trivium::integrators {
+
+/// What GoogleTest prints of a parameter.
+[[maybe_unused]] static void PrintTo(const MethodInfo& method, std::ostream* to) { *to << method.name; }
+
+namespace {
+
+using test::SphericalPendulum;
+
+std::vector<MethodInfo> methods_that(bool MethodInfo::*takes) {
+  std::vector<MethodInfo> chosen;
+  for (const MethodInfo& method : methods())
+    if (method.*takes) chosen.push_back(method);
+  return chosen;
+}
+const auto in_a_name = [](const auto& method) {
+  std::string name(method.param.name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+};
+
+/// Where a run ended, and its own multiplier there.
+template <class S>
+struct End {
+  StateVector<S> y;
+  S lambda{0};
+};
+
+constexpr double t_end = 0.5;
+
+template <class S>
+End<S> run(AnyMethod<S>& method, bool projects, std::optional<double> h) {
+  SphericalPendulum<S> pendulum;
+  SystemAdapter<SphericalPendulum<S>> system(pendulum);
+  ProjectionReport<S> report;
+  End<S> end;
+  integrate<S>(
+      system, method, TimeGrid(0, t_end, {}, h), projects, report,
+      [](const S&, const StateVector<S>&) { return Continue::yes; },
+      [&](const S&, const StateVector<S>& y) { end.y = y; });
+  if (const StateVector<S>* lambda = method.lambda()) end.lambda = (*lambda)[0];
+  return end;
+}
+
+/// In quad, far closer than any run here.
+const End<Quad>& exact() {
+  static const End<Quad> end = [] {
+    const auto method = make_method<Quad>("rkf78", Steps::given, {});
+    End<Quad> found = run<Quad>(*method, true, t_end / 512);
+    StateVector<Quad> v_dot, lambda;
+    SphericalPendulum<Quad>().accelerations(0, found.y, v_dot, lambda);
+    found.lambda = lambda[0];
+    return found;
+  }();
+  return end;
+}
+
+/// Of position and velocity, and of the method's own multiplier.
+struct Errors {
+  double y, lambda;
+};
+template <class S>
+Errors errors_of(const End<S>& end) {
+  const StateVector<Quad> y = end.y.template cast<Quad>();
+  return {static_cast<double>(Quad((y - exact().y).norm())),
+          std::abs(static_cast<double>(Quad(Quad(end.lambda) - exact().lambda)))};
+}
+
+template <class S>
+Errors at_steps(const MethodInfo& method, double h, const MethodParameters& given = {}) {
+  const auto made = make_method<S>(method.name, Steps::given, {}, given);
+  return errors_of(run<S>(*made, !method.meets_constraints, h));
+}
+
+/// Between h and h / 2, where errors are above rounding.
+template <class S>
+void expect_order(const MethodInfo& method, double h, const MethodParameters& given = {}) {
+  const int order = given.order.value_or(method.order);
+  const Errors coarse = at_steps<S>(method, h, given), fine = at_steps<S>(method, h / 2, given);
+  EXPECT_NEAR(std::log2(coarse.y / fine.y), order, 0.2) << coarse.y << " " << fine.y;
+  if (!method.has_own_lambda) return;
+  EXPECT_NEAR(std::log2(coarse.lambda / fine.lambda), given.order.value_or(method.own_lambda_order), 0.2)
+      << coarse.lambda << " " << fine.lambda;
+}
+
+TEST(SphericalPendulum, IsAConicalPendulumWhereItTurnsAtTheRightSpeed) {
+  SphericalPendulum<double> pendulum;
+  // at 0.6 beside and 0.8 below: v^2 = g r tan(angle)
+  pendulum.v0 = {0, std::sqrt(10 * 0.6 * 0.6 / 0.8), 0};
+  StateVector<double> y_dot;
+  pendulum.derivative(0, pendulum.start(), y_dot);
+  EXPECT_NEAR(y_dot[5], 0, 1e-14);
+  EXPECT_NEAR(y_dot[3], -pendulum.v0.squaredNorm() / 0.6, 1e-13);
+}
+
+TEST(SphericalPendulum, KeepsTheLawsOfAConstrainedSystem) {
+  SphericalPendulum<double> pendulum;
+  for (const BrokenLaw& broken : broken_laws(pendulum, 0.0, pendulum.start()))
+    ADD_FAILURE() << broken.law << ": " << broken.figure << ", bound " << broken.bound;
+}
+
+class GivenStepsOnThePendulum : public testing::TestWithParam<MethodInfo> {};
+
+TEST_P(GivenStepsOnThePendulum, HaveTheOrderThatTheListSays) {
+  const MethodInfo& method = GetParam();
+  if (method.order == 0) {
+    ASSERT_TRUE(method.takes_order);
+    for (int order = 1; order <= 5; ++order) expect_order<Quad>(method, t_end / 512, {.order = order});
+  } else if (method.name.starts_with("arkode")) {
+    expect_order<double>(method, t_end / 32);
+  } else {
+    expect_order<Quad>(method, t_end / (method.order < 8 ? 512 : 32));
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Methods, GivenStepsOnThePendulum,
+                         testing::ValuesIn(methods_that(&MethodInfo::takes_given_steps)), in_a_name);
+
+class ChosenStepsOnThePendulum : public testing::TestWithParam<MethodInfo> {};
+
+TEST_P(ChosenStepsOnThePendulum, AreAsAccurateAsToleranceAsks) {
+  const MethodInfo& method = GetParam();
+  double before = 1;
+  for (const double rtol : {1e-5, 1e-7, 1e-9}) {
+    const auto made = make_method<double>(method.name, Steps::chosen, {rtol, rtol});
+    const Errors errors = errors_of(run<double>(*made, !method.meets_constraints, {}));
+    EXPECT_LE(errors.y, 200 * rtol) << rtol;
+    EXPECT_LE(errors.y, before / 3) << rtol;
+    if (method.has_own_lambda) {
+      EXPECT_LE(errors.lambda, 1e6 * rtol) << rtol;
+    }
+    before = errors.y;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Methods, ChosenStepsOnThePendulum,
+                         testing::ValuesIn(methods_that(&MethodInfo::chooses_steps)), in_a_name);
+
+// what a method needs is what it names: no wrapper of any system between
+template <class M>
+double error_of_template(M method, double h) {
+  SphericalPendulum<double> pendulum;
+  StateVector<double> y = pendulum.start();
+  const int steps = static_cast<int>(std::lround(t_end / h));
+  double t = 0;
+  for (int k = 1; k <= steps; ++k) method.step(pendulum, t, y, k * h);
+  return errors_of(End<double>{y}).y;
+}
+
+TEST(MethodsAsTemplates, TakeTheModelItself) {
+  using Pendulum = SphericalPendulum<double>;
+  const double h = t_end / 512;
+  EXPECT_LT(error_of_template(GeneralizedAlpha<Pendulum>(0.8, false, {}), h), 1e-5);
+  EXPECT_LT(error_of_template(GeneralizedAlpha<Pendulum>(0.8, true, {}), h), 1e-5);
+  EXPECT_LT(error_of_template(HHT<Pendulum>(-0.1, {}), h), 1e-5);
+  EXPECT_LT(error_of_template(BDF<Pendulum>(3, {}), h), 1e-6);
+  EXPECT_LT(error_of_template(Radau5<Pendulum>({}, {}), h), 1e-12);
+  EXPECT_LT(error_of_template(Rattle<Pendulum>(2), h), 1e-5);
+}
+
+// each law of the contract by a model that breaks it
+struct AddsTwice : SphericalPendulum<double> {
+  void displace(const Y& from, const Y& by, Y& to) const { to.head(3) = from.head(3) + 2 * by; }
+};
+struct ForgetsGravity : SphericalPendulum<double> {
+  double residual(const Evaluation& at, const Y& force, const Y& lambda, Y& left) const {
+    left = -force - at.r * lambda[0];
+    return left.norm() / (force.norm() + 1);
+  }
+};
+struct WrongVelocityRow : SphericalPendulum<double> {
+  RowViolation<double> velocity_rows(const Evaluation& at, Y& phi_dot) const {
+    phi_dot.setConstant(1, 2 * at.r.dot(at.v));
+    return {0, 0};
+  }
+};
+struct WrongSolution : SphericalPendulum<double> {
+  using SphericalPendulum<double>::solve;
+  void solve(const Factors& factors, const Evaluation& at, const Y& left, const Y& rows, Y& x, Y& mu) const {
+    SphericalPendulum<double>::solve(factors, at, left, rows, x, mu);
+    mu[0] *= 1 + 1e-6;
+  }
+};
+struct RemembersTheLast : SphericalPendulum<double> {
+  Evaluation last;
+  void evaluate(const double&, const Y& y, Evaluation& at) {
+    at = {y.head(3), y.tail(3)};
+    last = at;
+  }
+  double residual(const Evaluation&, const Y& force, const Y& lambda, Y& left) const {
+    return SphericalPendulum<double>::residual(last, force, lambda, left);
+  }
+};
+template <class Model>
+class ABrokenModel : public testing::Test {};
+using BrokenModels =
+    testing::Types<AddsTwice, ForgetsGravity, WrongVelocityRow, WrongSolution, RemembersTheLast>;
+TYPED_TEST_SUITE(ABrokenModel, BrokenModels);
+
+TYPED_TEST(ABrokenModel, IsFoundByTheLaws) {
+  TypeParam model;
+  EXPECT_FALSE(broken_laws(model, 0.0, model.start()).empty());
+}
+
+}  // namespace
+}  // namespace trivium::integrators

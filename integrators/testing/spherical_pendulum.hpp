@@ -1,0 +1,139 @@
+#pragma once
+/// The model of one page: a particle of mass m on a sphere of radius l about the origin, under gravity -g
+/// e_z, in plain coordinates y = (r, r'). It has all that a method may ask of a ConstrainedSystem, so that a
+/// method can be tried alone, without formulations, bodies or a solver along a graph:
+///
+///   m r'' + r lambda = -m g e_z,   Phi = (r . r - l^2) / 2 = 0
+///
+/// With r . r'' = -r' . r', lambda is (m r' . r' - m g z) / l^2 on the sphere.
+
+#include <Eigen/Core>
+#include <limits>
+#include <string>
+
+#include "integrators/contract/constrained_system.hpp"
+
+namespace trivium::integrators::test {
+
+template <class S>
+class SphericalPendulum {
+ public:
+  using Scalar = S;
+  using Vector = Eigen::Matrix<S, 3, 1>;
+  using Y = StateVector<S>;
+
+  S m{2}, g{10}, l{1};
+  Vector r0{S(0.6), S(0), S(-0.8)}, v0{S(0), S(3), S(0)};
+
+  // y' = f(t, y), and the way back onto the sphere
+  int size() const { return 6; }
+  Y start() const { return joined(r0, v0); }
+  void derivative(const S& t, const Y& y, Y& y_dot) const {
+    Y v_dot, lambda;
+    accelerations(t, y, v_dot, lambda);
+    y_dot = joined(y.tail(3), v_dot);
+  }
+  S position_violation(const S&, const Y& y) { return violation_of((r(y).squaredNorm() - l * l) / 2); }
+  S velocity_violation(const S&, const Y& y) { return violation_of(r(y).dot(v(y))); }
+  S relative_violation() const {
+    using std::abs;
+    return abs(left_) / (l * l);
+  }
+  std::string worst_row() const { return "sphere"; }
+  void correct_positions(Y& y, bool factor) { y.head(3) -= left_ * direction(y, factor); }
+  void correct_velocities(Y& y, bool factor) { y.tail(3) -= left_ * direction(y, factor); }
+  void normalise(Y&) const {}
+  bool projection_is_too_large(const Y&, const Y&, const Y&) const { return false; }
+  S longest_step(const S&, const Y&) const { return std::numeric_limits<S>::max(); }
+  bool accept_state(const S&, Y&) const { return false; }
+  bool pass_discontinuity(const S&, const S&, Y&) const { return false; }
+  std::string diagnose(const S&, const Y&) const { return {}; }
+
+  // displacements: positions are added
+  int position_size() const { return 3; }
+  int velocity_size() const { return 3; }
+  void displace(const Y& from, const Y& by, Y& to) const { to.head(3) = from.head(3) + by; }
+  void displacement(const Y& from, const Y& to, Y& by) const { by = to.head(3) - from.head(3); }
+  void displacement_rate(const Y&, const Y& velocity, Y& rate) const { rate = velocity; }
+  void position_rate(const Y&, const Y& velocity, Y& rate) const { rate = velocity; }
+  void position_sizes(const Y& y, Y& sizes) const { sizes.setConstant(3, r(y).norm()); }
+
+  // the equations of motion at a state
+  struct Evaluation {
+    Vector r, v;
+  };
+  void evaluate(const S&, const Y& y, Evaluation& at) const { at = {r(y), v(y)}; }
+  int multipliers() const { return 1; }
+  void accelerations(const S&, const Y& y, Y& v_dot, Y& lambda) const {
+    lambda.setConstant(1, (m * v(y).squaredNorm() + r(y).dot(weight())) / r(y).squaredNorm());
+    v_dot = (weight() - r(y) * lambda[0]) / m;
+  }
+  bool inertia_is_constant() const { return true; }
+  void inertia_force(const Evaluation&, const Y& x, Y& force) const { force = m * x; }
+  void applied_force(const Evaluation&, Y& force) const { force = weight(); }
+  S residual(const Evaluation& at, const Y& force, const Y& lambda, Y& left) const {
+    left = weight() - force - at.r * lambda[0];
+    return left.norm() / (weight().norm() + force.norm() + (at.r * lambda[0]).norm());
+  }
+  RowViolation<S> position_rows(const Evaluation& at, Y& phi) const {
+    using std::abs;
+    phi.setConstant(1, (at.r.squaredNorm() - l * l) / 2);
+    return {abs(phi[0]) / (l * l), 0};
+  }
+  RowViolation<S> velocity_rows(const Evaluation& at, Y& phi_dot) const {
+    using std::sqrt, std::abs;
+    phi_dot.setConstant(1, at.r.dot(at.v));
+    return {abs(phi_dot[0]) / (l * (at.v.norm() + sqrt(g * l))), 0};
+  }
+  std::string row_name(int) const { return "sphere"; }
+  S work_rate(const Evaluation&, const Y&) const { return S(0); }
+
+  // Newton's matrix [m 1, r; r^T, 0]: gravity adds no stiffness
+  using Factors = Evaluation;
+  void factor(const Evaluation& at, const Shares<S>&, Factors& factors) const { factors = at; }
+  void solve(const Factors& factors, const Evaluation&, const Y& left, const Y& rows, Y& x, Y& mu) const {
+    const S multiplier = (factors.r.dot(left) - m * rows[0]) / factors.r.squaredNorm();
+    mu[0] += multiplier;
+    x += (left - factors.r * multiplier) / m;
+  }
+  void reduce(const Factors&, const Y& force, Y& left) const { left = force; }
+
+  // neither rows of its own nor springs
+  bool normalise_step(const S&, Y&, Y&) const { return false; }
+  void normalise_step_velocity(const S&, const Y&, Y&) const {}
+  void internal_residual(const Evaluation&, const Y&, Y&) const {}
+  void solve_internal_rows(const Evaluation&, const Y&, Y&) const {}
+  int springs() const { return 0; }
+  void spring_constants(Y& stiffness, Y& damping) const { stiffness = damping = Y(); }
+  void solve(const Factors& factors, const Evaluation& at, const Y& left, const Y& rows, const Y&, Y& x,
+             Y& mu, Y&) const {
+    solve(factors, at, left, rows, x, mu);
+  }
+
+ private:
+  static Vector r(const Y& y) { return y.head(3); }
+  static Vector v(const Y& y) { return y.tail(3); }
+  static Y joined(const Vector& a, const Vector& b) {
+    Y y(6);
+    y << a, b;
+    return y;
+  }
+  Vector weight() const { return {S(0), S(0), -m * g}; }
+  S violation_of(const S& left) {
+    using std::abs;
+    left_ = left;
+    return abs(left);
+  }
+  /// Of the least change in M, which moves the row by 1.
+  const Vector& direction(const Y& y, bool factor) {
+    if (factor) direction_ = r(y) / r(y).squaredNorm();
+    return direction_;
+  }
+
+  S left_{0};  ///< of the row measured last
+  Vector direction_;
+};
+
+static_assert(ConstrainedSystem<SphericalPendulum<double>>);
+
+}  // namespace trivium::integrators::test
