@@ -86,11 +86,17 @@ void check(const MethodInfo& method, Steps steps, const MethodParameters& given)
 }  // namespace
 
 template <class S>
-std::unique_ptr<AnyMethod<S>> make_method(std::string_view name, Steps steps, const Tolerances& tolerances,
-                                          const MethodParameters& given) {
-  const MethodInfo* method = find_method(name);
-  if (method == nullptr) throw UsageError(fmt::format("there is no method \"{}\"", name));
-  check(*method, steps, given);
+const MethodEntry<S>& method_entry(std::string_view name) {
+  for (const MethodEntry<S>& entry : entries<S>())
+    if (entry.info.name == name) return entry;
+  if (find_method(name) == nullptr) throw UsageError(fmt::format("there is no method \"{}\"", name));
+  throw UsageError(fmt::format("{} computes in double alone (SUNDIALS does); take another method", name));
+}
+
+template <class S>
+std::unique_ptr<AnyMethod<S>> make_method(const MethodEntry<S>& method, Steps steps,
+                                          const Tolerances& tolerances, const MethodParameters& given) {
+  check(method.info, steps, given);
   const bool chosen = steps == Steps::chosen;
   if (const double u = static_cast<double>(std::numeric_limits<S>::epsilon());
       chosen && tolerances.rtol < 4 * u && tolerances.atol < 4 * u)
@@ -98,14 +104,23 @@ std::unique_ptr<AnyMethod<S>> make_method(std::string_view name, Steps steps, co
         fmt::format("rtol {} and atol {} are below what rounding leaves of a step; accepted: at "
                     "least one of them from {:.1e} on",
                     tolerances.rtol, tolerances.atol, 4 * u));
-  const MethodRequest request{chosen ? std::optional(tolerances) : std::nullopt, given};
-  for (const MethodEntry<S>& entry : entries<S>())
-    if (entry.info.name == name) return entry.make(request);
-  throw UsageError(fmt::format("{} computes in double alone (SUNDIALS does); take another method", name));
+  return method.make({chosen ? std::optional(tolerances) : std::nullopt, given});
 }
 
+template <class S>
+std::unique_ptr<AnyMethod<S>> make_method(std::string_view name, Steps steps, const Tolerances& tolerances,
+                                          const MethodParameters& given) {
+  return make_method(method_entry<S>(name), steps, tolerances, given);
+}
+
+template const MethodEntry<double>& method_entry<double>(std::string_view);
+template std::unique_ptr<AnyMethod<double>> make_method<double>(const MethodEntry<double>&, Steps,
+                                                                const Tolerances&, const MethodParameters&);
 template std::unique_ptr<AnyMethod<double>> make_method<double>(std::string_view, Steps, const Tolerances&,
                                                                 const MethodParameters&);
+template const MethodEntry<Quad>& method_entry<Quad>(std::string_view);
+template std::unique_ptr<AnyMethod<Quad>> make_method<Quad>(const MethodEntry<Quad>&, Steps,
+                                                            const Tolerances&, const MethodParameters&);
 template std::unique_ptr<AnyMethod<Quad>> make_method<Quad>(std::string_view, Steps, const Tolerances&,
                                                             const MethodParameters&);
 

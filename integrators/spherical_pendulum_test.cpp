@@ -1,6 +1,6 @@
 // Every method alone on the model of one page, a spherical pendulum in plain coordinates.
 
-#include "integrators/testing/spherical_pendulum.hpp"
+#include "integrators/contract/spherical_pendulum.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,7 @@
 #include "integrators/implicit/generalized_alpha.hpp"
 #include "integrators/implicit/hht.hpp"
 #include "integrators/integrate.hpp"
+#include "integrators/method_laws.hpp"
 #include "integrators/methods.hpp"
 #include "integrators/quad.hpp"
 #include "integrators/symplectic/rattle.hpp"
@@ -24,8 +25,6 @@ namespace trivium::integrators {
 [[maybe_unused]] static void PrintTo(const MethodInfo& method, std::ostream* to) { *to << method.name; }
 
 namespace {
-
-using test::SphericalPendulum;
 
 std::vector<MethodInfo> methods_that(bool MethodInfo::*takes) {
   std::vector<MethodInfo> chosen;
@@ -135,24 +134,26 @@ TEST_P(GivenStepsOnThePendulum, HaveTheOrderThatTheListSays) {
 INSTANTIATE_TEST_SUITE_P(Methods, GivenStepsOnThePendulum,
                          testing::ValuesIn(methods_that(&MethodInfo::takes_given_steps)), in_a_name);
 
-class ChosenStepsOnThePendulum : public testing::TestWithParam<MethodInfo> {};
+class EveryMethod : public testing::TestWithParam<MethodInfo> {};
 
-TEST_P(ChosenStepsOnThePendulum, AreAsAccurateAsToleranceAsks) {
-  const MethodInfo& method = GetParam();
-  double before = 1;
-  for (const double rtol : {1e-5, 1e-7, 1e-9}) {
-    const auto made = make_method<double>(method.name, Steps::chosen, {rtol, rtol});
-    const Errors errors = errors_of(run<double>(*made, !method.meets_constraints, {}));
-    EXPECT_LE(errors.y, 200 * rtol) << rtol;
-    EXPECT_LE(errors.y, before / 3) << rtol;
-    if (method.has_own_lambda) {
-      EXPECT_LE(errors.lambda, 1e6 * rtol) << rtol;
-    }
-    before = errors.y;
-  }
+TEST_P(EveryMethod, KeepsTheLawsThatItsEntrySays) {
+  for (const BrokenLaw& broken : broken_laws(method_entry<double>(GetParam().name)))
+    ADD_FAILURE() << broken.law << ": " << broken.figure << ", bound " << broken.bound;
 }
-INSTANTIATE_TEST_SUITE_P(Methods, ChosenStepsOnThePendulum,
-                         testing::ValuesIn(methods_that(&MethodInfo::chooses_steps)), in_a_name);
+INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, testing::ValuesIn(methods()), in_a_name);
+
+// the laws can fail: entries that promise what the method does not do
+TEST(MethodLaws, FindAnEntryThatPromisesTooMuch) {
+  const auto broken_when = [](const auto& change, const char* name) {
+    MethodEntry<double> entry = method_entry<double>(name);
+    change(entry.info);
+    return !broken_laws(entry).empty();
+  };
+  EXPECT_FALSE(broken_when([](MethodInfo&) {}, "hht"));
+  EXPECT_TRUE(broken_when([](MethodInfo& info) { info.order = 3; }, "hht"));
+  EXPECT_TRUE(broken_when([](MethodInfo& info) { info.has_own_lambda = false; }, "hht"));
+  EXPECT_TRUE(broken_when([](MethodInfo& info) { info.meets_constraints = true; }, "abm"));
+}
 
 // what a method needs is what it names: no wrapper of any system between
 template <class M>

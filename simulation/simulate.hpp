@@ -8,8 +8,7 @@
 #include "formulations/contract/chart_options.hpp"
 #include "formulations/structured/baumgarte.hpp"
 #include "integrators/contract/errors.hpp"
-#include "integrators/contract/tolerances.hpp"
-#include "integrators/method_parameters.hpp"
+#include "integrators/method_entry.hpp"
 #include "simulation/motion.hpp"
 
 namespace trivium {
@@ -19,6 +18,8 @@ struct Model;
 
 struct SimulationOptions {
   std::string formulation = "r-omega", integrator = "dopri5";
+  /// A method of the caller's, in the place of the one of that name.
+  std::optional<integrators::MethodEntry<double>> own_method = {};
   double end = 10;
   std::optional<double> step;         ///< else the method chooses, to the tolerances
   std::optional<double> output_step;  ///< else the start and the end

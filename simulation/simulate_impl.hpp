@@ -3,6 +3,7 @@
 /// watch are set up, the method integrates, and the report is filled.
 
 #include <memory>
+#include <type_traits>
 
 #include "bodies/numbers/scalar.hpp"
 #include "integrators/integrate.hpp"
@@ -25,11 +26,12 @@ class Simulation {
       : start_(model.state.t),
         options_(options),
         observer_(observer),
-        is_implicit_(is_implicit(options)),
+        entry_(entry_of(options)),
+        is_implicit_(is_implicit(entry_.info, options)),
         projects_(options.projects && !is_implicit_),
         method_(integrators::make_method<S>(
-            options.integrator, options.step ? integrators::Steps::given : integrators::Steps::chosen,
-            options.tolerances, parameters(options, projects_))),
+            entry_, options.step ? integrators::Steps::given : integrators::Steps::chosen, options.tolerances,
+            parameters(options, projects_))),
         equations_(model.mechanism, model.state,
                    {options.charts, options.baumgarte, projects_ || is_implicit_}) {}
 
@@ -60,24 +62,29 @@ class Simulation {
   }
 
  private:
+  static integrators::MethodEntry<S> entry_of(const SimulationOptions& options) {
+    if (!options.own_method) return integrators::method_entry<S>(options.integrator);
+    if constexpr (std::is_same_v<S, double>)
+      return *options.own_method;
+    else
+      throw integrators::UsageError("a method of the caller's computes in double alone");
+  }
+
   /// Throws a UsageError where what is asked for does not go with it.
-  static bool is_implicit(const SimulationOptions& options) {
-    const integrators::MethodInfo* method = integrators::find_method(options.integrator);
-    if (method == nullptr) return false;
-    const bool is = method->meets_constraints;
+  static bool is_implicit(const integrators::MethodInfo& method, const SimulationOptions& options) {
+    const bool is = method.meets_constraints;
     if (is && !options.projects && !options.baumgarte)
-      throw integrators::UsageError(
-          fmt::format("{} meets constraints by its own equations: there is no projection to leave out",
-                      options.integrator));
+      throw integrators::UsageError(fmt::format(
+          "{} meets constraints by its own equations: there is no projection to leave out", method.name));
     if (is && options.baumgarte)
       throw integrators::UsageError(fmt::format(
           "{} solves for positions on the constraints, which Baumgarte's stabilisation has no part in",
-          options.integrator));
-    if (method->has_own_lambda && options.baumgarte)
+          method.name));
+    if (method.has_own_lambda && options.baumgarte)
       throw integrators::UsageError(fmt::format(
           "{} meets the rows of velocities by its own multipliers, which Baumgarte's stabilisation "
           "of accelerations has no part in",
-          options.integrator));
+          method.name));
     return is;
   }
 
@@ -90,8 +97,7 @@ class Simulation {
   void report_the_run(const integrators::ProjectionReport<S>& projection) {
     report_.is_projected = projects_;
     report_.is_implicit = is_implicit_;
-    if (const integrators::MethodInfo* method = integrators::find_method(options_.integrator))
-      report_.has_own_lambda = method->has_own_lambda;
+    report_.has_own_lambda = entry_.info.has_own_lambda;
     report_.counters = method_->counters();
     report_.factorisations = equations_.factorisations();
     report_.jacobians = equations_.newton_matrices();
@@ -108,6 +114,7 @@ class Simulation {
   const S start_;
   const SimulationOptions& options_;
   SimulationObserver& observer_;
+  const integrators::MethodEntry<S> entry_;
   const bool is_implicit_, projects_;
   std::unique_ptr<integrators::AnyMethod<S>> method_;
   ConstrainedEquations<F> equations_;

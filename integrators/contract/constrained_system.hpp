@@ -8,7 +8,7 @@
 ///   internal_rows.hpp    HasInternalRows: rows that a model keeps to itself
 ///   springs.hpp          HasSprings: stiffness and damping, for methods of several stages
 ///
-/// integrators/testing/spherical_pendulum.hpp is a model of one page that has them all.
+/// integrators/contract/spherical_pendulum.hpp is a model of one page that has them all.
 
 #include "integrators/contract/internal_rows.hpp"
 #include "integrators/contract/springs.hpp"

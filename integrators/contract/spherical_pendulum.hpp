@@ -13,7 +13,7 @@
 
 #include "integrators/contract/constrained_system.hpp"
 
-namespace trivium::integrators::test {
+namespace trivium::integrators {
 
 template <class S>
 class SphericalPendulum {
@@ -136,4 +136,4 @@ class SphericalPendulum {
 
 static_assert(ConstrainedSystem<SphericalPendulum<double>>);
 
-}  // namespace trivium::integrators::test
+}  // namespace trivium::integrators

@@ -1,0 +1,141 @@
+#pragma once
+/// The laws of a method, for whoever writes one: the second half of the concept Method. `broken_laws` tries
+/// what an entry of the list says on the spherical pendulum of contract/ and names what does not hold.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "integrators/contract/laws.hpp"
+#include "integrators/contract/spherical_pendulum.hpp"
+#include "integrators/methods.hpp"
+#include "integrators/projection_iteration.hpp"
+
+namespace trivium::integrators {
+
+namespace detail {
+
+class MethodLaws {
+ public:
+  explicit MethodLaws(const MethodEntry<double>& entry) : entry_(entry) {}
+
+  std::vector<BrokenLaw> broken() {
+    if (entry_.info.takes_given_steps) given_steps();
+    if (entry_.info.chooses_steps) chosen_steps();
+    return broken_;
+  }
+
+ private:
+  using Y = StateVector<double>;
+  static constexpr double end = 0.5;
+
+  struct Run {
+    std::unique_ptr<AnyMethod<double>> method;
+    Y y;
+    double y_error = 0, lambda_error = 0;
+    bool lands = true;  ///< no step went back or beyond where it was told to stop
+  };
+
+  void at_most(const char* law, double figure, double bound) {
+    if (!(figure <= bound)) broken_.push_back({law, figure, bound});
+  }
+
+  /// To the end in intervals of this length, of one step each where steps are given. Restarted before the
+  /// interval of that number.
+  static Run run(const MethodEntry<double>& entry, Steps steps, const Tolerances& tolerances, int intervals,
+                 int restarted = -1) {
+    Run run{make_method(entry, steps, tolerances), {}};
+    SphericalPendulum<double> pendulum;
+    SystemAdapter<SphericalPendulum<double>> system(pendulum);
+    ProjectionIteration<AnySystem<double>> project;
+    ProjectionReport<double> report;
+    run.y = pendulum.start();
+    double t = 0;
+    for (int k = 1; k <= intervals; ++k) {
+      const double stop = end * k / intervals;
+      if (k - 1 == restarted) run.method->restart();
+      while (t < stop) {
+        const double before = t;
+        run.method->step(system, t, run.y, stop);
+        if (!(t > before && t <= stop) || (steps == Steps::given && t != stop)) run.lands = false;
+        if (!run.lands) return run;
+        if (!entry.info.meets_constraints) project(system, t, run.y, report);
+      }
+    }
+    return run;
+  }
+  /// With its errors, beside the tightest of a method of order 8.
+  Run run(Steps steps, const Tolerances& tolerances, int intervals, int restarted = -1) const {
+    static const Y exact = run(method_entry<double>("rkf78"), Steps::given, {}, 200).y;
+    Run found = run(entry_, steps, tolerances, intervals, restarted);
+    found.y_error = (found.y - exact).norm();
+    if (const Y* own = found.method->lambda()) {
+      Y v_dot, lambda;
+      SphericalPendulum<double>().accelerations(0, exact, v_dot, lambda);
+      found.lambda_error = std::abs((*own - lambda)[0] / lambda[0]);
+    }
+    return found;
+  }
+
+  void given_steps() {
+    const int coarse_steps = entry_.info.order > 6 ? 8 : 64;
+    const Run coarse = run(Steps::given, {}, coarse_steps), fine = run(Steps::given, {}, 2 * coarse_steps);
+    at_most("a given step ends where it was told to", coarse.lands ? 0 : 1, 0);
+    if (!coarse.lands) return;
+    at_most("steps are counted",
+            std::abs(static_cast<double>(coarse.method->counters().steps) - coarse_steps), 0);
+    // what is left above rounding shows the order
+    if (entry_.info.order > 0 && fine.y_error > 1e-12)
+      at_most("errors fall by the order that is said",
+              std::abs(std::log2(coarse.y_error / fine.y_error) - entry_.info.order), 0.5);
+    at_most("errors are small", fine.y_error, 0.05);
+    at_most("a restart forgets and goes on", run(Steps::given, {}, 2 * coarse_steps, coarse_steps).y_error,
+            10 * coarse.y_error + 1e-12);
+    own_multipliers(fine);
+  }
+  void chosen_steps() {
+    const Run loose = run(Steps::chosen, {1e-4, 1e-4}, 3), tight = run(Steps::chosen, {1e-8, 1e-8}, 3);
+    at_most("a chosen step goes forward, and not beyond where it was told to stop",
+            loose.lands && tight.lands ? 0 : 1, 0);
+    if (!loose.lands || !tight.lands) return;
+    at_most("errors follow the tolerance", tight.y_error, std::min(1e-5, loose.y_error / 10));
+    own_multipliers(tight);
+    shortens();
+  }
+  void own_multipliers(const Run& of) {
+    at_most("a method has its own multipliers where it says so",
+            (of.method->lambda() != nullptr) == entry_.info.has_own_lambda ? 0 : 1, 0);
+    at_most("its own multipliers are near those of the state", of.lambda_error, 0.05);
+    if (!entry_.info.meets_constraints) return;
+    SphericalPendulum<double> pendulum;
+    at_most("positions meet their constraints without a projection", pendulum.position_violation(0, of.y),
+            1e-12);
+  }
+  /// A step that is taken back is followed by a shorter one.
+  void shortens() {
+    const auto method = make_method(entry_, Steps::chosen, {1e-6, 1e-6});
+    SphericalPendulum<double> pendulum;
+    SystemAdapter<SphericalPendulum<double>> system(pendulum);
+    Y y = pendulum.start(), again = y;
+    double t = 0, t_again = 0;
+    method->step(system, t, y, end);
+    at_most("a method that chooses its steps can shorten one", method->shorten() ? 0 : 1, 0);
+    method->step(system, t_again, again, end);
+    at_most("a step that is taken back is followed by a shorter one", t_again, t / 2);
+  }
+
+  const MethodEntry<double> entry_;
+  std::vector<BrokenLaw> broken_;
+};
+
+}  // namespace detail
+
+/// What an entry says of its method and does not hold.
+inline std::vector<BrokenLaw> broken_laws(const MethodEntry<double>& entry) {
+  return detail::MethodLaws(entry).broken();
+}
+
+}  // namespace trivium::integrators
