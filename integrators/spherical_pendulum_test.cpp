@@ -181,6 +181,9 @@ TEST(MethodsAsTemplates, TakeTheModelItself) {
 struct AddsTwice : SphericalPendulum<double> {
   void displace(const Y& from, const Y& by, Y& to) const { to.head(3) = from.head(3) + 2 * by; }
 };
+struct CorrectsBackwards : SphericalPendulum<double> {
+  void correct_positions(Y& y, bool) const { y.head(3) *= 1.001; }
+};
 struct ForgetsGravity : SphericalPendulum<double> {
   double residual(const Evaluation& at, const Y& force, const Y& lambda, Y& left) const {
     left = -force - at.r * lambda[0];
@@ -212,8 +215,8 @@ struct RemembersTheLast : SphericalPendulum<double> {
 };
 template <class Model>
 class ABrokenModel : public testing::Test {};
-using BrokenModels =
-    testing::Types<AddsTwice, ForgetsGravity, WrongVelocityRow, WrongSolution, RemembersTheLast>;
+using BrokenModels = testing::Types<AddsTwice, CorrectsBackwards, ForgetsGravity, WrongVelocityRow,
+                                    WrongSolution, RemembersTheLast>;
 TYPED_TEST_SUITE(ABrokenModel, BrokenModels);
 
 TYPED_TEST(ABrokenModel, IsFoundByTheLaws) {

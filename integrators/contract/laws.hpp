@@ -37,6 +37,7 @@ class SystemLaws {
 
   std::vector<BrokenLaw> broken() {
     displacements();
+    corrections();
     accelerations();
     rows();
     linear_systems();
@@ -86,6 +87,26 @@ class SystemLaws {
     system_.position_rate(y_, v_, rate);
     system_.derivative(t_, y_, y_dot);
     equal("positions grow as y' says", rate, y_dot.head(nq_));
+  }
+  /// Of a Newton iteration from nearby: what is left is of the square.
+  void corrections() {
+    Y off = y_;
+    system_.displace(y_, S(1e-3) * numbers(nv_, 7), off);
+    off.segment(nq_, nv_) += S(1e-3) * (1 + v_.norm()) * numbers(nv_, 8);
+    system_.normalise(off);
+    const auto falls = [&](const char* law, const auto& violation, const auto& correct) {
+      const double before = static_cast<double>(S(violation()));
+      correct();
+      system_.normalise(off);
+      const double after = static_cast<double>(S(violation())), bound = before / 10 + 1e-12;
+      if (!(after <= bound)) broken_.push_back({law, after, bound});
+    };
+    falls(
+        "a correction leads positions back", [&] { return system_.position_violation(t_, off); },
+        [&] { system_.correct_positions(off, true); });
+    falls(
+        "a correction leads velocities back", [&] { return system_.velocity_violation(t_, off); },
+        [&] { system_.correct_velocities(off, true); });
   }
   void accelerations() {
     Y v_dot, lambda, force, left, internal = Y::Zero(nv_), y_dot;
