@@ -112,7 +112,7 @@ class Ida final : public Stepper {
     const StateVectorD& y = state(numbers);
     system.evaluate(t, y, at);
     lambda_ = flat(numbers).segment(ny_, nc_);
-    move(at, y, y.segment(nq_, nv_), flat(numbers).tail(nc_));
+    move(linearised_, y, y.segment(nq_, nv_), flat(numbers).tail(nc_));
     off_q_ = flat(rates).head(nq_) - rate_;
     v_dot_ = flat(rates).segment(nq_, nv_);
     system.inertia_force(at, v_dot_, force_);
@@ -162,7 +162,7 @@ class Ida final : public Stepper {
     moved.head(nq_) += b.head(nq_);
     system.displacement(at_, moved, displacement_);
     const StateVectorD v = at_.segment(nq_, nv_), along = rows_of(at_, v + displacement_) - phi_dot_at_;
-    move(evaluated_, at_, StateVectorD::Zero(nv_), c_ * b_phi - along);
+    move(linearised_, at_, StateVectorD::Zero(nv_), c_ * b_phi - along);
     moved = at_;
     moved.head(nq_) += (b.head(nq_) + rate_) / c_;
     const StateVectorD b_phi_dot = b.segment(ny_, nc_) - (rows_of(moved, v) - phi_dot_at_);
@@ -175,7 +175,7 @@ class Ida final : public Stepper {
       system.solve(factors_, evaluated_, left_, StateVectorD::Zero(nc_), u, x_lambda);
     }
     const StateVectorD x_v = u / c_, x_sigma = c_ * b_phi - b_phi_dot - along;
-    move(evaluated_, at_, x_v, x_sigma);
+    move(linearised_, at_, x_v, x_sigma);
     x << (b.head(nq_) + rate_) / c_, x_v, b.segment(nq_ + nv_, ny_ - nq_ - nv_) / c_, x_lambda, x_sigma;
   }
   /// Phi_q v - nu where y is, which is evaluated then.
