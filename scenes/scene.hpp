@@ -4,7 +4,6 @@
 /// it.
 
 #include <array>
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -12,14 +11,12 @@
 #include "bodies/numbers/time_function.hpp"
 #include "bodies/rotations/euler_sequence.hpp"
 #include "constraints/constraint_type.hpp"
+#include "scenes/effects.hpp"
+#include "scenes/side.hpp"
 
 namespace trivium::scenes {
 
-using Vector3 = std::array<double, 3>;
 using Matrix3 = std::array<Vector3, 3>;  ///< row by row
-
-/// The index of the implicit body `ground`; other bodies count from 0 in file order.
-inline constexpr int ground = -1;
 
 struct EulerParameters {
   std::array<double, 4> e{1, 0, 0, 0};  ///< e0 first; normalised when used
@@ -53,13 +50,6 @@ struct Body {
   bool operator==(const Body&) const = default;
 };
 
-/// One side of a constraint; which of the vectors a type takes is the scene format's table.
-struct Side {
-  int body = ground;
-  std::optional<Vector3> point, vector, axis, x;  ///< body frame
-  bool operator==(const Side&) const = default;
-};
-
 struct Constraint {
   ConstraintType type = ConstraintType::spherical;
   std::string name;
@@ -70,44 +60,6 @@ struct Constraint {
   TimeFunction angle;   ///< rotation_driver: alpha(t)
   bool operator==(const Constraint&) const = default;
 };
-
-enum class Frame { global, body };
-
-struct Gravity {
-  std::string name;
-  Vector3 acceleration{};
-  bool operator==(const Gravity&) const = default;
-};
-struct Force {
-  std::string name;
-  int body = 0;
-  Vector3 point{};
-  std::array<TimeFunction, 3> force;
-  Frame frame = Frame::global;
-  bool operator==(const Force&) const = default;
-};
-struct Torque {
-  std::string name;
-  int body = 0;
-  std::array<TimeFunction, 3> torque;
-  Frame frame = Frame::global;
-  bool operator==(const Torque&) const = default;
-};
-struct SpringDamper {
-  std::string name;
-  Side i, j;
-  double stiffness = 0, damping = 0, free_length = 0;
-  TimeFunction actuator;
-  bool operator==(const SpringDamper&) const = default;
-};
-struct TorsionalSpringDamper {
-  std::string name;
-  int joint = 0;  ///< index into Scene::constraints; a revolute or cylindrical
-  double stiffness = 0, damping = 0, free_angle = 0;
-  TimeFunction actuator;
-  bool operator==(const TorsionalSpringDamper&) const = default;
-};
-using Effect = std::variant<Gravity, Force, Torque, SpringDamper, TorsionalSpringDamper>;
 
 struct Scene {
   std::string name, description, reference;

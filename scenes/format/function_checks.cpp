@@ -96,21 +96,20 @@ void check_continuous(const TimeFunction& f, const Path& at) {
   }
 }
 
-/// Those of one effect.
+/// The functions among what an effect shows.
 struct FunctionsOfEffect {
   double t;
   const Path& at;
 
-  void operator()(const Gravity&) const {}
-  void operator()(const Force& effect) const { check_all(effect.force, at / "force"); }
-  void operator()(const Torque& effect) const { check_all(effect.torque, at / "torque"); }
-  void operator()(const SpringDamper& effect) const { check_finite(effect.actuator, t, at / "actuator"); }
-  void operator()(const TorsionalSpringDamper& effect) const {
-    check_finite(effect.actuator, t, at / "actuator");
-  }
+  void body(std::string_view, int) const {}
+  void joint(std::string_view, int) const {}
+  void need(std::string_view key, const auto& value) const { check(value, at / key); }
+  void may(std::string_view key, const auto& value) const { check(value, at / key); }
 
  private:
-  void check_all(const std::array<TimeFunction, 3>& functions, const Path& place) const {
+  void check(const auto&, const Path&) const {}
+  void check(const TimeFunction& f, const Path& place) const { check_finite(f, t, place); }
+  void check(const std::array<TimeFunction, 3>& functions, const Path& place) const {
     for (std::size_t k = 0; k < functions.size(); ++k) check_finite(functions[k], t, place / k);
   }
 };
@@ -133,7 +132,7 @@ void check_functions(const Scene& scene, double t, const Path& root) {
   }
   for (std::size_t k = 0; k < scene.effects.size(); ++k) {
     const Path at = effects / k;
-    std::visit(FunctionsOfEffect{t, at}, scene.effects[k]);
+    visit_keys(FunctionsOfEffect{t, at}, scene.effects[k]);
   }
 }
 

@@ -40,50 +40,46 @@ void check_two_bodies(const Side& i, const Side& j, const Scene& scene, const Pa
     fail(at, fmt::format("both sides on {}", in_quotes(scene.body_name(i.body))), "two different bodies");
 }
 
-void check_loaded_body(int body, const Scene& scene, const Path& at) {
-  check_body_index(body, scene, at);
-  if (body == ground) fail(at / "body", "a load on the ground, which nothing moves", "a body of the scene");
-}
-
+/// Checks what an effect shows: indices and functions. Numbers are finite since they were read or written.
 class EffectChecks {
  public:
   EffectChecks(const Scene& scene, const Path& at) : scene_(scene), at_(at) {}
 
-  void operator()(const Gravity&) const {}
-  void operator()(const Force& effect) const {
-    check_loaded_body(effect.body, scene_, at_);
-    const Path force = at_ / "force";
-    for (std::size_t k = 0; k < 3; ++k) check_function(effect.force[k], force / k);
+  void body(std::string_view key, int index) const {
+    check_body_index(index, scene_, at_);
+    if (index == ground) fail(at_ / key, "a load on the ground, which nothing moves", "a body of the scene");
   }
-  void operator()(const Torque& effect) const {
-    check_loaded_body(effect.body, scene_, at_);
-    const Path torque = at_ / "torque";
-    for (std::size_t k = 0; k < 3; ++k) check_function(effect.torque[k], torque / k);
-  }
-  void operator()(const SpringDamper& effect) const {
-    check_two_bodies(effect.i, effect.j, scene_, at_);
-    check_point_only(effect.i, at_ / "i");
-    check_point_only(effect.j, at_ / "j");
-    check_function(effect.actuator, at_ / "actuator");
-  }
-  void operator()(const TorsionalSpringDamper& effect) const {
-    if (effect.joint < 0 || static_cast<std::size_t>(effect.joint) >= scene_.constraints.size())
-      fail(at_ / "joint", fmt::format("constraint number {}", effect.joint),
-           "the number of a joint of the scene");
-    const Constraint& joint = scene_.constraints[static_cast<std::size_t>(effect.joint)];
+  void joint(std::string_view key, int index) const {
+    if (index < 0 || static_cast<std::size_t>(index) >= scene_.constraints.size())
+      fail(at_ / key, fmt::format("constraint number {}", index), "the number of a joint of the scene");
+    const Constraint& joint = scene_.constraints[static_cast<std::size_t>(index)];
     if (!has_an_angle(joint.type))
-      fail(at_ / "joint", fmt::format("{}, which has no angle", in_quotes(joint.name)),
+      fail(at_ / key, fmt::format("{}, which has no angle", in_quotes(joint.name)),
            "a revolute or cylindrical joint");
-    check_function(effect.actuator, at_ / "actuator");
   }
+  void need(std::string_view key, const auto& value) { check(value, at_ / key); }
+  void may(std::string_view key, const auto& value) { check(value, at_ / key); }
 
  private:
-  static void check_point_only(const Side& side, const Path& at) {
+  void check(double, const Path&) const {}
+  void check(const Vector3&, const Path&) const {}
+  void check(Frame, const Path&) const {}
+  void check(const TimeFunction& f, const Path& at) const { check_function(f, at); }
+  void check(const std::array<TimeFunction, 3>& functions, const Path& at) const {
+    for (std::size_t k = 0; k < 3; ++k) check_function(functions[k], at / k);
+  }
+  void check(const Side& side, const Path& at) {
     if (side.vector || side.axis || side.x) fail(at, "a direction", "a body and a point");
+    if (other_ == nullptr)
+      check_body_index(side.body, scene_, at);
+    else
+      check_two_bodies(*other_, side, scene_, at_);
+    other_ = &side;
   }
 
   const Scene& scene_;
   const Path& at_;
+  const Side* other_ = nullptr;  ///< of an effect between two bodies
 };
 
 }  // namespace
@@ -124,7 +120,7 @@ void check_scene(const Scene& scene, const Path& root) {
   for (std::size_t k = 0; k < scene.effects.size(); ++k) {
     const Path at = effects / k;
     std::visit([&](const auto& effect) { effect_names.add(effect.name, at); }, scene.effects[k]);
-    std::visit(EffectChecks(scene, at), scene.effects[k]);
+    visit_keys(EffectChecks(scene, at), scene.effects[k]);
   }
 }
 

@@ -27,6 +27,8 @@ class Shape {
     std::size_t k = 0;
     for (const Key& key : keys) keys_.at(k++) = key;
   }
+  /// Behind those there are. Throws a std::out_of_range where an object has no more room for keys.
+  constexpr void add(const Key& key) { keys_.at(size_++) = key; }
   constexpr std::string_view name() const { return name_; }
   constexpr std::span<const Key> keys() const { return {keys_.data(), size_}; }
   constexpr const Key* find(std::string_view key) const {
@@ -122,19 +124,32 @@ constexpr const ConstraintShape& shape_of(ConstraintType type) {
   return constraint_shapes[static_cast<std::size_t>(type)];
 }
 
-/// In the order of Effect.
-inline constexpr std::array effect_shapes{
-    Shape{"gravity", {need("type"), may("name"), need("acceleration")}},
-    Shape{"force", {need("type"), may("name"), need("body"), may("point"), need("force"), may("frame")}},
-    Shape{"torque", {need("type"), may("name"), need("body"), need("torque"), may("frame")}},
-    Shape{"spring_damper",
-          {need("type"), may("name"), need("i"), need("j"), may("stiffness"), may("damping"),
-           may("free_length"), may("actuator")}},
-    Shape{"torsional_spring_damper",
-          {need("type"), may("name"), need("joint"), may("stiffness"), may("damping"), may("free_angle"),
-           may("actuator")}},
+namespace detail {
+/// Lists the keys that an effect shows.
+struct KeyList {
+  Shape& shape;
+
+  void body(std::string_view key, int) { shape.add(scenes::need(key)); }
+  void joint(std::string_view key, int) { shape.add(scenes::need(key)); }
+  void need(std::string_view key, const auto&) { shape.add(scenes::need(key)); }
+  void may(std::string_view key, const auto&) { shape.add(scenes::may(key)); }
 };
-static_assert(effect_shapes.size() == std::variant_size_v<Effect>);
+}  // namespace detail
+
+/// Of every effect, in the order of the list.
+inline const std::vector<Shape>& effect_shapes() {
+  static const std::vector<Shape> all = [] {
+    std::vector<Shape> shapes;
+    for (std::size_t k = 0; k < std::variant_size_v<Effect>; ++k) {
+      const Effect effect = default_effect(k);
+      Shape& shape = shapes.emplace_back(std::visit([](const auto& one) { return one.type; }, effect),
+                                         std::initializer_list<Key>{need("type"), may("name")});
+      visit_keys(detail::KeyList{shape}, effect);
+    }
+    return shapes;
+  }();
+  return all;
+}
 static_assert(function_shapes.size() + 1 == std::variant_size_v<TimeFunction::Kind>);
 
 inline constexpr std::array<std::string_view, 2> frame_names{"global", "body"};  ///< in the order of Frame

@@ -128,56 +128,30 @@ void read_value(const Json& json, const Path& at, Constraint& out, const Names& 
   object.read("angle", out.angle);
 }
 
-Frame read_frame(const ObjectReader& object, const Path& at) {
-  const Json* frame = object.find("frame");
-  if (!frame) return Frame::global;
-  return static_cast<Frame>(
-      read_choice(*frame, at / "frame", "frame", {frame_names.begin(), frame_names.end()}));
-}
+/// Reads what an effect shows.
+struct EffectReader {
+  const ObjectReader& object;
+  const Path& at;
+  const Names &bodies, &joints;
+
+  void body(std::string_view key, int& index) const { index = bodies.find(*object.find(key), at / key); }
+  void joint(std::string_view key, int& index) const { index = joints.find(*object.find(key), at / key); }
+  void need(std::string_view key, auto& value) const { object.read(key, value); }
+  void need(std::string_view key, Side& side) const {
+    side = read_side(*object.find(key), at / key, point_side, bodies);
+  }
+  void may(std::string_view key, auto& value) const { object.read(key, value); }
+  void may(std::string_view key, Frame& frame) const {
+    if (const Json* json = object.find(key))
+      frame = static_cast<Frame>(read_choice(*json, at / key, key, {frame_names.begin(), frame_names.end()}));
+  }
+};
 
 void read_value(const Json& json, const Path& at, Effect& out, const Names& bodies, const Names& joints) {
-  const std::size_t type = read_tag(json, at, "type", "effect type", names_of(effect_shapes));
-  const ObjectReader object(json, at, effect_shapes[type]);
-  switch (type) {
-    case 0: {
-      Gravity& gravity = out.emplace<Gravity>();
-      object.read("acceleration", gravity.acceleration);
-      break;
-    }
-    case 1: {
-      Force& force = out.emplace<Force>();
-      force.body = bodies.find(*object.find("body"), at / "body");
-      object.read("point", force.point);
-      object.read("force", force.force);
-      force.frame = read_frame(object, at);
-      break;
-    }
-    case 2: {
-      Torque& torque = out.emplace<Torque>();
-      torque.body = bodies.find(*object.find("body"), at / "body");
-      object.read("torque", torque.torque);
-      torque.frame = read_frame(object, at);
-      break;
-    }
-    case 3: {
-      SpringDamper& spring = out.emplace<SpringDamper>();
-      spring.i = read_side(*object.find("i"), at / "i", point_side, bodies);
-      spring.j = read_side(*object.find("j"), at / "j", point_side, bodies);
-      object.read("stiffness", spring.stiffness);
-      object.read("damping", spring.damping);
-      object.read("free_length", spring.free_length);
-      object.read("actuator", spring.actuator);
-      break;
-    }
-    default: {
-      TorsionalSpringDamper& spring = out.emplace<TorsionalSpringDamper>();
-      spring.joint = joints.find(*object.find("joint"), at / "joint");
-      object.read("stiffness", spring.stiffness);
-      object.read("damping", spring.damping);
-      object.read("free_angle", spring.free_angle);
-      object.read("actuator", spring.actuator);
-    }
-  }
+  const std::size_t type = read_tag(json, at, "type", "effect type", names_of(effect_shapes()));
+  const ObjectReader object(json, at, effect_shapes()[type]);
+  out = default_effect(type);
+  visit_keys(EffectReader{object, at, bodies, joints}, out);
   std::visit([&](auto& effect) { object.read("name", effect.name); }, out);
   if (const Json* name = object.find("name"); name && name->text()->empty())
     fail(at / "name", "an empty name", "a name, or no key \"name\"");

@@ -106,40 +106,28 @@ Json to_json(const Constraint& constraint, const Scene& scene) {
   return object.add("distance", constraint.distance).add("angle", constraint.angle).done();
 }
 
-class EffectWriter {
- public:
-  EffectWriter(const Scene& scene, const Shape& shape) : scene_(scene), object_(shape) {
-    object_.set("type", shape.name());
-  }
+/// Writes what an effect shows.
+struct EffectWriter {
+  const Scene& scene;
+  ObjectWriter& object;
 
-  Json operator()(const Gravity& effect) {
-    return object_.add("name", effect.name).add("acceleration", effect.acceleration).done();
+  void body(std::string_view key, int index) { object.set(key, scene.body_name(index)); }
+  void joint(std::string_view key, int index) {
+    object.set(key, scene.constraints[static_cast<std::size_t>(index)].name);
   }
-  Json operator()(const Force& effect) {
-    object_.add("name", effect.name).add("body", scene_.body_name(effect.body)).add("point", effect.point);
-    return object_.set("force", to_json(effect.force)).add("frame", effect.frame).done();
-  }
-  Json operator()(const Torque& effect) {
-    object_.add("name", effect.name).add("body", scene_.body_name(effect.body));
-    return object_.set("torque", to_json(effect.torque)).add("frame", effect.frame).done();
-  }
-  Json operator()(const SpringDamper& effect) {
-    object_.add("name", effect.name).set("i", to_json(effect.i, point_side, scene_));
-    object_.set("j", to_json(effect.j, point_side, scene_)).add("stiffness", effect.stiffness);
-    object_.add("damping", effect.damping).add("free_length", effect.free_length);
-    return object_.add("actuator", effect.actuator).done();
-  }
-  Json operator()(const TorsionalSpringDamper& effect) {
-    object_.add("name", effect.name)
-        .set("joint", scene_.constraints[static_cast<std::size_t>(effect.joint)].name);
-    object_.add("stiffness", effect.stiffness).add("damping", effect.damping);
-    return object_.add("free_angle", effect.free_angle).add("actuator", effect.actuator).done();
-  }
-
- private:
-  const Scene& scene_;
-  ObjectWriter object_;
+  void need(std::string_view key, const auto& value) { object.set(key, to_json(value)); }
+  void need(std::string_view key, const Side& side) { object.set(key, to_json(side, point_side, scene)); }
+  void may(std::string_view key, const auto& value) { object.add(key, value); }
 };
+
+Json to_json(const Effect& effect, const Scene& scene) {
+  const Shape& shape = effect_shapes()[effect.index()];
+  ObjectWriter object(shape);
+  object.set("type", shape.name());
+  std::visit([&](const auto& one) { object.add("name", one.name); }, effect);
+  visit_keys(EffectWriter{scene, object}, effect);
+  return object.done();
+}
 
 Json to_json(const Scene& scene) {
   ObjectWriter object(scene_shape);
@@ -148,8 +136,7 @@ Json to_json(const Scene& scene) {
   Json::Array bodies, constraints, effects;
   for (const Body& body : scene.bodies) bodies.push_back(to_json(body));
   for (const Constraint& constraint : scene.constraints) constraints.push_back(to_json(constraint, scene));
-  for (const Effect& effect : scene.effects)
-    effects.push_back(std::visit(EffectWriter(scene, effect_shapes[effect.index()]), effect));
+  for (const Effect& effect : scene.effects) effects.push_back(to_json(effect, scene));
   object.set("bodies", std::move(bodies));
   if (!constraints.empty()) object.set("constraints", std::move(constraints));
   if (!effects.empty()) object.set("effects", std::move(effects));

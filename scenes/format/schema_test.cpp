@@ -23,7 +23,7 @@ std::vector<Shape> shapes() {
                          vector_point_side, point_side,        axis_side,        frame_side};
   all.insert(all.end(), function_shapes.begin(), function_shapes.end());
   for (const ConstraintShape& constraint : constraint_shapes) all.push_back(constraint.shape);
-  all.insert(all.end(), effect_shapes.begin(), effect_shapes.end());
+  all.insert(all.end(), effect_shapes().begin(), effect_shapes().end());
   return all;
 }
 
@@ -70,7 +70,7 @@ TEST(Schema, HasTheTypesOfTheReader) {
   std::set<std::string> functions{"number"}, constraints, effects;
   for (const Shape& shape : function_shapes) functions.emplace(shape.name());
   for (const ConstraintShape& constraint : constraint_shapes) constraints.emplace(constraint.shape.name());
-  for (const Shape& shape : effect_shapes) effects.emplace(shape.name());
+  for (const Shape& shape : effect_shapes()) effects.emplace(shape.name());
   EXPECT_EQ(references(definitions["function"]["oneOf"]), functions);
   EXPECT_EQ(references(definitions["constraint"]["oneOf"]), constraints);
   EXPECT_EQ(references(definitions["effect"]["oneOf"]), effects);

@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
+#include <utility>
+#include <variant>
 
 #include "scenes/format/scene_keys.hpp"
 
@@ -153,36 +157,42 @@ Constraint arbitrary_constraint(Random& random, int index, int bodies) {
   return constraint;
 }
 
-Effect arbitrary_effect(Random& random, int index, const Scene& scene) {
-  const std::string name = random.flip() ? fmt::format("e{}", index) : "";
-  const int body = random.below(static_cast<int>(scene.bodies.size()));
-  const Frame frame = random.flip() ? Frame::global : Frame::body;
-  const auto functions = [&] {
-    return std::array<TimeFunction, 3>{arbitrary_function(random), random.number(), random.number()};
-  };
-  switch (random.below(5)) {
-    case 0:
-      return Force{name, body, random.vector(), functions(), frame};
-    case 1:
-      return Torque{name, body, functions(), frame};
-    case 2: {
-      const Side i = arbitrary_side(random, body, point_side), j = arbitrary_side(random, ground, point_side);
-      return SpringDamper{
-          name, i, j, random.number(), random.number(), random.number(), arbitrary_function(random)};
-    }
-    case 3:
-      for (std::size_t k = 0; k < scene.constraints.size(); ++k)
-        if (has_an_angle(scene.constraints[k].type))
-          return TorsionalSpringDamper{name,
-                                       static_cast<int>(k),
-                                       random.number(),
-                                       random.number(),
-                                       random.number(),
-                                       arbitrary_function(random)};
-      [[fallthrough]];
-    default:
-      return Gravity{name, random.vector()};
+/// Draws what an effect shows.
+struct ArbitraryEffect {
+  Random& random;
+  const Scene& scene;
+  bool is_first = true;  ///< of two sides
+
+  void body(std::string_view, int& index) { index = random.below(static_cast<int>(scene.bodies.size())); }
+  void joint(std::string_view, int& index) {
+    for (std::size_t k = 0; k < scene.constraints.size(); ++k)
+      if (has_an_angle(scene.constraints[k].type)) index = static_cast<int>(k);
   }
+  void need(std::string_view, auto& value) { draw(value); }
+  void may(std::string_view, auto& value) { draw(value); }
+
+ private:
+  void draw(double& value) { value = random.number(); }
+  void draw(Vector3& value) { value = random.vector(); }
+  void draw(Frame& value) { value = random.flip() ? Frame::global : Frame::body; }
+  void draw(TimeFunction& value) { value = arbitrary_function(random); }
+  void draw(std::array<TimeFunction, 3>& value) {
+    value = {arbitrary_function(random), random.number(), random.number()};
+  }
+  void draw(Side& value) {
+    const int body = random.below(static_cast<int>(scene.bodies.size()));
+    value = arbitrary_side(random, std::exchange(is_first, false) ? body : ground, point_side);
+  }
+};
+
+Effect arbitrary_effect(Random& random, int index, const Scene& scene) {
+  const bool has_angle = std::any_of(scene.constraints.begin(), scene.constraints.end(),
+                                     [](const Constraint& c) { return has_an_angle(c.type); });
+  Effect effect = default_effect(random.below(static_cast<int>(std::variant_size_v<Effect>)));
+  if (std::holds_alternative<TorsionalSpringDamper>(effect) && !has_angle) effect = Gravity{};
+  if (random.flip()) std::visit([&](auto& one) { one.name = fmt::format("e{}", index); }, effect);
+  visit_keys(ArbitraryEffect{random, scene}, effect);
+  return effect;
 }
 
 }  // namespace

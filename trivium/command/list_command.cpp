@@ -28,7 +28,7 @@ std::vector<std::string> constraint_types() {
 
 std::vector<std::string> effect_types() {
   std::vector<std::string> names;
-  for (const scenes::Shape& known : scenes::effect_shapes) names.emplace_back(known.name());
+  for (const scenes::Shape& known : scenes::effect_shapes()) names.emplace_back(known.name());
   return names;
 }
 

@@ -1,0 +1,22 @@
+#pragma once
+/// What constraints and effects of a scene file have in common: a vector as a file states it, the number of a
+/// body, and one side of what stands between two bodies.
+
+#include <array>
+#include <optional>
+
+namespace trivium::scenes {
+
+using Vector3 = std::array<double, 3>;
+
+/// The index of the implicit body `ground`; other bodies count from 0 in file order.
+inline constexpr int ground = -1;
+
+/// One side of a constraint; which of the vectors a type takes is the scene format's table.
+struct Side {
+  int body = ground;
+  std::optional<Vector3> point, vector, axis, x;  ///< body frame
+  bool operator==(const Side&) const = default;
+};
+
+}  // namespace trivium::scenes
