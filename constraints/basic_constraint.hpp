@@ -1,154 +1,78 @@
 #pragma once
-/// The four basic constraints as data (Haug 1989, section 9.4):
+/// The basic constraints (Haug 1989, section 9.4), each in a file of its own, and the one list of them:
 ///
 ///   DP1  a_i . a_j - f(t)      DP2  a_i . d_ij - f(t)      D  d_ij . d_ij - f(t)      CD  c . d_ij - f(t)
 ///
-/// and DP1 with a vector that turns by itself in body i (rotation drivers). Their equations are in
-/// constraint_row.hpp. The scale of a row, by which tolerances of length and of angle apply to all five, is
-/// decided here.
+/// and DP1 with a vector that turns by itself in body i (rotation drivers). Each is a dot product of two
+/// features, less a function of time; its equations follow in constraint_row.hpp, in every formulation. To
+/// add one, write its file and enter it here; outside the library, add it by `With`.
 
-#include <cmath>
+#include <concepts>
+#include <type_traits>
 #include <variant>
 
-#include "bodies/numbers/time_function.hpp"
-#include "bodies/numbers/vectors.hpp"
+#include "constraints/cd.hpp"
+#include "constraints/d.hpp"
+#include "constraints/dp1.hpp"
+#include "constraints/dp2.hpp"
+#include "constraints/turning_dp1.hpp"
 
 namespace trivium {
 
-/// The bodies of a row: indices into the mechanism's bodies, the last of which is the ground.
-struct BodyPair {
-  int i = 0, j = 0;
-
-  /// use(part...) for every part of one pair or of several side by side.
-  template <class Use, class... Part>
-  static void show_parts(const Use& use, Part&... p) {
-    use(p.i...);
-    use(p.j...);
-  }
+/// What a basic constraint has: its bodies (BodyPair), `show_parts`, and
+///
+///   name           what tests and messages call it
+///   is_of_angle    whether Phi, over its scale, is an angle [rad]; a length [m] where it is not
+///   scale          at t: how much Phi, where it holds, changes per metre of its points or radian of its
+///                  vectors
+///   function       f(t), or what else moves the row by itself
+///   with_features  from (on_i, on_j, t, use): use(x, y, f) of its two features and f, with Phi = x . y - f
+///
+/// It may have `vanishes`, from (on_i, on_j, share): whether it does less here than that share of what its
+/// vectors could.
+template <class C, class Scalar>
+concept DotProductConstraint = std::derived_from<C, BodyPair> && requires(const C& c, const Scalar& t) {
+  { C::name } -> std::convertible_to<const char*>;
+  { C::is_of_angle } -> std::convertible_to<bool>;
+  { c.scale(t) } -> std::convertible_to<Scalar>;
+  { c.function() } -> std::convertible_to<const TimeFunction&>;
 };
 
-template <class Scalar>
-struct DP1 : BodyPair {
-  Vector3<Scalar> a_bar_i, a_bar_j;
-  TimeFunction f;
+/// A list of basic constraints, over any Scalar.
+template <template <class> class... C>
+struct BasicConstraints {
+  static_assert((DotProductConstraint<C<double>, double> && ...));
 
-  /// use(part...) for every part of one row or of several side by side.
-  template <class Use, class... Part>
-  static void show_parts(const Use& use, Part&... p) {
-    BodyPair::show_parts(use, p...);
-    use(p.a_bar_i...);
-    use(p.a_bar_j...);
-    use(p.f...);
-  }
+  template <class Scalar>
+  using In = std::variant<C<Scalar>...>;
+  template <template <class> class... More>
+  using With = BasicConstraints<C..., More...>;
 };
 
-/// DP1 whose first vector is w_i(t) = -sin alpha(t) u_i + cos alpha(t) v_i, f = 0.
-template <class Scalar>
-struct TurningDP1 : BodyPair {
-  Vector3<Scalar> u_bar_i, v_bar_i, a_bar_j;
-  TimeFunction alpha;
+/// The list of the library.
+using StandardConstraints = BasicConstraints<DP1, TurningDP1, DP2, D, CD>;
 
-  /// use(part...) for every part of one row or of several side by side.
-  template <class Use, class... Part>
-  static void show_parts(const Use& use, Part&... p) {
-    BodyPair::show_parts(use, p...);
-    use(p.u_bar_i...);
-    use(p.v_bar_i...);
-    use(p.a_bar_j...);
-    use(p.alpha...);
-  }
-};
+template <class Scalar, class List = StandardConstraints>
+using BasicConstraint = typename List::template In<Scalar>;
 
-template <class Scalar>
-struct DP2 : BodyPair {
-  Vector3<Scalar> a_bar_i, s_bar_i, s_bar_j;
-  TimeFunction f;
-
-  /// use(part...) for every part of one row or of several side by side.
-  template <class Use, class... Part>
-  static void show_parts(const Use& use, Part&... p) {
-    BodyPair::show_parts(use, p...);
-    use(p.a_bar_i...);
-    use(p.s_bar_i...);
-    use(p.s_bar_j...);
-    use(p.f...);
-  }
-};
-
-template <class Scalar>
-struct D : BodyPair {
-  Vector3<Scalar> s_bar_i, s_bar_j;
-  TimeFunction f;
-
-  /// use(part...) for every part of one row or of several side by side.
-  template <class Use, class... Part>
-  static void show_parts(const Use& use, Part&... p) {
-    BodyPair::show_parts(use, p...);
-    use(p.s_bar_i...);
-    use(p.s_bar_j...);
-    use(p.f...);
-  }
-};
-
-template <class Scalar>
-struct CD : BodyPair {
-  Vector3<Scalar> c, s_bar_i, s_bar_j;
-  TimeFunction f;
-
-  /// use(part...) for every part of one row or of several side by side.
-  template <class Use, class... Part>
-  static void show_parts(const Use& use, Part&... p) {
-    BodyPair::show_parts(use, p...);
-    use(p.c...);
-    use(p.s_bar_i...);
-    use(p.s_bar_j...);
-    use(p.f...);
-  }
-};
-
-template <class Scalar>
-using BasicConstraint = std::variant<DP1<Scalar>, TurningDP1<Scalar>, DP2<Scalar>, D<Scalar>, CD<Scalar>>;
-
-/// f(t), or alpha(t) of a turning vector.
-template <class Scalar>
-const TimeFunction& function_of(const BasicConstraint<Scalar>& constraint) {
-  return std::visit(
-      [](const auto& c) -> const TimeFunction& {
-        if constexpr (requires { c.alpha; })
-          return c.alpha;
-        else
-          return c.f;
-      },
-      constraint);
+// of one of any list
+template <class... C>
+const TimeFunction& function_of(const std::variant<C...>& constraint) {
+  return std::visit([](const auto& c) -> const TimeFunction& { return c.function(); }, constraint);
 }
-
-template <class Scalar>
-BodyPair bodies_of(const BasicConstraint<Scalar>& constraint) {
+template <class... C>
+BodyPair bodies_of(const std::variant<C...>& constraint) {
   return std::visit([](const BodyPair& pair) { return pair; }, constraint);
 }
-
-/// How much Phi of one constraint, where it holds, changes per metre of its points or radian of its vectors:
-/// |a_i| |a_j| (DP1), |a_i| (DP2), 2 |d| (D), |c| (CD); 1 where that is zero.
-template <class Scalar>
-Scalar row_scale(const BasicConstraint<Scalar>& constraint, const Scalar& t) {
-  using std::sqrt, std::abs;
-  struct Scale {
-    const Scalar& t;
-    Scalar operator()(const DP1<Scalar>& c) const { return c.a_bar_i.norm() * c.a_bar_j.norm(); }
-    Scalar operator()(const TurningDP1<Scalar>& c) const { return c.u_bar_i.norm() * c.a_bar_j.norm(); }
-    Scalar operator()(const DP2<Scalar>& c) const { return c.a_bar_i.norm(); }
-    Scalar operator()(const D<Scalar>& c) const { return 2 * sqrt(abs(c.f(t).f)); }
-    Scalar operator()(const CD<Scalar>& c) const { return c.c.norm(); }
-  };
-  const Scalar scale = std::visit(Scale{t}, constraint);
+/// 1 where the constraint's own is zero.
+template <class Scalar, class... C>
+Scalar row_scale(const std::variant<C...>& constraint, const Scalar& t) {
+  const Scalar scale = std::visit([&](const auto& c) { return Scalar(c.scale(t)); }, constraint);
   return scale > Scalar(0) ? scale : Scalar(1);
 }
-
-/// Whether Phi, over its scale, is an angle [rad]; a length [m] where it is not.
-template <class Scalar>
-bool is_of_angle(const BasicConstraint<Scalar>& constraint) {
-  return std::holds_alternative<DP1<Scalar>>(constraint) ||
-         std::holds_alternative<TurningDP1<Scalar>>(constraint);
+template <class... C>
+bool is_of_angle(const std::variant<C...>& constraint) {
+  return std::visit([](const auto& c) { return c.is_of_angle; }, constraint);
 }
 
 }  // namespace trivium

@@ -27,46 +27,14 @@ struct ConstraintRow {
   Rotational rot_i = Rotational::Zero(), rot_j = Rotational::Zero();
 };
 
-/// Builds the two features and f of a constraint between bodies i and j at time t and hands them to `use(x,
-/// y, f)`.
-template <BodyKinematics Body, class Use>
-struct FeaturePair {
-  using Scalar = typename Body::Scalar;
-  using VectorI = BodyVectorFeature<Body, End::i>;
-  using VectorJ = BodyVectorFeature<Body, End::j>;
-  using Offset = PointOffsetFeature<Body>;
-
-  const Body& i;
-  const Body& j;
-  const Scalar& t;
-  const Use& use;
-
-  auto operator()(const DP1<Scalar>& c) const {
-    return use(VectorI(i, c.a_bar_i), VectorJ(j, c.a_bar_j), c.f(t));
-  }
-  auto operator()(const TurningDP1<Scalar>& c) const {
-    const auto [sine, cosine] = SineCosine<Scalar>(c.alpha.phase(t));
-    const MovingVectorFeature<Body, End::i> w(i, -sine.f * c.u_bar_i + cosine.f * c.v_bar_i,
-                                              -sine.f_t * c.u_bar_i + cosine.f_t * c.v_bar_i,
-                                              -sine.f_tt * c.u_bar_i + cosine.f_tt * c.v_bar_i);
-    return use(w, VectorJ(j, c.a_bar_j), Jet<Scalar>{});
-  }
-  auto operator()(const DP2<Scalar>& c) const {
-    return use(VectorI(i, c.a_bar_i), Offset(i, c.s_bar_i, j, c.s_bar_j), c.f(t));
-  }
-  auto operator()(const D<Scalar>& c) const {
-    const Offset d(i, c.s_bar_i, j, c.s_bar_j);
-    return use(d, d, c.f(t));
-  }
-  auto operator()(const CD<Scalar>& c) const {
-    return use(ConstantFeature<Scalar>{c.c}, Offset(i, c.s_bar_i, j, c.s_bar_j), c.f(t));
-  }
-};
-
-template <BodyKinematics Body, class Use>
-auto with_features(const BasicConstraint<typename Body::Scalar>& constraint, const Body& i, const Body& j,
-                   const typename Body::Scalar& t, const Use& use) {
-  return std::visit(FeaturePair<Body, Use>{i, j, t, use}, constraint);
+/// use(x, y, f) of the features and f of a basic constraint, or of one of a list, between bodies i and j.
+template <BodyKinematics Body, class Constraint, class Use>
+auto with_features(const Constraint& constraint, const Body& i, const Body& j, const typename Body::Scalar& t,
+                   const Use& use) {
+  if constexpr (requires { constraint.index(); })
+    return std::visit([&](const auto& c) { return c.with_features(i, j, t, use); }, constraint);
+  else
+    return constraint.with_features(i, j, t, use);
 }
 
 /// Phi, nu, gamma and the Jacobian blocks of x . y - f.
@@ -83,8 +51,8 @@ Row product_row(const X& x, const Y& y, const Jet<Scalar>& f) {
 }
 
 /// The row of one constraint.
-template <BodyKinematics Body>
-auto evaluate_row(const BasicConstraint<typename Body::Scalar>& constraint, const Body& i, const Body& j,
+template <class Constraint, BodyKinematics Body>
+auto evaluate_row(const Constraint& constraint, const Body& i, const Body& j,
                   const typename Body::Scalar& t) {
   using Row = ConstraintRow<typename Body::Scalar, Body::rotational_unknowns>;
   return with_features(constraint, i, j, t,
@@ -92,9 +60,9 @@ auto evaluate_row(const BasicConstraint<typename Body::Scalar>& constraint, cons
 }
 
 /// Phi of one constraint.
-template <BodyKinematics Body>
-typename Body::Scalar row_position(const BasicConstraint<typename Body::Scalar>& constraint, const Body& i,
-                                   const Body& j, const typename Body::Scalar& t) {
+template <class Constraint, BodyKinematics Body>
+typename Body::Scalar row_position(const Constraint& constraint, const Body& i, const Body& j,
+                                   const typename Body::Scalar& t) {
   using Scalar = typename Body::Scalar;
   return with_features(constraint, i, j, t, [](const auto& x, const auto& y, const Jet<Scalar>& f) {
     return Scalar(x.value().dot(y.value()) - f.f);
@@ -102,9 +70,9 @@ typename Body::Scalar row_position(const BasicConstraint<typename Body::Scalar>&
 }
 
 /// Phi' of one constraint, Phi_q q' - nu, from the features alone.
-template <BodyKinematics Body>
-typename Body::Scalar row_velocity(const BasicConstraint<typename Body::Scalar>& constraint, const Body& i,
-                                   const Body& j, const typename Body::Scalar& t) {
+template <class Constraint, BodyKinematics Body>
+typename Body::Scalar row_velocity(const Constraint& constraint, const Body& i, const Body& j,
+                                   const typename Body::Scalar& t) {
   using Scalar = typename Body::Scalar;
   return with_features(constraint, i, j, t, [](const auto& x, const auto& y, const Jet<Scalar>& f) {
     return Scalar(x.rate().dot(y.value()) + x.value().dot(y.rate()) - f.f_t);
@@ -113,10 +81,10 @@ typename Body::Scalar row_velocity(const BasicConstraint<typename Body::Scalar>&
 
 /// Phi'' of one constraint under given accelerations of its bodies, from the features alone: no Jacobian, no
 /// gamma.
-template <BodyKinematics Body, class Acceleration>
-typename Body::Scalar row_acceleration(const BasicConstraint<typename Body::Scalar>& constraint,
-                                       const Body& i, const Body& j, const typename Body::Scalar& t,
-                                       const Acceleration& on_i, const Acceleration& on_j) {
+template <class Constraint, BodyKinematics Body, class Acceleration>
+typename Body::Scalar row_acceleration(const Constraint& constraint, const Body& i, const Body& j,
+                                       const typename Body::Scalar& t, const Acceleration& on_i,
+                                       const Acceleration& on_j) {
   using Scalar = typename Body::Scalar;
   return with_features(constraint, i, j, t, [&](const auto& x, const auto& y, const Jet<Scalar>& f) {
     return Scalar(x.acceleration(on_i, on_j).dot(y.value()) + x.value().dot(y.acceleration(on_i, on_j)) +

@@ -10,6 +10,13 @@
 
 namespace trivium {
 
+/// How large a feature's value, rate, bias and gradients (by a body's place, and by turns of body i and j)
+/// could be, by magnitudes alone, nothing cancelling.
+template <class Scalar>
+struct FeatureMagnitude {
+  Scalar value{0}, rate{0}, bias{0}, r{0}, rot_i{0}, rot_j{0};
+};
+
 /// A vector fixed in the global frame.
 template <class Scalar>
 struct ConstantFeature {
@@ -25,6 +32,7 @@ struct ConstantFeature {
   Vector3<Scalar> acceleration(const Acceleration&, const Acceleration&) const {
     return Vector3<Scalar>::Zero();
   }
+  FeatureMagnitude<Scalar> magnitude() const { return {vector.norm()}; }
 };
 
 /// a = A abar on the body at one end.
@@ -49,6 +57,15 @@ struct BodyVectorFeature {
   Vector3<Scalar> acceleration(const Acceleration& on_i, const Acceleration& on_j) const {
     return vector.bias + body.jacobian(vector) * (end == End::i ? on_i : on_j).q_ddot;
   }
+  FeatureMagnitude<Scalar> magnitude() const {
+    const Scalar a = vector.a.norm(), omega = body.omega_bar.norm();
+    return {a,
+            omega * a,
+            omega * omega * a,
+            Scalar(0),
+            end == End::i ? a : Scalar(0),
+            end == End::j ? a : Scalar(0)};
+  }
 };
 
 /// a = A abar(t): a vector that also turns by itself in its body. Its rate and bias carry the explicit time
@@ -57,17 +74,25 @@ template <BodyKinematics Body, End end>
 struct MovingVectorFeature : BodyVectorFeature<Body, end> {
   using Base = BodyVectorFeature<Body, end>;
   using Scalar = typename Body::Scalar;
-  Vector3<Scalar> drift;
+  Vector3<Scalar> drift, drift_rate;  ///< a_t, and A abar_tt
 
   MovingVectorFeature(const Body& of, const Vector3<Scalar>& a_bar, const Vector3<Scalar>& a_bar_t,
                       const Vector3<Scalar>& a_bar_tt)
       : Base(of, a_bar) {
     const BodyVector<Scalar> a_t = of.vector(a_bar_t);
     drift = a_t.a;
+    drift_rate = of.A * a_bar_tt;
     this->vector.rate += drift;
-    this->vector.bias += 2 * a_t.rate + of.A * a_bar_tt;
+    this->vector.bias += 2 * a_t.rate + drift_rate;
   }
   Scalar drift_along(const Vector3<Scalar>& w) const { return drift.dot(w); }
+  FeatureMagnitude<Scalar> magnitude() const {
+    FeatureMagnitude<Scalar> size = Base::magnitude();
+    const Scalar moved = drift.norm();
+    size.rate += moved;
+    size.bias += 2 * this->body.omega_bar.norm() * moved + drift_rate.norm();
+    return size;
+  }
 };
 
 /// d_ij = (r_j + A_j s_j) - (r_i + A_i s_i); its rate with the velocities of the centres subtracted first, so
@@ -97,6 +122,16 @@ struct PointOffsetFeature {
   Vector3<Scalar> acceleration(const Acceleration& on_i, const Acceleration& on_j) const {
     return (s_j.bias - s_i.bias) + (on_j.r_ddot - on_i.r_ddot) +
            (j.jacobian(s_j) * on_j.q_ddot - i.jacobian(s_i) * on_i.q_ddot);
+  }
+  FeatureMagnitude<Scalar> magnitude() const {
+    const Scalar on_i = s_i.a.norm(), on_j = s_j.a.norm();
+    const Scalar omega_i = i.omega_bar.norm(), omega_j = j.omega_bar.norm();
+    return {value().norm(),
+            (j.r_dot - i.r_dot).norm() + omega_i * on_i + omega_j * on_j,
+            omega_i * omega_i * on_i + omega_j * omega_j * on_j,
+            Scalar(1),
+            on_i,
+            on_j};
   }
 };
 

@@ -21,7 +21,9 @@ struct EffectView {
 /// has none, and `nonconservative_power` what of the power is not taken from there; it is conservative if
 /// that is always zero. One that counts turns has `follow`, called at every state that a motion has reached
 /// and `longest_step` [s] after which it would lose count, one with functions of time `append_kinks`, and a
-/// spring the `gradient` of what it measures, with its stiffness and damping.
+/// spring the `gradient` of what it measures, with its stiffness and damping. One whose wrenches are sums of
+/// parts that may cancel has `add_load_bounds`, which adds these by magnitude. One that looks at no motion
+/// says `sees_motion = false`.
 template <class E, class Scalar>
 concept Effect = requires(const E& effect, const EffectView<Scalar>& view,
                           std::span<Wrench<Scalar>> wrenches) {

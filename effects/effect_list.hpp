@@ -37,14 +37,20 @@ class Effects {
   auto& lists() { return lists_; }
   const auto& lists() const { return lists_; }
 
-  /// Whether any effect looks at how bodies move; gravity alone does not.
+  /// Whether any effect looks at how bodies move.
   bool see_motion() const {
-    bool seen = false;
-    for_each([&](const auto& effect) {
-      using E = std::decay_t<decltype(effect)>;
-      if constexpr (!std::is_same_v<E, Gravity<Scalar>>) seen = true;
+    return any([](const auto& effect) {
+      if constexpr (requires { effect.sees_motion; })
+        return effect.sees_motion;
+      else
+        return true;
     });
-    return seen;
+  }
+  /// Whether any effect can lose count of turns in a long step.
+  bool limit_steps() const {
+    return any([](const auto& effect) {
+      return requires(const EffectView<Scalar>& view) { effect.longest_step(view); };
+    });
   }
 
   /// Adds every effect's wrenches; one wrench per motion, the ground's last.
@@ -65,9 +71,7 @@ class Effects {
   }
   /// Whether all give back what they store.
   bool are_conservative() const {
-    bool all = true;
-    for_each([&](const auto& effect) { all = all && effect.is_conservative(); });
-    return all;
+    return !any([](const auto& effect) { return !effect.is_conservative(); });
   }
   /// What of all power is not taken from stored energy.
   Scalar nonconservative_power(const EffectView<Scalar>& view) const {
@@ -105,7 +109,21 @@ class Effects {
     });
   }
 
+  /// Calls add(body, |F|, |n_bar|) for the parts of every wrench that may cancel, by magnitude.
+  template <class Add>
+  void add_load_bounds(const EffectView<Scalar>& view, const Add& add) const {
+    for_each([&](const auto& effect) {
+      if constexpr (requires { effect.add_load_bounds(view, add); }) effect.add_load_bounds(view, add);
+    });
+  }
+
  private:
+  template <class Is>
+  bool any(const Is& is) const {
+    bool found = false;
+    for_each([&](const auto& effect) { found = found || is(effect); });
+    return found;
+  }
   template <class List>
   static void follow_list(List& list, const EffectView<Scalar>& view) {
     if constexpr (requires { list.front().follow(view); })

@@ -8,6 +8,8 @@ namespace trivium {
 
 template <class Scalar>
 struct Gravity {
+  static constexpr bool sees_motion = false;
+
   Vector3<Scalar> g;  ///< [m/s^2, global]
 
   /// use(part...) for every part of one effect or of several side by side.

@@ -68,6 +68,22 @@ struct SpringDamper {
     return on;
   }
 
+  /// The parts of its tension, each pulling for itself: add(body, |F|, |n_bar|).
+  template <class Add>
+  void add_load_bounds(const EffectView<Scalar>& view, const Add& add) const {
+    using std::abs;
+    const Line line = measure(view);
+    if (line.length == Scalar(0)) return;  // no direction, and no force
+    const Scalar pull = stiffness * (line.length + abs(free_length)) + abs(damping * line.length_rate) +
+                        abs(actuator(view.t).f);
+    const auto load = [&](int body, const Vector3<Scalar>& s_bar) {
+      const Vector3<Scalar> arm = s_bar.cross(view.motion[body].A.transpose() * line.direction);
+      add(body, Vector3<Scalar>(pull * line.direction.cwiseAbs()), Vector3<Scalar>(pull * arm.cwiseAbs()));
+    };
+    load(i, s_bar_i);
+    load(j, s_bar_j);
+  }
+
  private:
   struct Line {
     Scalar length, length_rate;

@@ -3,6 +3,10 @@
 /// tests.
 
 #include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 #include "bodies/testing/random.hpp"
 #include "bodies/testing/taylor.hpp"
@@ -22,33 +26,49 @@ struct MovingBody {
   Motion velocity, acceleration;
 };
 
-inline constexpr int basic_kinds = 5;
+inline constexpr int basic_kinds = std::variant_size_v<BasicConstraint<double>>;
 inline const char* basic_kind_name(int kind) {
-  constexpr std::array<const char*, basic_kinds> names{"DP1", "TurningDP1", "DP2", "D", "CD"};
-  return names[kind];
+  const char* name = nullptr;
+  [&]<std::size_t... k>(std::index_sequence<k...>) {
+    ((kind == static_cast<int>(k) &&
+      (name = std::variant_alternative_t<k, BasicConstraint<double>>::name) != nullptr) ||
+     ...);
+  }
+  (std::make_index_sequence<basic_kinds>{});
+  return name;
+}
+
+inline TimeFunction sample_function(Random& random) {
+  // draws in statements of their own: arguments are evaluated in any order
+  std::array<double, 7> x;
+  for (double& drawn : x) drawn = random.uniform();
+  return TimeFunction::Sum{{TimeFunction::Harmonic{x[0], x[1], 1.5 + x[2] / 2, x[3]},
+                            TimeFunction::Polynomial{{x[4], x[5], x[6]}}}};
 }
 
 /// A basic constraint with every number drawn, f(t) and alpha(t) among them; the same one in every Scalar.
 template <class S>
 BasicConstraint<S> sample_constraint(int kind, std::uint64_t seed) {
   Random random(seed);
-  const Vector3<S> a = random.vector<S, 3>(), b = random.vector<S, 3>(), c = random.vector<S, 3>();
-  const TimeFunction f = TimeFunction::Sum{
-      {TimeFunction::Harmonic{random.uniform(), random.uniform(), random.uniform(1, 2), random.uniform()},
-       TimeFunction::Polynomial{{random.uniform(), random.uniform(), random.uniform()}}}};
-  const BodyPair bodies{0, 1};
-  switch (kind) {
-    case 0:
-      return DP1<S>{bodies, a, b, f};
-    case 1:
-      return TurningDP1<S>{bodies, a, b, c, f};
-    case 2:
-      return DP2<S>{bodies, a, b, c, f};
-    case 3:
-      return D<S>{bodies, a, b, f};
-    default:
-      return CD<S>{bodies, a, b, c, f};
+  BasicConstraint<S> sample;
+  [&]<std::size_t... k>(std::index_sequence<k...>) {
+    ((kind == static_cast<int>(k) && (sample.template emplace<k>(), true)) || ...);
   }
+  (std::make_index_sequence<basic_kinds>{});
+  const auto draw = [&]<class Part>(Part& part) {
+    if constexpr (std::is_same_v<Part, Vector3<S>>)
+      part = random.vector<S, 3>();
+    else if constexpr (std::is_same_v<Part, TimeFunction>)
+      part = sample_function(random);
+  };
+  std::visit(
+      [&](auto& row) {
+        row.show_parts(draw, row);
+        row.i = 0;
+        row.j = 1;
+      },
+      sample);
+  return sample;
 }
 
 /// Phi_q q' of a row for given derivatives of its bodies' unknowns.

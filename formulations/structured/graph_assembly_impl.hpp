@@ -69,7 +69,9 @@ template <Formulation F>
 void GraphAssembly<F>::positions(const S& t, GraphVector<S>& phi) const {
   for (const LinkJoint& link : links_) link.joint.positions(body_, t, phi.edge[link.edge]);
   for (const ClosingJoint& closing : closings_) closing.joint.positions(body_, t, phi.edge[closing.edge]);
-  for (const int e : others_) rows_of(e, row_position<Body>, t, phi);
+  for (const int e : others_)
+    rows_of(
+        e, [](const auto&... of) { return row_position(of...); }, t, phi);
 }
 
 template <Formulation F>
@@ -78,7 +80,9 @@ void GraphAssembly<F>::velocities(const S& t, GraphVector<S>& phi_dot) const {
     link.joint.velocities(angular_motion_, body_, t, phi_dot.edge[link.edge]);
   for (const ClosingJoint& closing : closings_)
     closing.joint.velocities(angular_motion_, body_, t, phi_dot.edge[closing.edge]);
-  for (const int e : others_) rows_of(e, row_velocity<Body>, t, phi_dot);
+  for (const int e : others_)
+    rows_of(
+        e, [](const auto&... of) { return row_velocity(of...); }, t, phi_dot);
 }
 
 template <Formulation F>
@@ -87,10 +91,12 @@ void GraphAssembly<F>::find_vanishing_rows(const S& share, const Mark& mark) con
   for (const int e : others_) {
     const GraphEdge& edge = plan_.graph.edges[e];
     for (int k = 0; k < edge.size(); ++k)
-      if (const auto* row = std::get_if<DP1<S>>(&mechanism_.rows[edge.rows[k]])) {
-        const Vector3<S> a = body_[row->i].A * row->a_bar_i, b = body_[row->j].A * row->a_bar_j;
-        if (a.cross(b).squaredNorm() < share * share * a.squaredNorm() * b.squaredNorm()) mark(e, k);
-      }
+      std::visit(
+          [&](const auto& row) {
+            if constexpr (requires { row.vanishes(body_[row.i], body_[row.j], share); })
+              if (row.vanishes(body_[row.i], body_[row.j], share)) mark(e, k);
+          },
+          mechanism_.rows[edge.rows[k]]);
   }
 }
 

@@ -70,7 +70,7 @@ class PointJoint {
     phi.template head<3>() = offset_between<S>(i.r, i.A * on_i_.a_bar[0], j.r, j.A * on_j_.a_bar[0]);
     for (int k = 0; k < size_; ++k)
       if (rows_[k].i < 0)
-        phi[3 + k] = of_row(row_position<Body>, body, t, k);
+        phi[3 + k] = of_row([](const auto&... of) { return row_position(of...); }, body, t, k);
       else
         phi[3 + k] = (i.A * on_i_.a_bar[rows_[k].i]).dot(j.A * on_j_.a_bar[rows_[k].j]);
   }
@@ -85,7 +85,7 @@ class PointJoint {
         (body[bodies_.j].r_dot - body[bodies_.i].r_dot) + unpadded<S>(moving_j.rate[0] - moving_i.rate[0]);
     for (int k = 0; k < size_; ++k)
       if (rows_[k].i < 0)
-        phi_dot[3 + k] = of_row(row_velocity<Body>, body, t, k);
+        phi_dot[3 + k] = of_row([](const auto&... of) { return row_velocity(of...); }, body, t, k);
       else
         phi_dot[3 + k] = moving_i.rate[rows_[k].i].dot(moving_j.a[rows_[k].j]) +
                          moving_i.a[rows_[k].i].dot(moving_j.rate[rows_[k].j]);

@@ -54,7 +54,7 @@ class FirstOrderEquations {
         branches_(mechanism_.nb()),
         lambda_(mechanism_.nc()) {
     if (options.baumgarte) solver_.stabilise(*options.baumgarte);
-    counts_turns_ = !mechanism_.effects.template all<TorsionalSpringDamper<S>>().empty();
+    limits_steps_ = mechanism_.effects.limit_steps();
     start_ = StateVector::Zero(size());
     for (int b = 0; b < nb(); ++b) {
       layout_.place(start_, b) << state_[b].r, F::orientation_of(state_[b].chart, start.pose[b].p);
@@ -115,7 +115,7 @@ class FirstOrderEquations {
   }
   /// The longest step [s] from here, after which turns are still counted.
   S longest_step(const S& t, const StateVector& y) {
-    if (!counts_turns_) return std::numeric_limits<S>::max();
+    if (!limits_steps_) return std::numeric_limits<S>::max();
     load(y);
     projection_.move(state_, t);
     take_motion();
@@ -260,7 +260,7 @@ class FirstOrderEquations {
   BranchCheck<F> branches_;
   MotionLog<S> log_;
   VectorX<S> lambda_;
-  bool counts_turns_ = false;
+  bool limits_steps_ = false;
   StateVector start_;
   /// A relative correction of accelerations by refinement up to which solutions between accepted states are
   /// not refined: it leaves errors far below those of a step.

@@ -1,0 +1,35 @@
+#pragma once
+/// CD: c . d_ij - f(t), a coordinate of the offset between a point on each body along a vector that is fixed
+/// in the global frame (Haug 1989, section 9.4).
+
+#include "constraints/basic_constraint_parts.hpp"
+
+namespace trivium {
+
+template <class Scalar>
+struct CD : BodyPair {
+  static constexpr const char* name = "CD";
+  static constexpr bool is_of_angle = false;
+
+  Vector3<Scalar> c, s_bar_i, s_bar_j;
+  TimeFunction f;
+
+  /// use(part...) for every part of one row or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    BodyPair::show_parts(use, p...);
+    use(p.c...);
+    use(p.s_bar_i...);
+    use(p.s_bar_j...);
+    use(p.f...);
+  }
+  const TimeFunction& function() const { return f; }
+  /// |c|
+  Scalar scale(const Scalar&) const { return c.norm(); }
+  template <BodyKinematics Body, class Use>
+  auto with_features(const Body& on_i, const Body& on_j, const Scalar& t, const Use& use) const {
+    return use(ConstantFeature<Scalar>{c}, PointOffsetFeature<Body>(on_i, s_bar_i, on_j, s_bar_j), f(t));
+  }
+};
+
+}  // namespace trivium

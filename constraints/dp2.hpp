@@ -1,0 +1,36 @@
+#pragma once
+/// DP2: a_i . d_ij - f(t), the distance of a point on j from a point on i along a vector on i (Haug 1989,
+/// section 9.4).
+
+#include "constraints/basic_constraint_parts.hpp"
+
+namespace trivium {
+
+template <class Scalar>
+struct DP2 : BodyPair {
+  static constexpr const char* name = "DP2";
+  static constexpr bool is_of_angle = false;
+
+  Vector3<Scalar> a_bar_i, s_bar_i, s_bar_j;
+  TimeFunction f;
+
+  /// use(part...) for every part of one row or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    BodyPair::show_parts(use, p...);
+    use(p.a_bar_i...);
+    use(p.s_bar_i...);
+    use(p.s_bar_j...);
+    use(p.f...);
+  }
+  const TimeFunction& function() const { return f; }
+  /// |a_i|
+  Scalar scale(const Scalar&) const { return a_bar_i.norm(); }
+  template <BodyKinematics Body, class Use>
+  auto with_features(const Body& on_i, const Body& on_j, const Scalar& t, const Use& use) const {
+    return use(BodyVectorFeature<Body, End::i>(on_i, a_bar_i),
+               PointOffsetFeature<Body>(on_i, s_bar_i, on_j, s_bar_j), f(t));
+  }
+};
+
+}  // namespace trivium

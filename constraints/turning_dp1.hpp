@@ -1,0 +1,39 @@
+#pragma once
+/// DP1 whose first vector turns by itself in body i, w_i(t) = -sin alpha(t) u_i + cos alpha(t) v_i, with f =
+/// 0: the row of a rotation driver.
+
+#include "constraints/basic_constraint_parts.hpp"
+
+namespace trivium {
+
+template <class Scalar>
+struct TurningDP1 : BodyPair {
+  static constexpr const char* name = "TurningDP1";
+  static constexpr bool is_of_angle = true;
+
+  Vector3<Scalar> u_bar_i, v_bar_i, a_bar_j;
+  TimeFunction alpha;
+
+  /// use(part...) for every part of one row or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    BodyPair::show_parts(use, p...);
+    use(p.u_bar_i...);
+    use(p.v_bar_i...);
+    use(p.a_bar_j...);
+    use(p.alpha...);
+  }
+  const TimeFunction& function() const { return alpha; }
+  /// |u_i| |a_j|
+  Scalar scale(const Scalar&) const { return u_bar_i.norm() * a_bar_j.norm(); }
+  template <BodyKinematics Body, class Use>
+  auto with_features(const Body& on_i, const Body& on_j, const Scalar& t, const Use& use) const {
+    const auto [sine, cosine] = SineCosine<Scalar>(alpha.phase(t));
+    const MovingVectorFeature<Body, End::i> w(on_i, -sine.f * u_bar_i + cosine.f * v_bar_i,
+                                              -sine.f_t * u_bar_i + cosine.f_t * v_bar_i,
+                                              -sine.f_tt * u_bar_i + cosine.f_tt * v_bar_i);
+    return use(w, BodyVectorFeature<Body, End::j>(on_j, a_bar_j), Jet<Scalar>{});
+  }
+};
+
+}  // namespace trivium
