@@ -19,6 +19,9 @@ add_test(NAME package.serves_a_consumer
          COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DBUILD_DIR=${CMAKE_BINARY_DIR}
                  -DWORK_DIR=${CMAKE_BINARY_DIR}/consumer -DCXX=${CMAKE_CXX_COMPILER} "-DROOMS=${rooms}"
                  -P ${PROJECT_SOURCE_DIR}/cmake/test_consumer.cmake)
+add_test(NAME flags.that_change_types_do_not_compile
+         COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DWORK=${CMAKE_BINARY_DIR}/compiled_with
+                 -DCXX=${CMAKE_CXX_COMPILER} -DEIGEN=${eigen_dir} -P ${PROJECT_SOURCE_DIR}/cmake/test_compiled_with.cmake)
 set_tests_properties(layers.hold layers.violations_are_found headers.say_what_they_are_for docs.name_what_exists
-                     sources.are_formatted PROPERTIES LABELS unit)
+                     sources.are_formatted flags.that_change_types_do_not_compile PROPERTIES LABELS unit)
 set_tests_properties(package.serves_a_consumer PROPERTIES LABELS validation)

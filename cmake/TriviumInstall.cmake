@@ -13,6 +13,8 @@ foreach(room IN LISTS rooms)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/trivium FILES_MATCHING
           PATTERN "*.hpp" PATTERN "testing" EXCLUDE PATTERN "catalogue" EXCLUDE PATTERN "instances" EXCLUDE)
 endforeach()
+install(FILES ${compiled_with_dir}/bodies/numbers/compiled_with.hpp
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/trivium/bodies/numbers)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes/catalogue/ DESTINATION ${CMAKE_INSTALL_DATADIR}/trivium/scenes
         FILES_MATCHING PATTERN "*.json")
 install(FILES ${PROJECT_SOURCE_DIR}/scenes/format/scene.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/trivium)

@@ -10,6 +10,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "bodies/numbers/compiled_with.hpp"
 #include "bodies/numbers/lanewise.hpp"
 
 namespace trivium {

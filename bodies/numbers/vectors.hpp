@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "bodies/numbers/compiled_with.hpp"
+
 namespace trivium {
 
 template <class Scalar, int N>

@@ -1,0 +1,42 @@
+# trivium_compiled_with(<output> <compiler> <flags> <Eigen's folder>): writes bodies/numbers/compiled_with.hpp, which is
+# installed. Code that is compiled with other flags than the library, where these change its types or what a number that is
+# none does, then does not compile; the message says which flag it is.
+#   __AVX__, __AVX512F__   Register and native_lanes     EIGEN_MAX_ALIGN_BYTES   matrices of fixed size
+#   _GLIBCXX_DEBUG         containers                    __FAST_MATH__           isfinite, and comparisons with NaN
+function(trivium_compiled_with output compiler flags eigen)
+  set(switches "__AVX__=-mavx or an -march with it" "__AVX512F__=-mavx512f or an -march with it"
+               "_GLIBCXX_DEBUG=-D_GLIBCXX_DEBUG" "__FAST_MATH__=-ffast-math")
+  # what the compiler says of them
+  set(probe "#include <Eigen/Core>\ntrivium alignment EIGEN_MAX_ALIGN_BYTES\n")
+  foreach(switch IN LISTS switches)
+    string(REGEX REPLACE "=.*" "" macro "${switch}")
+    string(APPEND probe "#ifdef ${macro}\ntrivium has \"${macro}\"\n#endif\n")
+  endforeach()
+  file(WRITE ${output}.probe.cpp "${probe}")
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  execute_process(COMMAND ${compiler} -std=c++20 ${flags} -I${eigen} -E ${output}.probe.cpp OUTPUT_VARIABLE said
+                  COMMAND_ERROR_IS_FATAL ANY)
+  file(REMOVE ${output}.probe.cpp)
+  if(NOT said MATCHES "trivium alignment ([0-9]+)")
+    message(FATAL_ERROR "the compiler does not say EIGEN_MAX_ALIGN_BYTES")
+  endif()
+  set(alignment "${CMAKE_MATCH_1}")
+
+  set(checks "")
+  foreach(switch IN LISTS switches)
+    string(REGEX REPLACE "=.*" "" macro "${switch}")
+    string(REGEX REPLACE "^[^=]*=" "" option "${switch}")
+    set(wrong "ifdef")
+    set(library "without")
+    set(here "with")
+    if(said MATCHES "trivium has \"${macro}\"")
+      set(wrong "ifndef")
+      set(library "with")
+      set(here "without")
+    endif()
+    string(APPEND checks "#${wrong} ${macro}\n#error \"trivium was compiled ${library} ${option}, this file ${here}\"\n#endif\n")
+  endforeach()
+  string(APPEND checks "static_assert(EIGEN_MAX_ALIGN_BYTES == ${alignment},\n              \"trivium was compiled with "
+                       "EIGEN_MAX_ALIGN_BYTES = ${alignment}, this file with another\");")
+  configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../bodies/numbers/compiled_with.hpp.in ${output} @ONLY)
+endfunction()
