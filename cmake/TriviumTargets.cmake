@@ -76,3 +76,14 @@ function(trivium_test name label)
   gtest_discover_tests(${name} PROPERTIES LABELS ${label} FAIL_REGULAR_EXPRESSION "Running 0 tests" DISCOVERY_TIMEOUT 60
                        TEST_PREFIX ${name}. NO_PRETTY_VALUES)
 endfunction()
+
+# trivium_skip(<why> <name>...): tests that this machine cannot run are listed as skipped, with the reason
+function(trivium_skip why)
+  if(NOT TRIVIUM_BUILD_TESTS OR TRIVIUM_SANITIZE)
+    return()
+  endif()
+  foreach(name IN LISTS ARGN)
+    add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E echo "skipped: ${why}")
+    set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped: ")
+  endforeach()
+endfunction()

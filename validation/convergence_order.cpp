@@ -48,6 +48,7 @@ std::string text(const std::vector<OrderResult>& rows) {
       std::vector<std::string> line{row.of.label, row.formulation, row.expected(0)};
       for (int k = 0; k < 4; ++k)
         line.push_back(!row.solved() || !row.has(k) ? "-"
+                       : !row.is_known(k)           ? "unknown"
                        : row.is_rounding(k)
                            ? fmt::format("rounding ({:.0e})", row.errors.back()[k])
                            : fmt::format("{:.2f} ({:.0e})", row.observed(k), row.errors[row.level(k)][k]));
@@ -77,7 +78,7 @@ std::string json(const std::vector<OrderResult>& rows, bool passed) {
         .text("method", row.of.label);
     if (row.solved())
       for (int k = 0; k < 4; ++k)
-        if (row.has(k) && !row.is_rounding(k)) out.number(quantities[k], row.observed(k));
+        if (row.has(k) && row.is_known(k) && !row.is_rounding(k)) out.number(quantities[k], row.observed(k));
     out.number("published", row.of.order).flag("passed", row.passed());
     if (!row.solved()) out.text("error", row.error);
     out.end_object();

@@ -70,8 +70,7 @@ TEST_P(Libraries, OutputsBetweenStepsAreOfTheMethodsOwnAccuracy) {
       EXPECT_EQ(motion.samples[k].state.t, exact.samples[k].state.t);
       EXPECT_LE(motion.samples[k].phi, 1e-13) << method << " " << k;
       for (std::size_t b = 0; b < 2; ++b)
-        largest =
-            std::max(largest, (motion.samples[k].state.pose[b].r - exact.samples[k].state.pose[b].r).norm());
+        raise(largest, (motion.samples[k].state.pose[b].r - exact.samples[k].state.pose[b].r).norm());
     }
     EXPECT_LE(largest, 1e-6) << method;
     EXPECT_EQ(motion.report.counters.steps, alone.report.counters.steps) << method;

@@ -72,9 +72,9 @@ TEST_P(Implicit, RadauIsOfItsOrderWhereDampersAre) {
     const auto apart = [&](const auto& part) {
       double largest = 0;
       for (std::size_t body = 0; body < scene.bodies.size(); ++body)
-        largest = std::max(largest, ((part(a.state, body) - part(b.state, body)) +
-                                     (part(*a.state_rest, body) - part(*b.state_rest, body)))
-                                        .norm());
+        raise(largest, ((part(a.state, body) - part(b.state, body)) +
+                        (part(*a.state_rest, body) - part(*b.state_rest, body)))
+                           .norm());
       return largest;
     };
     return std::array{apart([](const auto& state, std::size_t body) { return state.pose[body].r; }),

@@ -1,6 +1,7 @@
 #include "validation/convergence/observed_orders.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/command_line.hpp"
 #include "base/raise.hpp"
@@ -53,7 +54,8 @@ Errors errors_of(const std::vector<MotionSample>& found, const std::vector<Motio
       return (difference - exact[k].lambda_rest).norm();
     };
     raise(2, off(found[k].lambda, found[k].lambda_rest));
-    if (found[k].raw_lambda.size() > 0) raise(3, off(found[k].raw_lambda, found[k].raw_lambda_rest));
+    raise(3, found[k].raw_lambda.size() > 0 ? off(found[k].raw_lambda, found[k].raw_lambda_rest)
+                                            : std::numeric_limits<double>::quiet_NaN());
   }
   return e;
 }

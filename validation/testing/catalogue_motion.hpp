@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/raise.hpp"
 #include "bodies/numbers/quad.hpp"
 #include "formulations/side_by_side.hpp"
 #include "scenes/format/scene_file.hpp"
@@ -61,7 +62,7 @@ inline SimulationOptions stepping(const std::string& formulation, const std::str
 inline double apart(const Motion& a, const Motion& b) {
   double largest = 0;
   for (std::size_t k = 0; k < a.end().state.pose.size(); ++k)
-    largest = std::max(largest, (a.end().state.pose[k].r - b.end().state.pose[k].r).norm());
+    raise(largest, (a.end().state.pose[k].r - b.end().state.pose[k].r).norm());
   return largest;
 }
 

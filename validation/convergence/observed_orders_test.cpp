@@ -1,0 +1,74 @@
+/// A run that shows no order passes for none: neither rounding, nor NaN, nor a lambda that is not reported,
+/// nor errors that stand still.
+
+#include "validation/convergence/observed_orders.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace trivium::convergence {
+namespace {
+
+/// Errors of order 2 of all four quantities, at 0.1, 0.05 and 0.025, of a method of order 2.
+OrderResult second_order(const std::string& formulation = "r-omega", bool needs_constant_mass = false) {
+  OrderResult row{"scene", formulation, "", {"method", "method", {}, 2, 2, 1, needs_constant_mass},
+                  {},      {},          {}};
+  for (const double h : {0.1, 0.05, 0.025}) {
+    row.h.push_back(h);
+    row.errors.push_back({h * h, h * h, h * h, h * h});
+  }
+  row.floor.fill(1e-16);
+  return row;
+}
+
+TEST(ObservedOrders, ThePublishedOnePasses) { EXPECT_TRUE(second_order().passed()); }
+
+TEST(ObservedOrders, AnotherOneFails) {
+  for (int quantity = 0; quantity < 4; ++quantity) {
+    OrderResult row = second_order();
+    for (std::size_t level = 0; level < row.h.size(); ++level) row.errors[level][quantity] = row.h[level];
+    EXPECT_FALSE(row.passed()) << quantities[quantity];
+  }
+}
+
+TEST(ObservedOrders, RoundingAloneShowsNone) {
+  for (int quantity = 0; quantity < 4; ++quantity) {
+    OrderResult row = second_order();
+    for (Errors& errors : row.errors) errors[quantity] = 0;
+    EXPECT_TRUE(row.is_rounding(quantity));
+    EXPECT_FALSE(row.passed()) << quantities[quantity];
+  }
+}
+
+TEST(ObservedOrders, AnErrorThatIsNoNumberFailsAtEveryLevel) {
+  for (int quantity = 0; quantity < 4; ++quantity)
+    for (std::size_t level = 0; level < 3; ++level)
+      for (const double none :
+           {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        OrderResult row = second_order();
+        row.errors[level][quantity] = none;
+        EXPECT_FALSE(row.passed()) << quantities[quantity] << " at " << row.h[level];
+      }
+}
+
+/// Where the mass matrix depends on positions: r of order 1 or 2, or in between; but it falls with v.
+TEST(ObservedOrders, PositionsFallWithVelocities) {
+  const auto row_of = [](double last) {
+    OrderResult row = second_order("r-p", true);
+    for (std::size_t level = 0; level < row.h.size(); ++level)
+      row.errors[level] = {0, row.h[level], row.h[level], row.h[level]};
+    row.errors[0][0] = row.errors[1][0] = 1e-3;
+    row.errors[2][0] = last;
+    return row;
+  };
+  ASSERT_TRUE(row_of(1e-3).may_fall());
+  EXPECT_TRUE(row_of(1e-3).passed()) << "first cancelled, and no more than t v";
+  OrderResult stands_still = row_of(1e-3);
+  for (Errors& errors : stands_still.errors) errors[0] = 3e-3;
+  EXPECT_FALSE(stands_still.passed());
+}
+
+}  // namespace
+}  // namespace trivium::convergence
