@@ -19,14 +19,15 @@
 
 namespace trivium {
 
-/// What a basic constraint has: its bodies (BodyPair), `show_parts`, and
+/// What a basic constraint has: its bodies (BodyPair), `show_parts` for every one of its numbers, and
 ///
 ///   name           what tests and messages call it
 ///   is_of_angle    whether Phi, over its scale, is an angle [rad]; a length [m] where it is not
 ///   scale          at t: how much Phi, where it holds, changes per metre of its points or radian of its
 ///                  vectors
 ///   function       f(t), or what else moves the row by itself
-///   with_features  from (on_i, on_j, t, use): use(x, y, f) of its two features and f, with Phi = x . y - f
+///   with_features  from (on_i, on_j, t, use): use(x, y, f) of its two features and f, with Phi = x . y - f;
+///                  over all kinds of bodies, so that its first use asks for it
 ///
 /// It may have `vanishes`, from (on_i, on_j, share): whether it does less here than that share of what its
 /// vectors could.
@@ -36,6 +37,7 @@ concept DotProductConstraint = std::derived_from<C, BodyPair> && requires(const 
   { C::is_of_angle } -> std::convertible_to<bool>;
   { c.scale(t) } -> std::convertible_to<Scalar>;
   { c.function() } -> std::convertible_to<const TimeFunction&>;
+  C::show_parts([](const auto&...) {}, c);
 };
 
 /// A list of basic constraints, over any Scalar.

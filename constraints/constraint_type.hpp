@@ -24,8 +24,26 @@ enum class ConstraintType {
 
 /// One basic constraint, with vectors and f(t) of its own.
 constexpr bool is_basic(ConstraintType type) {
-  return type == ConstraintType::dp1 || type == ConstraintType::dp2 || type == ConstraintType::d ||
-         type == ConstraintType::cd;
+  switch (type) {  // whole, so that a new type must say it
+    case ConstraintType::dp1:
+    case ConstraintType::dp2:
+    case ConstraintType::d:
+    case ConstraintType::cd:
+      return true;
+    case ConstraintType::spherical:
+    case ConstraintType::universal:
+    case ConstraintType::revolute:
+    case ConstraintType::cylindrical:
+    case ConstraintType::translational:
+    case ConstraintType::fixed:
+    case ConstraintType::planar:
+    case ConstraintType::in_line:
+    case ConstraintType::in_plane:
+    case ConstraintType::distance:
+    case ConstraintType::rotation_driver:
+      return false;
+  }
+  return false;
 }
 
 /// Its rows hold a point of j at a point of i: all three coordinates.

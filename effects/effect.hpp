@@ -32,6 +32,8 @@ concept Effect = requires(const E& effect, const EffectView<Scalar>& view,
   { effect.potential_energy(view) } -> std::convertible_to<Scalar>;
   { effect.nonconservative_power(view) } -> std::convertible_to<Scalar>;
   { effect.is_conservative() } -> std::same_as<bool>;
+  // for casts and batches: every number, and nothing that a name is
+  E::show_parts([](const auto&...) {}, effect);
 };
 
 }  // namespace trivium

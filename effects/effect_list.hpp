@@ -1,6 +1,7 @@
 #pragma once
-/// The effects of a mechanism: one vector per type, so that an absent type costs nothing. The list of types
-/// is the member at the end; to add an effect, write its file and name it there.
+/// The effects of a mechanism: one vector per type, so that an absent type costs nothing. The one list of
+/// types is here; to add an effect, write its file and enter it there, or outside the library add it by
+/// `With`.
 
 #include <algorithm>
 #include <limits>
@@ -18,7 +19,21 @@
 
 namespace trivium {
 
-template <class Scalar>
+/// A list of types of effects, over any Scalar.
+template <template <class> class... E>
+struct EffectTypes {
+  static_assert((Effect<E<double>, double> && ...));
+
+  template <class Scalar>
+  using In = std::tuple<std::vector<E<Scalar>>...>;
+  template <template <class> class... More>
+  using With = EffectTypes<E..., More...>;
+};
+
+/// The list of the library.
+using StandardEffects = EffectTypes<Gravity, Force, Torque, SpringDamper, TorsionalSpringDamper>;
+
+template <class Scalar, class List = StandardEffects>
 class Effects {
  public:
   template <class E>
@@ -124,8 +139,8 @@ class Effects {
     for_each([&](const auto& effect) { found = found || is(effect); });
     return found;
   }
-  template <class List>
-  static void follow_list(List& list, const EffectView<Scalar>& view) {
+  template <class Of>
+  static void follow_list(Of& list, const EffectView<Scalar>& view) {
     if constexpr (requires { list.front().follow(view); })
       for (auto& effect : list) effect.follow(view);
   }
@@ -133,14 +148,12 @@ class Effects {
   void for_each(const Visit& visit) const {
     std::apply([&](const auto&... list) { (visit_list(list, visit), ...); }, lists_);
   }
-  template <class List, class Visit>
-  static void visit_list(const List& list, const Visit& visit) {
+  template <class Of, class Visit>
+  static void visit_list(const Of& list, const Visit& visit) {
     for (const auto& effect : list) visit(effect);
   }
 
-  std::tuple<std::vector<Gravity<Scalar>>, std::vector<Force<Scalar>>, std::vector<Torque<Scalar>>,
-             std::vector<SpringDamper<Scalar>>, std::vector<TorsionalSpringDamper<Scalar>>>
-      lists_;
+  typename List::template In<Scalar> lists_;
 };
 
 }  // namespace trivium

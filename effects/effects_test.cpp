@@ -1,3 +1,4 @@
+#include "effects/effect_laws.hpp"
 #include "effects/effect_list.hpp"
 
 #include "bodies/numbers/quad.hpp"
@@ -128,6 +129,29 @@ TEST(Effects, PowerOfConservativeOnesIsTheLossOfTheirEnergy) {
     expect_conservative(spring(S(0), {}), motion);
     const Motion joined = joined_motion(200 + n, S(1.7));
     expect_conservative(torsional(joined, S(0), {}), joined);
+  }
+}
+
+/// Forgets the damper's part of the power that is not taken from stored energy.
+struct ForgetfulSpring : SpringDamper<S> {
+  S nonconservative_power(const EffectView<S>&) const { return S(0); }
+};
+
+TEST(EffectLaws, HoldForEveryEffectAndFindOneThatBreaksThem) {
+  const auto keeps = [](const auto& effect, const Motion& motion) {
+    return broken_laws(effect, motion.bodies, motion.start, S(0)).empty();
+  };
+  static_assert(std::tuple_size_v<StandardEffects::In<S>> == 5, "an effect is missing below");
+  for (int n = 0; n < motions; ++n) {
+    const Motion motion(600 + n), joined = joined_motion(600 + n, S(1.7));
+    const Vec s = Random(n).vector<S, 3>();
+    EXPECT_TRUE(keeps(Gravity<S>{Vec(S(1), S(2), S(-9.81))}, motion));
+    EXPECT_TRUE(keeps(Force<S>{1, s, numbers(), ComponentFrame::global}, motion));
+    EXPECT_TRUE(keeps(Force<S>{1, s, components(), ComponentFrame::body}, motion));
+    EXPECT_TRUE(keeps(Torque<S>{1, components(), ComponentFrame::global}, motion));
+    EXPECT_TRUE(keeps(spring(S(3), TF(1.25)), motion));
+    EXPECT_TRUE(keeps(torsional(joined, S(3), TF(1.25)), joined));
+    EXPECT_FALSE(keeps(ForgetfulSpring{spring(S(3), TF(1.25))}, motion));
   }
 }
 

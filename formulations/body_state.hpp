@@ -26,8 +26,8 @@ typename F::Kinematics kinematics_of(const BodyState<F>& body) {
 
 /// The state of a mechanism in a formulation's coordinates; throws a ModelError that names the body whose
 /// chart is singular.
-template <EquationsAsPrinted F>
-std::vector<BodyState<F>> to_coordinates(const Mechanism<typename F::Scalar>& mechanism,
+template <EquationsAsPrinted F, class Types>
+std::vector<BodyState<F>> to_coordinates(const Mechanism<typename F::Scalar, Types>& mechanism,
                                          const MechanismState<typename F::Scalar>& state,
                                          const ChartOptions& options);
 
@@ -36,8 +36,8 @@ template <EquationsAsPrinted F>
 std::vector<typename F::Kinematics> body_kinematics(const std::vector<BodyState<F>>& bodies);
 
 /// The applied wrenches of all bodies, the ground's last.
-template <class Kinematics, class Scalar>
-std::vector<Wrench<Scalar>> applied_wrenches(const Mechanism<Scalar>& mechanism,
+template <class Kinematics, class Scalar, class Types>
+std::vector<Wrench<Scalar>> applied_wrenches(const Mechanism<Scalar, Types>& mechanism,
                                              const std::vector<Kinematics>& body, const Scalar& t) {
   const std::vector<BodyMotion<Scalar>> motion(body.begin(), body.end());
   std::vector<Wrench<Scalar>> wrenches(body.size());

@@ -29,8 +29,8 @@ struct EquationsOfMotion {
   int nc() const { return static_cast<int>(row.size()); }
 };
 
-template <EquationsAsPrinted F>
-EquationsOfMotion<F> equations_of_motion(const Mechanism<typename F::Scalar>& mechanism,
+template <EquationsAsPrinted F, class Types>
+EquationsOfMotion<F> equations_of_motion(const Mechanism<typename F::Scalar, Types>& mechanism,
                                          const std::vector<BodyState<F>>& bodies,
                                          const typename F::Scalar& t);
 

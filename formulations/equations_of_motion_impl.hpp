@@ -8,8 +8,8 @@
 
 namespace trivium {
 
-template <EquationsAsPrinted F>
-std::vector<BodyState<F>> to_coordinates(const Mechanism<typename F::Scalar>& mechanism,
+template <EquationsAsPrinted F, class Types>
+std::vector<BodyState<F>> to_coordinates(const Mechanism<typename F::Scalar, Types>& mechanism,
                                          const MechanismState<typename F::Scalar>& state,
                                          const ChartOptions& options) {
   std::vector<BodyState<F>> bodies;
@@ -43,8 +43,8 @@ std::vector<typename F::Kinematics> body_kinematics(const std::vector<BodyState<
   return kinematics;
 }
 
-template <EquationsAsPrinted F>
-EquationsOfMotion<F> equations_of_motion(const Mechanism<typename F::Scalar>& mechanism,
+template <EquationsAsPrinted F, class Types>
+EquationsOfMotion<F> equations_of_motion(const Mechanism<typename F::Scalar, Types>& mechanism,
                                          const std::vector<BodyState<F>>& bodies,
                                          const typename F::Scalar& t) {
   EquationsOfMotion<F> eom;

@@ -6,11 +6,12 @@
 /// implementation.
 ///
 /// The contract has three parts: the equations as printed, the same with the internal row eliminated, and the
-/// coordinates moved in time. Their laws are the files NAME_laws_test.cpp.
+/// coordinates moved in time. Their laws are in contract/laws.hpp.
 
 #include "formulations/contract/equations_as_printed.hpp"
 #include "formulations/contract/moving_coordinates.hpp"
 #include "formulations/contract/reduced_equations.hpp"
+#include "mechanism/model.hpp"
 
 namespace trivium {
 
@@ -24,7 +25,34 @@ template <template <class> class F, class S, class Scalar>
 struct InScalar<F<S>, Scalar> {
   using type = F<Scalar>;
 };
+template <class F>
+struct TypesOf {
+  using type = StandardTypes;
+};
+template <class F>
+requires requires { typename F::Types; }
+struct TypesOf<F> {
+  using type = typename F::Types;
+};
 }  // namespace detail
+
+/// What the solvers and simulations of a formulation take.
+template <class F>
+using MechanismTypesOf = typename detail::TypesOf<F>::type;
+template <class F>
+using MechanismOf = Mechanism<typename F::Scalar, MechanismTypesOf<F>>;
+template <class F>
+using ModelOf = Model<typename F::Scalar, MechanismTypesOf<F>>;
+
+/// The same formulation for mechanisms with other types of constraints and effects: nothing of it changes but
+/// the mechanisms that its solvers take.
+template <template <class> class F, class OfTypes>
+struct Retyped {
+  template <class S>
+  struct In : F<S> {
+    using Types = OfTypes;
+  };
+};
 
 /// The same formulation over another Scalar.
 template <class F, class Scalar>

@@ -21,6 +21,9 @@ struct Formulations {
   using In = std::tuple<F<Scalar>...>;
   template <template <class> class... More>
   using With = Formulations<F..., More...>;
+  /// The same for mechanisms with other types of constraints and effects.
+  template <class Types>
+  using WithTypes = Formulations<Retyped<F, Types>::template In...>;
   static std::vector<std::string> names() { return {std::string(F<double>::name)...}; }
 };
 

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "base/raise.hpp"
@@ -80,11 +81,11 @@ struct SideBySide {
 /// Solves a model as printed, in every formulation asked for. A formulation that cannot is an entry with an
 /// error; what no formulation can do (singular mass without constraint, an effect that is not defined here)
 /// throws a ModelError. Errors are estimated where the same model in more digits judges them.
-/// Compiled in instances/, for float to Real50; for a list of other formulations include
-/// side_by_side_impl.hpp.
-template <class List = AllFormulations, class Scalar>
-SideBySide<Scalar> side_by_side(const Model<Scalar>& model, const RowAnalysis& rows,
-                                const SolveOptions& options = {},
-                                const Model<NextPrecisionT<Scalar>>* judge = nullptr);
+/// Compiled in instances/, for float to Real50; for a list of other formulations, or
+/// other types of constraints and effects, include side_by_side_impl.hpp.
+template <class List = AllFormulations, class Scalar, class Types>
+SideBySide<Scalar> side_by_side(
+    const Model<Scalar, Types>& model, const RowAnalysis& rows, const SolveOptions& options = {},
+    const Model<NextPrecisionT<Scalar>, std::type_identity_t<Types>>* judge = nullptr);
 
 }  // namespace trivium

@@ -11,9 +11,9 @@ namespace trivium::detail {
 
 /// Everything of one formulation but what can fail; throws a ModelError if the formulation cannot answer.
 template <EquationsAsPrinted F>
-FormulationResult<typename F::Scalar> solve_one(const Model<typename F::Scalar>& model,
-                                                const Model<NextPrecisionT<typename F::Scalar>>* judge,
-                                                const RowAnalysis& rows, const ChartOptions& charts) {
+FormulationResult<typename F::Scalar> solve_one(
+    const ModelOf<F>& model, const Model<NextPrecisionT<typename F::Scalar>, MechanismTypesOf<F>>* judge,
+    const RowAnalysis& rows, const ChartOptions& charts) {
   using S = typename F::Scalar;
   using Higher = InScalarT<F, NextPrecisionT<S>>;
   FormulationResult<S> result;
@@ -46,9 +46,10 @@ TRIVIUM_FORMULATIONS(TRIVIUM_SOLVE_ONE, double, extern)
 
 namespace trivium {
 
-template <class List, class Scalar>
-SideBySide<Scalar> side_by_side(const Model<Scalar>& model, const RowAnalysis& rows,
-                                const SolveOptions& options, const Model<NextPrecisionT<Scalar>>* judge) {
+template <class List, class Scalar, class Types>
+SideBySide<Scalar> side_by_side(const Model<Scalar, Types>& model, const RowAnalysis& rows,
+                                const SolveOptions& options,
+                                const Model<NextPrecisionT<Scalar>, std::type_identity_t<Types>>* judge) {
   SideBySide<Scalar> out{rows, {}};
   for (const std::string& name : List::names()) {
     const auto& wanted = options.formulations;

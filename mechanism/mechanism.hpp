@@ -37,20 +37,30 @@ struct Joint : BodyPair {
   }
 };
 
-template <class Scalar>
+/// Which types of constraints and effects a mechanism may have.
+template <class C, class E>
+struct MechanismTypes {
+  using Constraints = C;
+  using Effects = E;
+};
+using StandardTypes = MechanismTypes<StandardConstraints, StandardEffects>;
+
+template <class Scalar, class Types = StandardTypes>
 struct Mechanism {
+  using Row = BasicConstraint<Scalar, typename Types::Constraints>;
+
   std::string name;
   std::vector<std::string> body_names;  ///< nb + 1, "ground" last
   std::vector<RigidBody<Scalar>> bodies;
-  std::vector<BasicConstraint<Scalar>> rows;
+  std::vector<Row> rows;
   std::vector<std::string> row_names;  ///< "joint.dp1(u_i, z_j)", or the name of a basic constraint
   std::vector<Joint<Scalar>> joints;   ///< in file order; basic constraints are joints of one row
-  Effects<Scalar> effects;
+  Effects<Scalar, typename Types::Effects> effects;
 
   /// Times where a function of time has a kink in its second derivative, in order.
   std::vector<double> kinks() const {
     std::vector<double> times;
-    for (const BasicConstraint<Scalar>& row : rows) function_of(row).append_kinks(times);
+    for (const Row& row : rows) function_of(row).append_kinks(times);
     effects.append_kinks(times);
     std::sort(times.begin(), times.end());
     return times;

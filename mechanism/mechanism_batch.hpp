@@ -28,7 +28,8 @@ struct TakenApart {
   std::vector<T> numbers;
   std::vector<NotANumber> structure;
 
-  explicit TakenApart(const Mechanism<T>& mechanism) {
+  template <class Types>
+  explicit TakenApart(const Mechanism<T, Types>& mechanism) {
     const auto take = [this]<class Part>(const Part& part) {
       if constexpr (std::is_same_v<Part, T>)
         numbers.push_back(part);
@@ -49,8 +50,8 @@ struct TakenApart {
 
 /// As many mechanisms as there are lanes. Throws a ModelError where they differ in anything but numbers:
 /// functions of time, and so the lengths of distance constraints, are one for all lanes.
-template <class T, int N>
-Mechanism<Batch<T, N>> pack(std::span<const Mechanism<T>, N> mechanisms) {
+template <class T, int N, class Types = StandardTypes>
+Mechanism<Batch<T, N>, Types> pack(std::span<const Mechanism<T, std::type_identity_t<Types>>, N> mechanisms) {
   auto all = mechanism_cast<Batch<T, N>>(mechanisms[0]);
   const detail::TakenApart<T> first(mechanisms[0]);
   for (int lane = 1; lane < N; ++lane) {

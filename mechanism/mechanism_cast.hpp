@@ -16,9 +16,9 @@ namespace detail {
 
 /// A mechanism in To that has as many bodies, rows, joints and effects of each type as another, and its name
 /// and the names of its effects; the parts of these are not set.
-template <class To, class From>
-Mechanism<To> same_structure(const Mechanism<From>& from) {
-  Mechanism<To> to;
+template <class To, class ToTypes, class From, class FromTypes>
+Mechanism<To, ToTypes> same_structure(const Mechanism<From, FromTypes>& from) {
+  Mechanism<To, ToTypes> to;
   to.name = from.name;
   to.body_names.resize(from.body_names.size());
   to.row_names.resize(from.row_names.size());
@@ -28,7 +28,7 @@ Mechanism<To> same_structure(const Mechanism<From>& from) {
   const auto add_row = [&]<template <class> class Row>(const Row<From>&) {
     to.rows.emplace_back(std::in_place_type<Row<To>>);
   };
-  for (const BasicConstraint<From>& row : from.rows) std::visit(add_row, row);
+  for (const auto& row : from.rows) std::visit(add_row, row);
   const auto resize = [](const auto& from_list, auto& to_list) {
     to_list.resize(from_list.size());
     for (std::size_t k = 0; k < from_list.size(); ++k)
@@ -37,15 +37,13 @@ Mechanism<To> same_structure(const Mechanism<From>& from) {
   [&]<std::size_t... n>(std::index_sequence<n...>) {
     (resize(std::get<n>(from.effects.lists()), std::get<n>(to.effects.lists())), ...);
   }
-  (std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(to.effects.lists())>>>{});
+  (std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(from.effects.lists())>>>{});
   return to;
 }
 
-}  // namespace detail
-
-template <class To, class From>
-Mechanism<To> mechanism_cast(const Mechanism<From>& from) {
-  Mechanism<To> to = detail::same_structure<To>(from);
+template <class To, class ToTypes, class From, class FromTypes>
+Mechanism<To, ToTypes> cast_to(const Mechanism<From, FromTypes>& from) {
+  Mechanism<To, ToTypes> to = same_structure<To, ToTypes>(from);
   const auto convert = []<class Part, class Converted>(const Part& part, Converted& converted) {
     if constexpr (std::is_same_v<Part, From>)
       converted = To(part);
@@ -56,6 +54,20 @@ Mechanism<To> mechanism_cast(const Mechanism<From>& from) {
   };
   show_parts(convert, from, to);
   return to;
+}
+
+}  // namespace detail
+
+/// The same mechanism over another Scalar.
+template <class To, class From, class Types>
+Mechanism<To, Types> mechanism_cast(const Mechanism<From, Types>& from) {
+  return detail::cast_to<To, Types>(from);
+}
+
+/// The same mechanism among more types: those of its own lists, and behind them what `With` added.
+template <class MoreTypes, class S, class Types>
+Mechanism<S, MoreTypes> with_more_types(const Mechanism<S, Types>& from) {
+  return detail::cast_to<S, MoreTypes>(from);
 }
 
 }  // namespace trivium

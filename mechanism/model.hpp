@@ -6,10 +6,10 @@
 
 namespace trivium {
 
-template <class S>
+template <class S, class Types = StandardTypes>
 struct Model {
   using Scalar = S;
-  Mechanism<S> mechanism;
+  Mechanism<S, Types> mechanism;
   MechanismState<S> state;
 };
 

@@ -15,9 +15,9 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 
+#include "base/variants.hpp"
 #include "bodies/numbers/time_function.hpp"
 #include "scenes/side.hpp"
 
@@ -111,11 +111,6 @@ void visit_keys(Visitor&& visitor, AnEffect& effect) {
 }
 
 /// An effect of the n-th type of the list, with its defaults.
-inline Effect default_effect(std::size_t n) {
-  Effect effect;
-  [&]<std::size_t... k>(std::index_sequence<k...>) { (void)((n == k && (effect.emplace<k>(), true)) || ...); }
-  (std::make_index_sequence<std::variant_size_v<Effect>>{});
-  return effect;
-}
+inline Effect default_effect(std::size_t n) { return emplaced<Effect>(n); }
 
 }  // namespace trivium::scenes

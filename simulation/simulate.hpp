@@ -1,6 +1,6 @@
 #pragma once
 /// A model's motion in one formulation by one method, both chosen by name. The motion is shown to an observer
-/// (simulation/motion.hpp); the model itself (mechanism/model.hpp) is only named here.
+/// (simulation/motion.hpp).
 
 #include <optional>
 #include <string>
@@ -9,12 +9,10 @@
 #include "formulations/structured/baumgarte.hpp"
 #include "integrators/contract/errors.hpp"
 #include "integrators/method_entry.hpp"
+#include "mechanism/model.hpp"
 #include "simulation/motion.hpp"
 
 namespace trivium {
-
-template <class S>
-struct Model;
 
 struct SimulationOptions {
   std::string formulation = "r-omega", integrator = "dopri5";

@@ -22,7 +22,7 @@ class Simulation {
   using S = typename F::Scalar;
   using StateVector = VectorX<S>;
 
-  Simulation(const Model<S>& model, const SimulationOptions& options, SimulationObserver& observer)
+  Simulation(const ModelOf<F>& model, const SimulationOptions& options, SimulationObserver& observer)
       : start_(model.state.t),
         options_(options),
         observer_(observer),
@@ -124,7 +124,7 @@ class Simulation {
 }  // namespace detail
 
 template <Formulation F>
-SimulationReport simulate_in(const Model<typename F::Scalar>& model, const SimulationOptions& options,
+SimulationReport simulate_in(const ModelOf<F>& model, const SimulationOptions& options,
                              SimulationObserver& observer) {
   return detail::Simulation<F>(model, options, observer).run();
 }

@@ -9,7 +9,7 @@
 namespace trivium {
 
 template <Formulation F>
-SimulationReport simulate_in(const Model<typename F::Scalar>& model, const SimulationOptions& options,
+SimulationReport simulate_in(const ModelOf<F>& model, const SimulationOptions& options,
                              SimulationObserver& observer);
 
 }  // namespace trivium

@@ -28,15 +28,29 @@ struct Arguments {
   bool all_rows = false;
 };
 
-/// The pairs of formulations that are compared, by index into formulation_names().
+/// Two formulations that are compared, by index into formulation_names().
 struct Pair {
   std::size_t a, b;
-  const char* name;
+  std::string name;
 };
-constexpr Pair pairs[] = {{0, 1, "r-omega/r-p"},
-                          {0, 2, "r-omega/r-epsilon"},
-                          {1, 2, "r-p/r-epsilon"},
-                          {0, 3, "r-omega/omega-first"}};
+/// The first formulation with every other, and the second with the third: whoever enters the list is
+/// compared.
+const std::vector<Pair>& pairs() {
+  static const std::vector<Pair> all = [] {
+    const std::vector<std::string> names = formulation_names();
+    std::vector<Pair> list;
+    const auto add = [&](std::size_t a, std::size_t b) {
+      const std::string& second = names[b];
+      list.push_back({a, b, names[a] + "/" + (second == "r-epsilon-omega-first" ? "omega-first" : second)});
+    };
+    for (std::size_t b = 1; b < names.size(); ++b) {
+      add(0, b);
+      if (b == 2) add(1, 2);
+    }
+    return list;
+  }();
+  return all;
+}
 
 enum class Verdict {
   ok,
@@ -90,7 +104,7 @@ void compare(const Model<double>& model, Answer& answer) {
   answer.bound = result.lambda_bound();
   for (const auto& f : result.formulations)
     if (!f.error.empty()) throw ModelError(fmt::format("{}: {}", f.name, f.error));
-  for (const Pair& pair : pairs)
+  for (const Pair& pair : pairs())
     answer.difference.push_back(lambda_distance(result.rows, result.formulations[pair.a].solution.lambda,
                                                 result.formulations[pair.b].solution.lambda));
   // written so that a difference that is not a number is not "ok"
@@ -114,7 +128,7 @@ Answer ask(const NamedScene& named) {
 
 std::vector<std::string> columns() {
   std::vector<std::string> names{"scene", "nb", "nc", "rank", "kappa"};
-  for (const Pair& pair : pairs) names.push_back(pair.name);
+  for (const Pair& pair : pairs()) names.push_back(pair.name);
   names.insert(names.end(), {"bound", "verdict"});
   return names;
 }
@@ -125,7 +139,7 @@ std::vector<std::string> fields(const Answer& a, const Number& number) {
   const auto known = [&](const std::string& text) { return a.analysed ? text : std::string("none"); };
   std::vector<std::string> out{a.scene, std::to_string(a.nb), known(std::to_string(a.nc)),
                                known(std::to_string(a.rank)), known(number(a.kappa))};
-  for (std::size_t k = 0; k < std::size(pairs); ++k)
+  for (std::size_t k = 0; k < pairs().size(); ++k)
     out.push_back(a.comparable() ? number(a.difference[k]) : "none");
   out.push_back(known(number(a.bound)));
   out.push_back(name_of(a.verdict));
@@ -177,8 +191,8 @@ class Survey {
       if (!a.difference.empty()) {
         json.begin_object("difference");
         constexpr double none = std::numeric_limits<double>::quiet_NaN();  // null, as the table says "none"
-        for (std::size_t k = 0; k < std::size(pairs); ++k)
-          json.number(pairs[k].name, a.comparable() ? a.difference[k] : none);
+        for (std::size_t k = 0; k < pairs().size(); ++k)
+          json.number(pairs()[k].name, a.comparable() ? a.difference[k] : none);
         json.end_object();
       }
       if (a.analysed) json.number("bound", a.bound).number("cancellation", a.cancellation);

@@ -3,11 +3,10 @@
 /// tests.
 
 #include <array>
-#include <cstddef>
 #include <type_traits>
-#include <utility>
 #include <variant>
 
+#include "base/variants.hpp"
 #include "bodies/testing/random.hpp"
 #include "bodies/testing/taylor.hpp"
 #include "constraints/basic_constraint.hpp"
@@ -28,14 +27,7 @@ struct MovingBody {
 
 inline constexpr int basic_kinds = std::variant_size_v<BasicConstraint<double>>;
 inline const char* basic_kind_name(int kind) {
-  const char* name = nullptr;
-  [&]<std::size_t... k>(std::index_sequence<k...>) {
-    ((kind == static_cast<int>(k) &&
-      (name = std::variant_alternative_t<k, BasicConstraint<double>>::name) != nullptr) ||
-     ...);
-  }
-  (std::make_index_sequence<basic_kinds>{});
-  return name;
+  return std::visit([](const auto& row) { return row.name; }, emplaced<BasicConstraint<double>>(kind));
 }
 
 inline TimeFunction sample_function(Random& random) {
@@ -50,11 +42,7 @@ inline TimeFunction sample_function(Random& random) {
 template <class S>
 BasicConstraint<S> sample_constraint(int kind, std::uint64_t seed) {
   Random random(seed);
-  BasicConstraint<S> sample;
-  [&]<std::size_t... k>(std::index_sequence<k...>) {
-    ((kind == static_cast<int>(k) && (sample.template emplace<k>(), true)) || ...);
-  }
-  (std::make_index_sequence<basic_kinds>{});
+  auto sample = emplaced<BasicConstraint<S>>(kind);
   const auto draw = [&]<class Part>(Part& part) {
     if constexpr (std::is_same_v<Part, Vector3<S>>)
       part = random.vector<S, 3>();

@@ -2,6 +2,7 @@
 ///   directors_lambda SCENE...
 
 #include <fmt/format.h>
+#include <formulations/contract/laws.hpp>
 #include <formulations/equations_of_motion_impl.hpp>
 #include <formulations/printed/augmented_solver_impl.hpp>
 #include <formulations/printed/error_estimate_impl.hpp>
@@ -14,6 +15,10 @@
 int main(int count, char** arguments) {
   using namespace trivium;
   bool passed = count > 1;
+  for (const BrokenLaw& law : broken_laws<Directors<double>>()) {
+    fmt::print("broken: {}: {:.1e}, bound {:.1e}\n", law.law, law.figure, law.bound);
+    passed = false;
+  }
   for (int k = 1; k < count; ++k) {
     const Model<double> model = make_model<double>(scenes::read_scene_file(arguments[k]));
     const auto all = side_by_side<AllFormulations::With<Directors>>(model, analyse_rows(model));

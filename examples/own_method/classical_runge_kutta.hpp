@@ -1,8 +1,11 @@
 #pragma once
 /// A method of one's own: Runge and Kutta's classical formula of order 4, at steps of a given length.
 ///
-///   k_1 = f(t, y),  k_2 = f(t + h/2, y + h/2 k_1),  k_3 = f(t + h/2, y + h/2 k_2),  k_4 = f(t + h, y + h
-///   k_3) y_n+1 = y_n + h/6 (k_1 + 2 k_2 + 2 k_3 + k_4)
+///   k_1 = f(t, y),              k_2 = f(t + h/2, y + h/2 k_1)
+///
+///   k_3 = f(t + h/2, y + h/2 k_2),   k_4 = f(t + h, y + h k_3)
+///
+///   y_n+1 = y_n + h/6 (k_1 + 2 k_2 + 2 k_3 + k_4)
 
 #include <integrators/method_entry.hpp>
 

@@ -3,6 +3,7 @@
 ///   own_method_moves SCENE...
 
 #include <fmt/format.h>
+#include <base/raise.hpp>
 #include <formulations/formulation_list.hpp>
 #include <integrators/method_laws.hpp>
 #include <mechanism/model.hpp>
@@ -18,7 +19,7 @@ namespace {
 
 bool keeps_its_laws() {
   const auto broken = integrators::broken_laws(classical_runge_kutta());
-  for (const integrators::BrokenLaw& law : broken)
+  for (const BrokenLaw& law : broken)
     fmt::print("broken: {}: {:.1e}, bound {:.1e}\n", law.law, law.figure, law.bound);
   return broken.empty();
 }
@@ -32,7 +33,7 @@ bool has_the_same_motion(const Model<double>& model, const std::string& formulat
   simulate(model, options, moved);
   double apart = 0;
   for (std::size_t b = 0; b < moved.all.back().state.pose.size(); ++b)
-    apart = std::max(apart, (moved.all.back().state.pose[b].r - expected.all.back().state.pose[b].r).norm());
+    raise(apart, (moved.all.back().state.pose[b].r - expected.all.back().state.pose[b].r).norm());
   fmt::print("{} in {} by rk4 to t = 0.5: {:.1e} m from dopri5\n", model.mechanism.name, formulation, apart);
   return apart <= 1e-6;
 }

@@ -2,6 +2,8 @@
 ///   rotation_vector_moves SCENE...
 
 #include <fmt/format.h>
+#include <base/raise.hpp>
+#include <formulations/contract/laws.hpp>
 #include <formulations/contract/reduced_to_rotation.hpp>
 #include <formulations/equations_of_motion_impl.hpp>
 #include <formulations/printed/augmented_solver_impl.hpp>
@@ -24,8 +26,17 @@ using Mine = RotationVector<double>;
 double apart(const MotionSample& one, const MotionSample& other) {
   double largest = 0;
   for (std::size_t b = 0; b < one.state.pose.size(); ++b)
-    largest = std::max(largest, (one.state.pose[b].r - other.state.pose[b].r).norm());
+    raise(largest, (one.state.pose[b].r - other.state.pose[b].r).norm());
   return largest;
+}
+
+/// The laws of the contract, of the printed equations and of what is made of them.
+bool keeps_its_laws() {
+  auto broken = broken_laws<Mine>();
+  for (BrokenLaw& law : broken_laws<WholeFormulation<Mine>>()) broken.push_back(law);
+  for (const BrokenLaw& law : broken)
+    fmt::print("broken: {}: {:.1e}, bound {:.1e}\n", law.law, law.figure, law.bound);
+  return broken.empty();
 }
 
 /// What lambda_invariance asks, of one more formulation.
@@ -60,7 +71,7 @@ bool agrees(const Model<double>& model) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  bool passed = count > 1;
+  bool passed = count > 1 && keeps_its_laws();
   for (int k = 1; k < count; ++k)
     passed = agrees(make_model<double>(scenes::read_scene_file(arguments[k]))) && passed;
   return passed ? 0 : 1;

@@ -10,7 +10,8 @@ namespace trivium {
 /// omega_bar by its norm. In a fast spin about an axis of symmetry Q and gamma vanish, but r-p carries
 /// |omega_bar|^2 / 4 in its unknowns all the same, and its rounding is of that size; where c is nearly along
 /// a lever, so is that of every formulation's gradient.
-void add_magnitude_bounds(const Mechanism<double>& mechanism, const MechanismState<double>& state,
+template <class Types>
+void add_magnitude_bounds(const Mechanism<double, Types>& mechanism, const MechanismState<double>& state,
                           TangentSystem& system);
 
 }  // namespace trivium

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "formulations/analysis/condition_number.hpp"
-#include "formulations/analysis/magnitude_bounds.hpp"
+#include "formulations/analysis/row_analysis_impl.hpp"
 
 namespace trivium {
 
@@ -198,37 +198,6 @@ RowAnalysis analyse_rows(const TangentSystem& s) {
   return out;
 }
 
-namespace {
-
-std::string contradiction(const Mechanism<double>& mechanism, const RowAnalysis& rows) {
-  std::string names;
-  for (int k : rows.contradictory) names += (names.empty() ? "" : ", ") + mechanism.row_names[k];
-  return fmt::format(
-      "no acceleration satisfies all rows: {} against the rows before; remove a row, or make their "
-      "functions of time agree",
-      names);
-}
-
-}  // namespace
-
-RowAnalysis analyse_rows(const Model<double>& model) {
-  const auto& [mechanism, state] = model;
-  const int unknowns = 6 * mechanism.nb() + mechanism.nc();
-  if (unknowns > most_dense_unknowns)
-    throw ModelError(
-        fmt::format("{}: {} bodies and {} rows make a dense augmented matrix of {} unknowns, beyond the {} "
-                    "that the printed form is "
-                    "solved for; take fewer bodies",
-                    mechanism.name, mechanism.nb(), mechanism.nc(), unknowns, most_dense_unknowns));
-  try {
-    TangentSystem system = tangent_system(mechanism, state);
-    add_magnitude_bounds(mechanism, state, system);
-    RowAnalysis rows = analyse_rows(system);
-    if (!rows.contradictory.empty()) throw ModelError(contradiction(mechanism, rows));
-    return rows;
-  } catch (const ModelError& error) {
-    throw ModelError(fmt::format("{} at t = {}: {}", mechanism.name, state.t, error.what()));
-  }
-}
+template RowAnalysis analyse_rows<StandardTypes>(const Model<double>&);
 
 }  // namespace trivium

@@ -34,7 +34,9 @@ RowAnalysis analyse_rows(const TangentSystem& system);
 /// and gigabytes, and are refused.
 inline constexpr int most_dense_unknowns = 6000;
 
-/// The row analysis of a model, in double; throws a ModelError that names mechanism and time.
-RowAnalysis analyse_rows(const Model<double>& model);
+/// The row analysis of a model, in double; throws a ModelError that names mechanism and time. For other types
+/// of constraints and effects than the library's include row_analysis_impl.hpp.
+template <class Types>
+RowAnalysis analyse_rows(const Model<double, Types>& model);
 
 }  // namespace trivium

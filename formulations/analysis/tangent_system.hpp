@@ -35,8 +35,8 @@ struct TangentSystem {
 };
 
 /// The tangent system of a mechanism at a state, formed in Scalar.
-template <class Scalar>
-TangentSystem tangent_system(const Mechanism<Scalar>& mechanism, const MechanismState<Scalar>& state) {
+template <class Scalar, class Types>
+TangentSystem tangent_system(const Mechanism<Scalar, Types>& mechanism, const MechanismState<Scalar>& state) {
   using F = ROmega<Scalar>;
   const auto eom = equations_of_motion<F>(mechanism, to_coordinates<F>(mechanism, state, {}), state.t);
   TangentSystem s;

@@ -3,8 +3,9 @@
 /// unknown x = omega_bar' and with the body's own turning as its motion. With q'' = lift x + q_0, where q_0
 /// turns no body and meets the internal rows,
 ///
-///   lift^T mass_block lift x + (Phi_rot lift)^T lambda = lift^T (applied_force + velocity_force - mass_block
-///   q_0)
+///   lift^T mass_block lift x + (Phi_rot lift)^T lambda
+///
+///      = lift^T (applied_force + velocity_force - mass_block q_0)
 ///
 /// Everything is made of the printed functions, so Jacobians, biases and forces stay the formulation's own; a
 /// formulation that writes these parts itself is faster, and equal to rounding.
@@ -21,6 +22,7 @@ template <EquationsAsPrinted F>
 struct ReducedToRotation {
   using Scalar = typename F::Scalar;
   using S = Scalar;
+  using Types = MechanismTypesOf<F>;
   using Unknown = Vector3<S>;
   using Turns = ROmega<S>;
 

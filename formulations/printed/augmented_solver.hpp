@@ -22,8 +22,13 @@ class AugmentedEquations {
  public:
   using S = typename F::Scalar;
 
-  AugmentedEquations(const Mechanism<S>& mechanism, const MechanismState<S>& state, const RowAnalysis& rows,
+  /// Mechanism and rows must outlive this.
+  AugmentedEquations(const MechanismOf<F>& mechanism, const MechanismState<S>& state, const RowAnalysis& rows,
                      const ChartOptions& options = {});
+  AugmentedEquations(const MechanismOf<F>&&, const MechanismState<S>&, const RowAnalysis&,
+                     const ChartOptions& = {}) = delete;
+  AugmentedEquations(const MechanismOf<F>&, const MechanismState<S>&, const RowAnalysis&&,
+                     const ChartOptions& = {}) = delete;
 
   const EquationsOfMotion<F>& equations() const { return eom_; }
   const std::vector<BodyState<F>>& states() const { return states_; }
@@ -44,7 +49,7 @@ class AugmentedEquations {
   MatrixFreeResidual residual(const VectorX<S>& full) const;
 
  private:
-  const Mechanism<S>& mechanism_;
+  const MechanismOf<F>& mechanism_;
   const RowAnalysis& rows_;
   std::vector<BodyState<F>> states_;
   EquationsOfMotion<F> eom_;
@@ -59,8 +64,12 @@ class AugmentedSolver : public AugmentedEquations<F> {
  public:
   using S = typename F::Scalar;
 
-  AugmentedSolver(const Mechanism<S>& mechanism, const MechanismState<S>& state, const RowAnalysis& rows,
+  AugmentedSolver(const MechanismOf<F>& mechanism, const MechanismState<S>& state, const RowAnalysis& rows,
                   const ChartOptions& options = {});
+  AugmentedSolver(const MechanismOf<F>&&, const MechanismState<S>&, const RowAnalysis&,
+                  const ChartOptions& = {}) = delete;
+  AugmentedSolver(const MechanismOf<F>&, const MechanismState<S>&, const RowAnalysis&&,
+                  const ChartOptions& = {}) = delete;
 
   /// All unknowns in printed order, lambda of minimum norm among the equivalent.
   VectorX<S> solve() const;
@@ -79,7 +88,7 @@ class AugmentedSolver : public AugmentedEquations<F> {
 
 /// Accelerations and lambda of a model in one formulation, solved as printed.
 template <EquationsAsPrinted F>
-PhysicalSolution<typename F::Scalar> solve_printed(const Model<typename F::Scalar>& model,
-                                                   const RowAnalysis& rows, const ChartOptions& charts = {});
+PhysicalSolution<typename F::Scalar> solve_printed(const ModelOf<F>& model, const RowAnalysis& rows,
+                                                   const ChartOptions& charts = {});
 
 }  // namespace trivium

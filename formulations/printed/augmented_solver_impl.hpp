@@ -8,7 +8,7 @@
 namespace trivium {
 
 template <EquationsAsPrinted F>
-AugmentedEquations<F>::AugmentedEquations(const Mechanism<S>& mechanism, const MechanismState<S>& state,
+AugmentedEquations<F>::AugmentedEquations(const MechanismOf<F>& mechanism, const MechanismState<S>& state,
                                           const RowAnalysis& rows, const ChartOptions& options)
     : mechanism_(mechanism),
       rows_(rows),
@@ -66,12 +66,22 @@ MatrixFreeResidual AugmentedEquations<F>::residual(const VectorX<S>& full) const
   return matrix_free_residual<F>(mechanism_, eom_, split(full), rows_.dependent);
 }
 
+namespace detail {
+template <class S, class Types>
+RedundantMultipliers<S> redundant_multipliers(const Mechanism<S, Types>& mechanism,
+                                              const MechanismState<S>& state, const RowAnalysis& rows) {
+  if (rows.null_basis.cols() == 0) return {};
+  using F = ROmega<S>;
+  return {equations_of_motion<F>(mechanism, to_coordinates<F>(mechanism, state, {}), state.t), rows};
+}
+}  // namespace detail
+
 template <EquationsAsPrinted F>
-AugmentedSolver<F>::AugmentedSolver(const Mechanism<S>& mechanism, const MechanismState<S>& state,
+AugmentedSolver<F>::AugmentedSolver(const MechanismOf<F>& mechanism, const MechanismState<S>& state,
                                     const RowAnalysis& rows, const ChartOptions& options)
     : AugmentedEquations<F>(mechanism, state, rows, options),
       solver_(this->reduced_matrix()),
-      redundant_multipliers_(mechanism, state, rows) {}
+      redundant_multipliers_(detail::redundant_multipliers(mechanism, state, rows)) {}
 
 template <EquationsAsPrinted F>
 auto AugmentedSolver<F>::solve() const -> VectorX<S> {
@@ -98,8 +108,8 @@ auto AugmentedSolver<F>::to_minimum_norm(VectorX<S> full) const -> VectorX<S> {
 }
 
 template <EquationsAsPrinted F>
-PhysicalSolution<typename F::Scalar> solve_printed(const Model<typename F::Scalar>& model,
-                                                   const RowAnalysis& rows, const ChartOptions& charts) {
+PhysicalSolution<typename F::Scalar> solve_printed(const ModelOf<F>& model, const RowAnalysis& rows,
+                                                   const ChartOptions& charts) {
   const AugmentedSolver<F> solver(model.mechanism, model.state, rows, charts);
   return solver.accelerations_of(solver.solve());
 }

@@ -3,6 +3,7 @@
 #include "formulations/printed/augmented_solver.hpp"
 
 #include <Eigen/QR>
+#include <type_traits>
 
 #include "bodies/numbers/scalar.hpp"
 #include "bodies/rotations/so3.hpp"
@@ -46,6 +47,15 @@ double force_scale(const Solved<F>& s) {
     scale = std::max(scale, std::abs(s.u.lambda[k]) * gradient);
   }
   return scale;
+}
+
+TYPED_TEST(Solutions, AreNotAskedOfTemporaries) {
+  using M = Mechanism<double>;
+  using State = const MechanismState<double>&;
+  static_assert(std::is_constructible_v<AugmentedSolver<TypeParam>, M&, State, RowAnalysis&>);
+  static_assert(!std::is_constructible_v<AugmentedSolver<TypeParam>, M, State, RowAnalysis&>);
+  static_assert(!std::is_constructible_v<AugmentedSolver<TypeParam>, M&, State, RowAnalysis>);
+  static_assert(!std::is_constructible_v<AugmentedEquations<TypeParam>, M, State, RowAnalysis>);
 }
 
 TYPED_TEST(Solutions, MatrixFreeResidualIsAtRoundingLevel) {

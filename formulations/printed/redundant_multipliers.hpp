@@ -20,8 +20,11 @@ namespace trivium {
 template <class Scalar>
 class RedundantMultipliers {
  public:
-  RedundantMultipliers(const Mechanism<Scalar>& mechanism, const MechanismState<Scalar>& state,
-                       const RowAnalysis& rows);
+  using Equations = EquationsOfMotion<ROmega<Scalar>>;
+
+  /// All are unique.
+  RedundantMultipliers() = default;
+  RedundantMultipliers(const Equations& eom, const RowAnalysis& rows);
 
   bool none() const { return gram_.empty(); }
 
@@ -34,8 +37,6 @@ class RedundantMultipliers {
   VectorX<Scalar> disagreement(const VectorX<Scalar>& residual) const;
 
  private:
-  using Equations = EquationsOfMotion<ROmega<Scalar>>;
-
   /// f(body, columns of that body, the row's gradient there) for every body of row k.
   template <class Visit>
   static void for_each_body(const Equations& eom, int k, const Visit& visit);

@@ -11,12 +11,7 @@
 namespace trivium {
 
 template <class Scalar>
-RedundantMultipliers<Scalar>::RedundantMultipliers(const Mechanism<Scalar>& mechanism,
-                                                   const MechanismState<Scalar>& state,
-                                                   const RowAnalysis& rows) {
-  if (rows.null_basis.cols() == 0) return;
-  using F = ROmega<Scalar>;
-  const auto eom = equations_of_motion<F>(mechanism, to_coordinates<F>(mechanism, state, {}), state.t);
+RedundantMultipliers<Scalar>::RedundantMultipliers(const Equations& eom, const RowAnalysis& rows) {
   refine_null_basis(eom, rows);
   weigh(eom, rows);
   gram_.emplace_back(MatrixX<Scalar>(N_.transpose() * E2_.asDiagonal() * N_));

@@ -18,8 +18,8 @@ struct MatrixFreeResidual {
   double bodies = 0, rows = 0, dependent_rows = 0;
 };
 
-template <EquationsAsPrinted F>
-MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar>& mechanism,
+template <EquationsAsPrinted F, class Types>
+MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar, Types>& mechanism,
                                         const EquationsOfMotion<F>& eom, const Unknowns<F>& u,
                                         const std::vector<int>& dependent = {}) {
   using S = typename F::Scalar;

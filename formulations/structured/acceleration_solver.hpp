@@ -38,7 +38,8 @@ class AccelerationSolver {
   using Body = typename F::Reduced;
 
   /// The mechanism must outlive the solver.
-  explicit AccelerationSolver(const Mechanism<S>& mechanism);
+  explicit AccelerationSolver(const MechanismOf<F>& mechanism);
+  explicit AccelerationSolver(const MechanismOf<F>&&) = delete;
   AccelerationSolver(const AccelerationSolver&) = delete;  // its solver knows where its matrix is
 
   /// Solves at a state. Throws a ModelError that names the body where a link is singular, and the row where
@@ -52,7 +53,7 @@ class AccelerationSolver {
   /// One step of iterative refinement.
   void refine();
 
-  const Mechanism<S>& mechanism() const { return mechanism_; }
+  const MechanismOf<F>& mechanism() const { return mechanism_; }
   const EliminationPlan& plan() const { return solver_.plan(); }
   /// For other right sides of the same matrix; what is done to them voids the accelerations.
   GraphSolver<S>& factors() { return solver_; }
@@ -151,7 +152,7 @@ class AccelerationSolver {
       for (int k = 0; k < edges[e].size(); ++k) visit(static_cast<int>(e), k, edges[e].rows[k]);
   }
 
-  const Mechanism<S>& mechanism_;
+  const MechanismOf<F>& mechanism_;
   GraphSolver<S> solver_;
   GraphAssembly<F> assembly_;
   GraphVector<S> right_side_, solution_, residual_, step_;

@@ -23,7 +23,7 @@
 namespace trivium {
 
 template <Formulation F>
-AccelerationSolver<F>::AccelerationSolver(const Mechanism<S>& mechanism)
+AccelerationSolver<F>::AccelerationSolver(const MechanismOf<F>& mechanism)
     : mechanism_(mechanism),
       solver_(plan_elimination(body_joint_graph(mechanism))),
       assembly_(mechanism, solver_.plan()),

@@ -58,6 +58,11 @@ TYPED_TEST_SUITE(StructuredSolver, test::AllFormulations<double>, test::Formulat
 
 TYPED_TEST(StructuredSolver, AgreesWithThePrintedSystem) { test::expect_agreement_on<TypeParam>(150); }
 
+TYPED_TEST(StructuredSolver, IsNotMadeOfATemporary) {
+  static_assert(std::is_constructible_v<AccelerationSolver<TypeParam>, Mechanism<double>&>);
+  static_assert(!std::is_constructible_v<AccelerationSolver<TypeParam>, Mechanism<double>>);
+}
+
 TYPED_TEST(StructuredSolver, AgreesOnTheCatalogue) {
   for (const auto& entry : std::filesystem::directory_iterator(TRIVIUM_SCENES_DIR)) {
     const auto& path = entry.path();

@@ -44,8 +44,8 @@ struct GraphJoint : BodyPair {
 /// six rows at most.
 BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joints);
 
-template <class Scalar>
-BodyJointGraph body_joint_graph(const Mechanism<Scalar>& mechanism) {
+template <class Scalar, class Types>
+BodyJointGraph body_joint_graph(const Mechanism<Scalar, Types>& mechanism) {
   std::vector<GraphJoint> joints;
   for (const Joint<Scalar>& joint : mechanism.joints)
     joints.push_back({joint, joint.type, joint.first_row, joint.rows, scalar_cast<double>(joint.frame_i.z),

@@ -22,15 +22,17 @@ class GraphAssembly {
   struct LinkJoint {
     int link, edge;
     bool child_is_j;
-    PointJoint<S> joint;
+    PointJoint<S, MechanismTypesOf<F>> joint;
   };
   struct ClosingJoint {
     int edge;
-    PointJoint<S> joint;
+    PointJoint<S, MechanismTypesOf<F>> joint;
   };
 
   /// Both must outlive the assembly.
-  GraphAssembly(const Mechanism<S>& mechanism, const EliminationPlan& plan);
+  GraphAssembly(const MechanismOf<F>& mechanism, const EliminationPlan& plan);
+  GraphAssembly(const MechanismOf<F>&&, const EliminationPlan&) = delete;
+  GraphAssembly(const MechanismOf<F>&, const EliminationPlan&&) = delete;
   GraphAssembly(const GraphAssembly&) = delete;  // solvers know where its matrix is
 
   const GraphMatrix<S>& matrix() const { return matrix_; }
@@ -67,7 +69,7 @@ class GraphAssembly {
   template <class Of>
   void rows_of(int e, const Of& of, const S& t, GraphVector<S>& values) const;
 
-  const Mechanism<S>& mechanism_;
+  const MechanismOf<F>& mechanism_;
   const EliminationPlan& plan_;
   GraphMatrix<S> matrix_;
   std::vector<Body> body_;

@@ -8,7 +8,7 @@
 namespace trivium {
 
 template <Formulation F>
-GraphAssembly<F>::GraphAssembly(const Mechanism<S>& mechanism, const EliminationPlan& plan)
+GraphAssembly<F>::GraphAssembly(const MechanismOf<F>& mechanism, const EliminationPlan& plan)
     : mechanism_(mechanism), plan_(plan), matrix_(plan) {
   body_.resize(mechanism.nb() + 1);
   body_.back() = Body{body_kinematics(std::vector<BodyState<F>>{}).back()};

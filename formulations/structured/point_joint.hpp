@@ -21,10 +21,11 @@ namespace trivium {
 /// K^T,
 ///
 ///   r_j'' + L_j^T x_j - r_i'' - L_i^T x_i = gamma      W_i^T x_i + W_j^T x_j = gamma_w
-template <class S>
+template <class S, class Types>
 class PointJoint {
  public:
-  PointJoint(const Mechanism<S>& mechanism, const GraphEdge& edge) : mechanism_(&mechanism), bodies_(edge) {
+  PointJoint(const Mechanism<S, Types>& mechanism, const GraphEdge& edge)
+      : mechanism_(&mechanism), bodies_(edge) {
     const auto& point = std::get<CD<S>>(mechanism.rows[edge.rows[0]]);
     on_i_.index_of(point.s_bar_i);
     on_j_.index_of(point.s_bar_j);
@@ -155,7 +156,7 @@ class PointJoint {
     int row;
   };
 
-  const Mechanism<S>* mechanism_;
+  const Mechanism<S, Types>* mechanism_;
   BodyPair bodies_;
   Vectors on_i_, on_j_;
   std::array<Orientation, 3> rows_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/raise.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "formulations/side_by_side.hpp"
 #include "formulations/structured/acceleration_solver.hpp"
@@ -71,7 +72,7 @@ struct SolvedTwice {
       add(eom.pair[k].i, eom.row[k].r_i, eom.row[k].rot_i);
       add(eom.pair[k].j, eom.row[k].r_j, eom.row[k].rot_j);
     }
-    for (int b = 0; b < eom.nb(); ++b) apart = std::max(apart, static_cast<double>(S(difference[b].norm())));
+    for (int b = 0; b < eom.nb(); ++b) raise(apart, static_cast<double>(S(difference[b].norm())));
     return largest > 0 ? apart / largest : apart;
   }
 };

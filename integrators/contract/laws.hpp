@@ -4,18 +4,12 @@
 
 #include <cmath>
 #include <limits>
-#include <string>
 #include <vector>
 
+#include "base/broken_law.hpp"
 #include "integrators/contract/constrained_system.hpp"
 
 namespace trivium::integrators {
-
-/// By how much, beside what rounding explains.
-struct BrokenLaw {
-  std::string law;
-  double figure, bound;
-};
 
 namespace detail {
 

@@ -1,3 +1,9 @@
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/variants.hpp"
 #include "scenes/format/json_reader.hpp"
 
 namespace trivium::scenes {
@@ -22,6 +28,38 @@ std::vector<TimeFunction> read_argument(const Json& json, const Path& at) {
   return of;
 }
 
+/// Reads the parts of a function of each kind.
+struct PartReader {
+  const ObjectReader& object;
+  const Path& at;
+
+  void operator()(double&) const {}
+  void operator()(TimeFunction::Polynomial& f) const { list("coefficients", f.coefficients); }
+  void operator()(TimeFunction::Harmonic& f) const {
+    object.read("offset", f.offset);
+    object.read("amplitude", f.amplitude);
+    object.read("angular_frequency", f.angular_frequency);
+    object.read("phase", f.phase);
+  }
+  void operator()(TimeFunction::Sin& f) const { f.of = read_argument(*object.find("of"), at); }
+  void operator()(TimeFunction::Cos& f) const { f.of = read_argument(*object.find("of"), at); }
+  void operator()(TimeFunction::Sum& f) const { list("terms", f.terms); }
+  void operator()(TimeFunction::Product& f) const { list("factors", f.factors); }
+  void operator()(TimeFunction::Step5& f) const {
+    object.read("t0", f.t0);
+    object.read("f0", f.f0);
+    object.read("t1", f.t1);
+    object.read("f1", f.f1);
+  }
+  void operator()(TimeFunction::Piecewise& f) const {
+    list("times", f.times);
+    list("pieces", f.pieces);
+  }
+
+ private:
+  void list(std::string_view key, auto& values) const { read_value(*object.find(key), at / key, values); }
+};
+
 }  // namespace
 
 void read_value(const Json& json, const Path& at, TimeFunction& out) {
@@ -33,59 +71,10 @@ void read_value(const Json& json, const Path& at, TimeFunction& out) {
     fail_type(json, at, "a number or an object with a kind, such as {\"kind\": \"sin\", \"of\": 1}");
   const std::size_t kind = read_tag(json, at, "kind", "kind", names_of(function_shapes));
   const ObjectReader object(json, at, function_shapes[kind]);
-  const auto list = [&](std::string_view key, auto& values) {
-    read_value(*object.find(key), at / key, values);
-  };
-  switch (kind + 1) {  // the plain number comes first among the kinds
-    case 1: {
-      TimeFunction::Polynomial f;
-      list("coefficients", f.coefficients);
-      out = std::move(f);
-      break;
-    }
-    case 2: {
-      TimeFunction::Harmonic f;
-      object.read("offset", f.offset);
-      object.read("amplitude", f.amplitude);
-      object.read("angular_frequency", f.angular_frequency);
-      object.read("phase", f.phase);
-      out = f;
-      break;
-    }
-    case 3:
-      out = TimeFunction::Sin{read_argument(*object.find("of"), at)};
-      break;
-    case 4:
-      out = TimeFunction::Cos{read_argument(*object.find("of"), at)};
-      break;
-    case 5: {
-      TimeFunction::Sum f;
-      list("terms", f.terms);
-      out = std::move(f);
-      break;
-    }
-    case 6: {
-      TimeFunction::Product f;
-      list("factors", f.factors);
-      out = std::move(f);
-      break;
-    }
-    case 8: {
-      TimeFunction::Piecewise f;
-      list("times", f.times);
-      list("pieces", f.pieces);
-      out = std::move(f);
-      break;
-    }
-    default: {
-      TimeFunction::Step5 f;
-      object.read("t0", f.t0);
-      object.read("f0", f.f0);
-      object.read("t1", f.t1);
-      object.read("f1", f.f1);
-      out = f;
-    }
-  }
+  // the plain number comes first among the kinds
+  TimeFunction::Kind parts = emplaced<TimeFunction::Kind>(kind + 1);
+  std::visit(PartReader{object, at}, parts);
+  std::visit([&](auto& f) { out = std::move(f); }, parts);
 }
 
 }  // namespace trivium::scenes

@@ -101,28 +101,30 @@ void require_sound(const Side& i, const Side& j, const Scene& scene) {
   require(i.body != j.body, "two bodies");
 }
 
+/// What an effect shows is sound.
 struct EffectLaws {
   const Scene& scene;
-  void operator()(const Gravity& effect) const { require_finite(effect.acceleration); }
-  void operator()(const Force& effect) const {
-    require(is_body(effect.body, scene), "a force on a body");
-    require_finite(effect.point);
-    for (const TimeFunction& f : effect.force) require_finite(f);
+  const Side* other = nullptr;
+
+  void body(std::string_view, int index) const { require(is_body(index, scene), "a load on a body"); }
+  void joint(std::string_view, int index) const {
+    require(has_an_angle(scene.constraints.at(static_cast<std::size_t>(index)).type),
+            "a joint with an angle");
   }
-  void operator()(const Torque& effect) const {
-    require(is_body(effect.body, scene), "a torque on a body");
-    for (const TimeFunction& f : effect.torque) require_finite(f);
+  void need(std::string_view, const auto& value) { check(value); }
+  void may(std::string_view, const auto& value) { check(value); }
+
+ private:
+  void check(double value) const { require_finite({value}); }
+  void check(Frame) const {}
+  void check(const Vector3& value) const { require_finite(value); }
+  void check(const TimeFunction& value) const { require_finite(value); }
+  void check(const std::array<TimeFunction, 3>& value) const {
+    for (const TimeFunction& f : value) require_finite(f);
   }
-  void operator()(const SpringDamper& effect) const {
-    require_sound(effect.i, effect.j, scene);
-    require_finite({effect.stiffness, effect.damping, effect.free_length});
-    require_finite(effect.actuator);
-  }
-  void operator()(const TorsionalSpringDamper& effect) const {
-    const ConstraintType type = scene.constraints.at(static_cast<std::size_t>(effect.joint)).type;
-    require(type == ConstraintType::revolute || type == ConstraintType::cylindrical, "a joint with an angle");
-    require_finite({effect.stiffness, effect.damping, effect.free_angle});
-    require_finite(effect.actuator);
+  void check(const Side& side) {
+    if (other != nullptr) require_sound(*other, side, scene);
+    other = &side;
   }
 };
 
@@ -145,7 +147,7 @@ void require_sound(const Scene& scene) {
     require_finite(constraint.direction);
     require_finite({constraint.distance});
   }
-  for (const Effect& effect : scene.effects) std::visit(EffectLaws{scene}, effect);
+  for (const Effect& effect : scene.effects) visit_keys(EffectLaws{scene}, effect);
 }
 
 void require_readable(const std::string& message) {

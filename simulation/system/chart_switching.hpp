@@ -30,6 +30,7 @@ class ChartSwitching {
   /// Changes the charts of bodies that are near their singularity. The bodies' states are y's. Returns
   /// whether y is in other coordinates now.
   bool change(const StateLayout<F>& layout, std::vector<BodyState<F>>& state, StateVector& y) {
+    if constexpr (std::same_as<typename F::Chart, NoChart>) return false;
     bool changed = false;
     for (int b = 0; b < layout.nb(); ++b) {
       BodyState<F>& body = state[b];
@@ -47,7 +48,7 @@ class ChartSwitching {
   }
 
   /// Says which body is near its chart's singularity; empty where none is.
-  static std::string near_singularity(const Mechanism<S>& mechanism, const std::vector<BodyState<F>>& state,
+  static std::string near_singularity(const MechanismOf<F>& mechanism, const std::vector<BodyState<F>>& state,
                                       const S& t) {
     if constexpr (!std::same_as<typename F::Chart, NoChart>)
       for (int b = 0; b < mechanism.nb(); ++b) {

@@ -45,7 +45,7 @@ class ConstrainedEquations {
   using RowViolation = integrators::RowViolation<S>;
 
   /// Throws a ModelError that names the body whose chart is singular.
-  ConstrainedEquations(const Mechanism<S>& mechanism, const MechanismState<S>& start,
+  ConstrainedEquations(const MechanismOf<F>& mechanism, const MechanismState<S>& start,
                        const FirstOrderOptions& options = {})
       : first_order_(mechanism, start, options),
         mechanism_(first_order_.mechanism()),
@@ -251,7 +251,7 @@ class ConstrainedEquations {
   }
 
   FirstOrderEquations<F> first_order_;
-  const Mechanism<S>& mechanism_;
+  const MechanismOf<F>& mechanism_;
   const Layout& layout_;
   const Displacements<F> displacements_;
   const std::shared_ptr<const EliminationPlan> plan_;  ///< evaluations and factors share it

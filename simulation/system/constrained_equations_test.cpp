@@ -53,7 +53,7 @@ TYPED_TEST(Constrained, KeepsTheLawsOfAConstrainedSystem) {
        {"heavy_top", "spatial_slider_crank", "flyball_governor", "stewart_platform", "four_bar", "bricard",
         "driven_crank", "basic_drivers", "open_arm_7", "a01_pendulum"}) {
     auto form = form_of<TypeParam>(catalogue_scene(name));
-    for (const integrators::BrokenLaw& broken : integrators::broken_laws(form, 0.0, form.start()))
+    for (const BrokenLaw& broken : integrators::broken_laws(form, 0.0, form.start()))
       ADD_FAILURE() << name << ": " << broken.law << ": " << broken.figure << ", bound " << broken.bound;
   }
 }

@@ -21,19 +21,21 @@ template <class S>
 class ConstraintViolation {
  public:
   /// Both must outlive this.
-  ConstraintViolation(const Mechanism<S>& mechanism, const BodyJointGraph& graph, const S& t)
-      : mechanism_(mechanism),
+  template <class Types>
+  ConstraintViolation(const Mechanism<S, Types>& mechanism, const BodyJointGraph& graph, const S& t)
+      : nb_(mechanism.nb()),
+        row_names_(mechanism.row_names),
         graph_(graph),
         scale_(graph.edges.size()),
         turns_(graph.edges.size()),
         component_(components_of(graph)),
         extent_(component_.size()) {
-    measure_reaches();
+    measure_reaches(mechanism.joints);
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {
       scale_[e].setOnes();
       if (graph.edges[e].is_soft) continue;
       for (int k = 0; k < graph.edges[e].size(); ++k) {
-        const BasicConstraint<S>& row = mechanism.rows[graph.edges[e].rows[k]];
+        const auto& row = mechanism.rows[graph.edges[e].rows[k]];
         scale_[e][k] = row_scale(row, t);
         turns_[e][k] = is_of_angle(row);
       }
@@ -49,7 +51,7 @@ class ConstraintViolation {
       extent.speed = extent.fastest / 1000;
       extent.spin = extent.fastest_spin / 1000;
     }
-    for (int b = 0; b < mechanism_.nb(); ++b) {
+    for (int b = 0; b < nb_; ++b) {
       Extent& extent = extent_[component_[b]];
       extent.length = larger(extent.length, S(body[b].r.norm() + extent.reach));
       const S v = body[b].r_dot.norm(), omega = body[b].omega_bar.norm();
@@ -79,11 +81,11 @@ class ConstraintViolation {
   const std::string& worst_row() const { return row_name(worst()); }
   const std::string& row_name(int row) const {
     static const std::string none = "none";
-    return row < 0 ? none : mechanism_.row_names[row];
+    return row < 0 ? none : row_names_[row];
   }
 
   /// Its number; -1 where there are none.
-  int worst() const { return mechanism_.nc() == 0 ? -1 : graph_.edges[worst_.edge].rows[worst_.k]; }
+  int worst() const { return row_names_.empty() ? -1 : graph_.edges[worst_.edge].rows[worst_.k]; }
 
   /// Bodies that rows connect, not through the ground, have the same number, below nb.
   int component_of(int body) const { return component_[body]; }
@@ -100,14 +102,13 @@ class ConstraintViolation {
     S length{0}, speed{0}, fastest{0}, spin{0}, fastest_spin{0};
   };
 
-  void measure_reaches() {
-    const int nb = mechanism_.nb();
-    for (const Joint<S>& joint : mechanism_.joints) {
-      Extent& extent = extent_[component_[joint.i == nb ? joint.j : joint.i]];
+  void measure_reaches(const std::vector<Joint<S>>& joints) {
+    for (const Joint<S>& joint : joints) {
+      Extent& extent = extent_[component_[joint.i == nb_ ? joint.j : joint.i]];
       for (const auto& [body, point] :
            {std::pair(joint.i, joint.frame_i.point), {joint.j, joint.frame_j.point}}) {
         extent.reach = larger(extent.reach, S(point.norm()));
-        if (body != nb) extent.arm = larger(extent.arm, S(point.norm()));
+        if (body != nb_) extent.arm = larger(extent.arm, S(point.norm()));
       }
     }
   }
@@ -120,7 +121,7 @@ class ConstraintViolation {
     for (std::size_t e = 0; e < values.edge.size(); ++e) {
       const GraphEdge& edge = graph_.edges[e];
       if (edge.is_soft) continue;
-      const Extent& extent = extent_[component_[edge.i == mechanism_.nb() ? edge.j : edge.i]];
+      const Extent& extent = extent_[component_[edge.i == nb_ ? edge.j : edge.i]];
       for (int k = 0; k < edge.size(); ++k) {
         const S size = abs(values.edge[e][k]) / scale_[e][k], made_of = size_of(extent, turns_[e][k]);
         if (!(size <= relative_ * made_of)) relative_ = made_of > S(0) ? S(size / made_of) : size;
@@ -132,7 +133,8 @@ class ConstraintViolation {
     return largest;
   }
 
-  const Mechanism<S>& mechanism_;
+  const int nb_;
+  const std::vector<std::string>& row_names_;
   const BodyJointGraph& graph_;
   std::vector<Vector6<S>> scale_;
   std::vector<std::array<bool, 6>> turns_;  ///< whether the row is an angle's

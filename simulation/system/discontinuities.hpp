@@ -24,8 +24,9 @@ inline constexpr double smallest_jump = 1e-9;
 template <Formulation F>
 std::optional<Impulse<typename F::Scalar>> pass_discontinuity(
     const StateLayout<F>& layout, const std::vector<BodyState<F>>& state, AccelerationSolver<F>& solver,
-    ConstraintProjection<F>& projection, const EnergyAccount<typename F::Scalar>& account,
-    const typename F::Scalar& before, const typename F::Scalar& t, VectorX<typename F::Scalar>& y) {
+    ConstraintProjection<F>& projection,
+    const EnergyAccount<typename F::Scalar, MechanismTypesOf<F>>& account, const typename F::Scalar& before,
+    const typename F::Scalar& t, VectorX<typename F::Scalar>& y) {
   using S = typename F::Scalar;
   projection.move(state, t);
   projection.measure_jump(before);

@@ -39,11 +39,11 @@ inline bool energy_is_lost(double unaccounted, double largest_kinetic, double en
   return !(unaccounted <= share_lost * largest_kinetic + share_rounded * energies);
 }
 
-template <class S>
+template <class S, class Types = StandardTypes>
 class EnergyAccount {
  public:
   /// The mechanism must outlive the account.
-  explicit EnergyAccount(const Mechanism<S>& mechanism) : mechanism_(mechanism) {
+  explicit EnergyAccount(const Mechanism<S, Types>& mechanism) : mechanism_(mechanism) {
     for (int k = 0; k < mechanism_.nc(); ++k)
       if (!function_of(mechanism_.rows[k]).is_constant()) drivers_.push_back(k);
     does_work_ = !drivers_.empty() || !mechanism_.effects.are_conservative();
@@ -78,7 +78,7 @@ class EnergyAccount {
   }
 
  private:
-  const Mechanism<S>& mechanism_;
+  const Mechanism<S, Types>& mechanism_;
   std::vector<int> drivers_;  ///< rows that move by themselves
   bool does_work_ = false;
 };

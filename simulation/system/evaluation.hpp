@@ -26,7 +26,7 @@ struct EvaluatedModel {
   bool is_assembled = false;  ///< rows and mass blocks, where the bodies are
   bool is_factored = false;   ///< its matrix belongs to factors
 
-  EvaluatedModel(const Mechanism<S>& mechanism, std::shared_ptr<const EliminationPlan> of,
+  EvaluatedModel(const MechanismOf<F>& mechanism, std::shared_ptr<const EliminationPlan> of,
                  const ConstraintViolation<S>& measure)
       : plan(std::move(of)), assembly(mechanism, *plan), violation(measure) {}
   const std::vector<typename F::Reduced>& body() const { return assembly.body(); }

@@ -41,7 +41,7 @@ class FirstOrderEquations {
   using StateVector = VectorX<S>;
 
   /// Throws a ModelError that names the body whose chart is singular.
-  FirstOrderEquations(const Mechanism<S>& mechanism, const MechanismState<S>& start,
+  FirstOrderEquations(const MechanismOf<F>& mechanism, const MechanismState<S>& start,
                       const FirstOrderOptions& options = {})
       : mechanism_(mechanism),
         layout_(mechanism_.nb()),
@@ -207,7 +207,7 @@ class FirstOrderEquations {
     return charts_.near_singularity(mechanism_, state_, t);
   }
 
-  const Mechanism<S>& mechanism() const { return mechanism_; }
+  const MechanismOf<F>& mechanism() const { return mechanism_; }
   bool does_work() const { return account_.does_work(); }
   const std::vector<BodyState<F>>& state() const { return state_; }
   long factorisations() const { return factorisations_ + projection_.factorisations(); }
@@ -216,7 +216,7 @@ class FirstOrderEquations {
 
   // for the equations with constraints, which speak of the same bodies
   AccelerationSolver<F>& solver() { return solver_; }
-  const EnergyAccount<S>& account() const { return account_; }
+  const EnergyAccount<S, MechanismTypesOf<F>>& account() const { return account_; }
   /// Moves the bodies to y.
   void load(const StateVector& y) {
     if (accepted_t_ && accepted_ != y) accepted_t_.reset();  // its bodies move on
@@ -249,13 +249,13 @@ class FirstOrderEquations {
   }
   EffectView<S> view(const S& t) const { return {mechanism_.bodies, motion_, t}; }
 
-  Mechanism<S> mechanism_;  ///< its effects count turns
+  MechanismOf<F> mechanism_;  ///< its effects count turns
   const StateLayout<F> layout_;
   AccelerationSolver<F> solver_;
   std::vector<BodyState<F>> state_;
   std::vector<BodyMotion<S>> motion_;
   ConstraintProjection<F> projection_;
-  EnergyAccount<S> account_;
+  EnergyAccount<S, MechanismTypesOf<F>> account_;
   ChartSwitching<F> charts_;
   BranchCheck<F> branches_;
   MotionLog<S> log_;

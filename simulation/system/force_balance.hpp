@@ -22,7 +22,7 @@ class ForceBalance {
   using Layout = StateLayout<F>;
 
   /// Both must outlive this.
-  ForceBalance(const Mechanism<S>& mechanism, const EliminationPlan& plan)
+  ForceBalance(const MechanismOf<F>& mechanism, const EliminationPlan& plan)
       : mechanism_(mechanism), plan_(plan), on_(mechanism.nb() + 1), size_(mechanism.nb() + 1) {}
 
   /// Puts Q - force - Phi_q^T lambda of every body into `left`, reduced. Returns the largest imbalance of a
@@ -109,7 +109,7 @@ class ForceBalance {
     S force{0}, moment{0}, force_left{0}, moment_left{0};
   };
 
-  const Mechanism<S>& mechanism_;
+  const MechanismOf<F>& mechanism_;
   const EliminationPlan& plan_;
   std::vector<BodyPart<S>> on_;  ///< by body: what the multipliers do
   std::vector<BalanceSize> size_;

@@ -58,7 +58,7 @@ class NewtonMatrix {
   using Layout = StateLayout<F>;
 
   /// The mechanism must outlive this.
-  NewtonMatrix(const Mechanism<S>& mechanism, const EliminationPlan& plan)
+  NewtonMatrix(const MechanismOf<F>& mechanism, const EliminationPlan& plan)
       : mechanism_(mechanism), place_(mechanism.nc()), change_(plan.graph) {
     const auto& edges = plan.graph.edges;
     for (int e = 0; e < static_cast<int>(edges.size()); ++e)
@@ -121,7 +121,7 @@ class NewtonMatrix {
     return values.edge[place_[row].edge][place_[row].k];
   }
 
-  const Mechanism<S>& mechanism_;
+  const MechanismOf<F>& mechanism_;
   std::vector<EdgeRow> place_;  ///< by row
   GraphVector<S> change_;
   long factorisations_ = 0;

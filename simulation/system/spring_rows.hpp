@@ -17,16 +17,16 @@
 namespace trivium {
 
 /// Calls visit(effect) for every spring or damper that resists.
-template <class S, class Visit>
-void for_each_resisting_spring(const Effects<S>& effects, const Visit& visit) {
+template <class Effects, class Visit>
+void for_each_resisting_spring(const Effects& effects, const Visit& visit) {
   effects.for_each_spring([&](const auto& spring) {
-    if (spring.stiffness != S(0) || spring.damping != S(0)) visit(spring);
+    if (spring.stiffness != 0 || spring.damping != 0) visit(spring);
   });
 }
 
 /// The mechanism's graph, with a soft edge for each of them.
-template <class S>
-BodyJointGraph graph_with_springs(const Mechanism<S>& mechanism) {
+template <class S, class Types>
+BodyJointGraph graph_with_springs(const Mechanism<S, Types>& mechanism) {
   BodyJointGraph graph = body_joint_graph(mechanism);
   for_each_resisting_spring(mechanism.effects, [&](const auto& spring) {
     graph.edges.push_back({{spring.i, spring.j}, {-1}, false, true, true});
@@ -47,7 +47,7 @@ class SpringRows {
   using Sizes = std::vector<SpringSize>;
 
   /// The plan is that of graph_with_springs. Both must outlive this.
-  SpringRows(const Mechanism<S>& mechanism, const EliminationPlan& plan)
+  SpringRows(const MechanismOf<F>& mechanism, const EliminationPlan& plan)
       : mechanism_(mechanism), plan_(plan) {
     const auto& edges = plan_.graph.edges;
     for (std::size_t e = 0; e < edges.size(); ++e)
@@ -131,7 +131,7 @@ class SpringRows {
     }
   }
 
-  const Mechanism<S>& mechanism_;
+  const MechanismOf<F>& mechanism_;
   const EliminationPlan& plan_;
   std::vector<int> soft_;  ///< edges of springs, in the effects' order
 };

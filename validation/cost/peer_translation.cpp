@@ -114,9 +114,12 @@ std::vector<TreeJoint::Axis> free_axes(const simbody::Joint& joint, bool reverse
       return {axis(true, z)};
     case simbody::JointType::planar:
       return {axis(true, u), axis(true, v), axis(false, z)};
-    default:
+    case simbody::JointType::spherical:
+    case simbody::JointType::fixed:
+    case simbody::JointType::other:
       return {};
   }
+  return {};
 }
 
 /// Relative coordinates that vanish at this state, and their rates.

@@ -39,7 +39,9 @@ class BuiltInRows {
         same_orientation(first, first + 1, first + 4);
         single(first + 2);
         return single(first + 3);
-      default:
+      case JointType::cylindrical:
+      case JointType::planar:
+      case JointType::other:
         for (int row = first; row < first + joint_.rows; ++row) single(row);
     }
   }

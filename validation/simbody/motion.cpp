@@ -58,9 +58,10 @@ std::unique_ptr<SimTK::Integrator> make(const System& system, Integrator which) 
       return std::make_unique<SimTK::RungeKuttaFeldbergIntegrator>(system.multibody);
     case Integrator::cpodes_adams:
       return std::make_unique<SimTK::CPodesIntegrator>(system.multibody, SimTK::CPodes::Adams);
-    default:
+    case Integrator::cpodes_bdf:
       return std::make_unique<SimTK::CPodesIntegrator>(system.multibody, SimTK::CPodes::BDF);
   }
+  return nullptr;
 }
 
 void read_states(const System& system, Motion& out) {

@@ -1,5 +1,8 @@
 #include "validation/simbody/translation.hpp"
 
+#include <fmt/format.h>
+
+#include "base/error.hpp"
 #include "scenes/make_mechanism.hpp"
 
 namespace trivium {
@@ -48,9 +51,17 @@ simbody::JointType plain(ConstraintType type) {
       return simbody::JointType::planar;
     case ConstraintType::fixed:
       return simbody::JointType::fixed;
-    default:
+    case ConstraintType::dp1:
+    case ConstraintType::dp2:
+    case ConstraintType::d:
+    case ConstraintType::cd:
+    case ConstraintType::in_line:
+    case ConstraintType::in_plane:
+    case ConstraintType::distance:
+    case ConstraintType::rotation_driver:
       return simbody::JointType::other;
   }
+  return simbody::JointType::other;
 }
 
 struct RowTranslation {
@@ -81,6 +92,13 @@ struct RowTranslation {
     simbody::Row row = points(simbody::RowType::cd, c);
     row.a_i = plain(c.c);
     return row;
+  }
+
+  /// One that Simbody's model has no counterpart of yet.
+  template <class Other>
+  simbody::Row operator()(const Other&) const {
+    throw ModelError(
+        fmt::format("Simbody's model has no {}; leave the scene out of the comparison", Other::name));
   }
 
   template <class Constraint>
@@ -118,6 +136,12 @@ struct EffectTranslation {
   }
   void operator()(const scenes::TorsionalSpringDamper& e) const {
     model.torsional_springs.push_back({e.joint, e.stiffness, e.damping, e.free_angle, plain(e.actuator)});
+  }
+  /// One that Simbody's model has no counterpart of yet.
+  template <class Other>
+  void operator()(const Other&) const {
+    throw ModelError(
+        fmt::format("Simbody's model has no {}; leave the scene out of the comparison", Other::type));
   }
 };
 

@@ -1,4 +1,9 @@
+#pragma once
+/// The definition behind magnitude_bounds.hpp, compiled for the library's types with row_analysis.cpp. Who
+/// has other types of constraints or effects includes it by row_analysis_impl.hpp.
+
 #include "formulations/analysis/magnitude_bounds.hpp"
+#include "formulations/r_omega.hpp"
 
 #include <cmath>
 
@@ -6,11 +11,12 @@
 
 namespace trivium {
 
-namespace {
+namespace detail {
 
+template <class Types>
 class MagnitudeBounds {
  public:
-  MagnitudeBounds(const Mechanism<double>& mechanism, const MechanismState<double>& state)
+  MagnitudeBounds(const Mechanism<double, Types>& mechanism, const MechanismState<double>& state)
       : mechanism_(mechanism),
         t_(state.t),
         body_(body_kinematics(to_coordinates<ROmega<double>>(mechanism, state, {}))) {}
@@ -57,16 +63,17 @@ class MagnitudeBounds {
                           x.rot_j * y.value + x.value * y.rot_j});
   }
 
-  const Mechanism<double>& mechanism_;
+  const Mechanism<double, Types>& mechanism_;
   double t_;
   std::vector<Body> body_;
 };
 
-}  // namespace
+}  // namespace detail
 
-void add_magnitude_bounds(const Mechanism<double>& mechanism, const MechanismState<double>& state,
+template <class Types>
+void add_magnitude_bounds(const Mechanism<double, Types>& mechanism, const MechanismState<double>& state,
                           TangentSystem& system) {
-  const MagnitudeBounds magnitude(mechanism, state);
+  const detail::MagnitudeBounds<Types> magnitude(mechanism, state);
   system.magnitudes.Q = magnitude.forces();
   magnitude.add_rows(system.magnitudes);
 }

@@ -1,0 +1,61 @@
+#pragma once
+/// The laws of an effect, for whoever writes one: the second half of the concept Effect. `broken_laws` tries
+/// them where bodies are in some motion and names those that do not hold.
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/broken_law.hpp"
+#include "bodies/rotations/so3.hpp"
+#include "effects/effect.hpp"
+
+namespace trivium {
+
+/// The motion, the ground's last, must be one that the effect may see: no ends of a spring that coincide.
+template <class E, class S>
+std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<S>>& bodies,
+                                   const std::vector<BodyMotion<S>>& motion, const S& t) {
+  static_assert(Effect<E, S>);
+  using std::cbrt;
+  std::vector<BrokenLaw> broken;
+  const double u = static_cast<double>(std::numeric_limits<S>::epsilon());
+  const auto equal = [&](const char* law, const S& a, const S& b, double bound) {
+    const double off = std::abs(static_cast<double>(S(a - b))) /
+                       (1 + std::abs(static_cast<double>(a)) + std::abs(static_cast<double>(b)));
+    if (!(off <= bound)) broken.push_back({law, off, bound});
+  };
+  const EffectView<S> view{bodies, motion, t};
+  std::vector<Wrench<S>> wrenches(motion.size()), twice;
+  effect.apply(view, wrenches);
+  S of_wrenches(0);
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    of_wrenches += wrenches[b].F.dot(motion[b].r_dot) + wrenches[b].n_bar.dot(motion[b].omega_bar);
+  equal("the power is that of the wrenches", effect.power(view), of_wrenches, 1e4 * u);
+  twice = wrenches;
+  effect.apply(view, twice);
+  S added(0), once(0);
+  for (std::size_t b = 0; b < wrenches.size(); ++b) {
+    added += (twice[b].F - wrenches[b].F).norm() + (twice[b].n_bar - wrenches[b].n_bar).norm();
+    once += wrenches[b].F.norm() + wrenches[b].n_bar.norm();
+  }
+  equal("wrenches are added to those there are", added, once, 1e4 * u);
+  // r and A a little on with the motion, and a little back
+  const S h(cbrt(u));
+  const auto stored = [&](const S& by) {
+    std::vector<BodyMotion<S>> moved = motion;
+    for (BodyMotion<S>& body : moved) {
+      body.r += by * body.r_dot;
+      body.A = (body.A * rotation_matrix(exponential_parameters<S>(by * body.omega_bar))).eval();
+    }
+    return S(effect.potential_energy(EffectView<S>{bodies, moved, t}));
+  };
+  equal("power is taken from stored energy, but for the part that is not conservative",
+        S(effect.power(view) - effect.nonconservative_power(view)), S((stored(-h) - stored(h)) / (2 * h)),
+        1e4 * cbrt(u * u));
+  if (effect.is_conservative())
+    equal("a conservative effect has no other power", effect.nonconservative_power(view), S(0), 1e4 * u);
+  return broken;
+}
+
+}  // namespace trivium

@@ -1,0 +1,50 @@
+#pragma once
+/// The row analysis of a model, whatever types of constraints and effects it has. Compiled for the library's
+/// in row_analysis.cpp; who adds types includes this file.
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "formulations/analysis/magnitude_bounds_impl.hpp"
+#include "formulations/analysis/row_analysis.hpp"
+
+namespace trivium {
+
+namespace detail {
+
+inline std::string contradiction(const std::vector<std::string>& row_names, const RowAnalysis& rows) {
+  std::string names;
+  for (int k : rows.contradictory) names += (names.empty() ? "" : ", ") + row_names[k];
+  return fmt::format(
+      "no acceleration satisfies all rows: {} against the rows before; remove a row, or make their "
+      "functions of time agree",
+      names);
+}
+
+}  // namespace detail
+
+template <class Types>
+RowAnalysis analyse_rows(const Model<double, Types>& model) {
+  const auto& [mechanism, state] = model;
+  const int unknowns = 6 * mechanism.nb() + mechanism.nc();
+  if (unknowns > most_dense_unknowns)
+    throw ModelError(
+        fmt::format("{}: {} bodies and {} rows make a dense augmented matrix of {} unknowns, beyond the {} "
+                    "that the printed form is "
+                    "solved for; take fewer bodies",
+                    mechanism.name, mechanism.nb(), mechanism.nc(), unknowns, most_dense_unknowns));
+  try {
+    TangentSystem system = tangent_system(mechanism, state);
+    add_magnitude_bounds(mechanism, state, system);
+    RowAnalysis rows = analyse_rows(system);
+    if (!rows.contradictory.empty()) throw ModelError(detail::contradiction(mechanism.row_names, rows));
+    return rows;
+  } catch (const ModelError& error) {
+    throw ModelError(fmt::format("{} at t = {}: {}", mechanism.name, state.t, error.what()));
+  }
+}
+
+}  // namespace trivium

@@ -1,0 +1,211 @@
+#pragma once
+/// The laws of a formulation, for whoever writes one: what its three parts must do, which types cannot say.
+/// `broken_laws<F>()` tries those of every part that F has at fixed states of a body and names what does not
+/// hold. Newton and Euler's equations in the body frame are what the printed ones are held against.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "base/broken_law.hpp"
+#include "bodies/rotations/so3.hpp"
+#include "formulations/formulation.hpp"
+#include "formulations/r_omega.hpp"
+
+namespace trivium {
+
+namespace detail {
+
+template <EquationsAsPrinted F>
+class FormulationLaws {
+ public:
+  std::vector<BrokenLaw> broken() {
+    for (int n = 0; n < 20; ++n) {
+      try {
+        at_sample(n);
+      } catch (const std::exception& error) {
+        broken_.push_back({fmt::format("{}: at {:.2f} of a turn it throws: {}", F::name,
+                                       std::acos(static_cast<double>(pose(n)[0])) / pi, error.what()),
+                           1, 0});
+      }
+    }
+    return broken_;
+  }
+
+ private:
+  using S = typename F::Scalar;
+  using V = Vector3<S>;
+  using Kinematics = typename F::Kinematics;
+  using Unknown = typename F::Unknown;
+
+  /// A body somewhere, turning somehow.
+  struct Sample {
+    Vector4<S> p;
+    V omega_bar;
+    typename F::Chart chart;
+    typename F::Coordinates q;
+    Kinematics body;
+  };
+
+  /// Fixed numbers without a pattern, of size 1.
+  static V numbers(int seed) {
+    const auto at = [seed](int k) { return S(std::sin(1.7 * (7 * k + 13 * seed + 1))); };
+    return {at(0), at(1), at(2)};
+  }
+  template <class A, class B>
+  void equal(const char* law, const A& a, const B& b, double digits_lost = 1e5) {
+    const double size = 1 + static_cast<double>(S(a.norm())) + static_cast<double>(S(b.norm()));
+    const double off = static_cast<double>(S((a - b).norm())) / size;
+    const double bound = digits_lost * static_cast<double>(std::numeric_limits<S>::epsilon());
+    if (!(off <= bound)) broken_.push_back({std::string(F::name) + ": " + law, off, bound});
+  }
+
+  static constexpr double pi = 3.14159265358979323846;
+
+  /// Turned by two thirds of half a turn at most: coordinates that have no rates at half a turn have them.
+  static Vector4<S> pose(int n) {
+    Vector4<S> p;
+    p << S(1 + 0.01 * n), numbers(3 * n + 1);
+    return p / p.norm();
+  }
+  static Sample sample(int n) {
+    Sample s;
+    s.p = pose(n);
+    s.omega_bar = 2 * numbers(3 * n + 2);
+    s.chart = F::choose_chart({}, s.p);
+    s.q = F::from_pose(s.chart, s.p, s.omega_bar);
+    s.body = F::kinematics(s.chart, numbers(n), numbers(n + 1), s.q);
+    return s;
+  }
+
+  void at_sample(int n) {
+    const Sample s = sample(n);
+    poses(s);
+    const Unknown q_ddot = accelerations(s, n);
+    newton_and_euler(s, q_ddot, n);
+    if constexpr (ReducedEquations<F>) reduced(s, n);
+    if constexpr (MovingCoordinates<F>) moving(s, n);
+  }
+
+  void poses(const Sample& s) {
+    equal("a pose gives its rotation", s.body.A, rotation_matrix(s.p));
+    equal("a pose gives its angular velocity", s.body.omega_bar, s.omega_bar);
+    const Vector4<S> p = F::to_euler_parameters(s.chart, s.q);
+    equal("coordinates give the pose back", rotation_matrix(Vector4<S>(p / p.norm())), rotation_matrix(s.p));
+  }
+  /// Of every body vector: a'' from the rotation's own derivatives, and from the formulation's. Returns an
+  /// acceleration that meets the internal rows.
+  Unknown accelerations(const Sample& s, int n) {
+    const Matrix<S, F::rotational_unknowns, 3> lift = F::lift(s.body);
+    Unknown q_0 = Unknown::Zero();
+    if constexpr (F::internal_constraints > 0) {
+      const Matrix<S, F::internal_constraints, F::rotational_unknowns> P = F::internal_jacobian(s.body);
+      const Matrix<S, F::internal_constraints, 3> turned = P * lift;
+      equal("turns keep the internal rows: P lift = 0", turned, (turned * S(0)).eval());
+      q_0 = P.transpose() * (P * P.transpose()).inverse() * F::internal_gamma(s.body);
+    }
+    const V x = numbers(n + 40);
+    const Unknown q_ddot = lift * x + q_0;
+    const V omega_bar_dot = F::to_angular_acceleration(s.body, q_ddot);
+    equal("lift is how the unknown grows with omega_bar'",
+          V(omega_bar_dot - F::to_angular_acceleration(s.body, q_0)), x);
+    for (int k = 0; k < 3; ++k) {
+      const V a_bar = V::Unit(k) + numbers(n + k) / 2;
+      const BodyVector<S> a = s.body.vector(a_bar);
+      equal("a body vector is A times its own", a.a, V(s.body.A * a_bar));
+      equal("a body vector's rate is A (omega_bar x a_bar)", a.rate, V(s.body.A * s.omega_bar.cross(a_bar)));
+      const Matrix<S, 3, F::rotational_unknowns> J = s.body.jacobian(a);
+      equal("Jacobian and bias give a body vector's second derivative", V(J * q_ddot + a.bias),
+            V(s.body.A * (omega_bar_dot.cross(a_bar) + s.omega_bar.cross(s.omega_bar.cross(a_bar)))));
+      const V w = numbers(n + 50 + k);
+      const Matrix<S, 1, F::rotational_unknowns> along = s.body.jacobian_along(a, w);
+      equal("jacobian_along is w^T times the Jacobian", along, (w.transpose() * J).eval());
+    }
+    return q_ddot;
+  }
+  static Matrix3<S> inertia(int n) {
+    const V d = numbers(n + 60).cwiseAbs();
+    const Matrix3<S> turned = rotation_matrix(sample(n + 1).p);
+    return turned * V(1 + d[0], 1 + d[1], 1 + d[2]).asDiagonal() * turned.transpose();
+  }
+  void newton_and_euler(const Sample& s, const Unknown& q_ddot, int n) {
+    const Matrix3<S> J_bar = inertia(n);
+    const Matrix<S, F::rotational_unknowns, 3> lift = F::lift(s.body);
+    const V omega_bar_dot = F::to_angular_acceleration(s.body, q_ddot);
+    const V n_bar = J_bar * omega_bar_dot + s.omega_bar.cross(J_bar * s.omega_bar), load = numbers(n + 70);
+    const Unknown applied = F::applied_force(s.body, load), held = F::applied_force(s.body, n_bar);
+    equal("a moment does the work that it does on a turning body", V(lift.transpose() * applied), load);
+    const Unknown left = F::mass_block(s.body, J_bar) * q_ddot - F::velocity_force(s.body, J_bar) - held;
+    equal("along turns the printed equations are Euler's", V(lift.transpose() * left), V(V::Zero()));
+    if constexpr (F::internal_constraints == 0)
+      equal("without internal rows the printed equations are Euler's", left, (left * S(0)).eval());
+  }
+
+  void reduced(const Sample& s, int n) {
+    const typename F::Reduced body{s.body};
+    const Matrix3<S> J_bar = inertia(n);
+    const V x = numbers(n + 80), load = numbers(n + 81);
+    const Unknown q_ddot = F::from_reduced(s.body, x), at_0 = F::from_reduced(s.body, V(V::Zero()));
+    if constexpr (F::internal_constraints > 0)
+      equal("reduced unknowns meet the internal rows", (F::internal_jacobian(s.body) * q_ddot).eval(),
+            F::internal_gamma(s.body));
+    equal("an increment is how the unknown grows with the reduced one", Unknown(q_ddot - at_0),
+          Unknown(F::increment(s.body, x)));
+    const Unknown inertia_force = F::mass_block(s.body, J_bar) * F::increment(s.body, x);
+    equal("the reduced mass block is the printed one's, reduced", V(F::reduced(body, inertia_force)),
+          V(F::reduced_mass_block(s.body, J_bar) * x));
+    const Unknown force = F::applied_force(s.body, load) + F::velocity_force(s.body, J_bar) -
+                          F::mass_block(s.body, J_bar) * at_0;
+    equal("the reduced force is the printed one's, reduced", V(F::reduced(body, force)),
+          V(F::reduced_force(s.body, J_bar, load)));
+    equal("a reduced force is known as a moment",
+          V(F::moment(body, F::reduced(body, Unknown(F::applied_force(s.body, load))))), load);
+    const V a_bar = numbers(n + 82), bias = body.vector(a_bar).bias + body.jacobian(body.vector(a_bar)) * x;
+    const BodyVector<S> printed = s.body.vector(a_bar);
+    equal("reduced unknowns move body vectors as printed ones do", bias,
+          V(printed.bias + s.body.jacobian(printed) * q_ddot));
+  }
+
+  void moving(const Sample& s, int n) {
+    const typename F::Orientation at = F::orientation_of(s.chart, s.p);
+    const Unknown v = F::velocity_of(s.chart, s.q);
+    const auto again =
+        F::kinematics(s.chart, V(V::Zero()), V(V::Zero()), F::from_orientation(s.chart, at, v));
+    equal("orientation and velocity as numbers give the rotation back", again.A, s.body.A);
+    equal("orientation and velocity as numbers give the angular velocity back", again.omega_bar, s.omega_bar);
+    Unknown by = v;
+    for (Eigen::Index k = 0; k < by.size(); ++k)
+      by[k] = S(0.05 * std::sin(1.0 + 3.0 * static_cast<double>(k) + n));
+    const typename F::Orientation there = F::step(s.chart, at, by);
+    equal("a displacement leads where its step went", Unknown(F::displacement(s.chart, at, there)), by);
+    equal("a displacement begins to grow as the velocity",
+          Unknown(F::displacement_rate(Unknown(Unknown::Zero()), v)), v);
+    // a little on with the motion, and a little back
+    using std::cbrt;
+    const S h(cbrt(static_cast<double>(std::numeric_limits<S>::epsilon())));
+    const auto moved = [&](const S& t) {
+      return F::orientation_of(s.chart, ROmega<S>::step({}, s.p, V(t * s.omega_bar)));
+    };
+    const typename F::Orientation slope = (moved(h) - moved(-h)) / (2 * h);
+    // angles may turn over between the two
+    if (static_cast<double>(S(slope.norm())) < 1e3)
+      equal("the orientation's rate is that of its numbers", slope,
+            typename F::Orientation(F::orientation_rate(s.chart, at, v)),
+            1e3 / cbrt(static_cast<double>(std::numeric_limits<S>::epsilon())));
+  }
+
+  std::vector<BrokenLaw> broken_;
+};
+
+}  // namespace detail
+
+template <EquationsAsPrinted F>
+std::vector<BrokenLaw> broken_laws() {
+  return detail::FormulationLaws<F>().broken();
+}
+
+}  // namespace trivium

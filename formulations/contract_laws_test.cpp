@@ -1,0 +1,69 @@
+// The laws of the contract, of every formulation, and that each can fail.
+
+#include <gtest/gtest.h>
+
+#include "formulations/contract/laws.hpp"
+#include "formulations/contract/reduced_to_rotation.hpp"
+#include "formulations/formulation_list.hpp"
+
+namespace trivium {
+namespace {
+
+template <class F>
+void expect_no_broken_law() {
+  for (const BrokenLaw& broken : broken_laws<F>())
+    ADD_FAILURE() << broken.law << ": " << broken.figure << ", bound " << broken.bound;
+}
+
+TEST(ContractLaws, HoldForEveryFormulation) {
+  for (const std::string& name : formulation_names())
+    with_formulation<double>(name, []<Formulation F>() { expect_no_broken_law<F>(); });
+}
+
+TEST(ContractLaws, HoldForWhatIsReducedToRotation) {
+  for (const std::string& name : formulation_names())
+    with_formulation<double>(name, []<Formulation F>() { expect_no_broken_law<ReducedToRotation<F>>(); });
+}
+
+// formulations that are wrong in one place each
+struct WrongSignOfGyroscopicMoment : ROmega<double> {
+  static Vector3<double> velocity_force(const Kinematics& k, const Matrix3<double>& J_bar) {
+    return -ROmega<double>::velocity_force(k, J_bar);
+  }
+};
+struct MassOffByAMillionth : RP<double> {
+  static Matrix<double, 4, 4> mass_block(const Kinematics& k, const Matrix3<double>& J_bar) {
+    return (1 + 1e-6) * RP<double>::mass_block(k, J_bar);
+  }
+};
+struct InternalRowWithoutItsBias : RP<double> {
+  static Vector<double, 1> internal_gamma(const Kinematics&) { return Vector<double, 1>::Zero(); }
+};
+struct MomentOfAnotherFrame : ROmega<double> {
+  static Vector3<double> applied_force(const Kinematics& k, const Vector3<double>& n_bar) {
+    return k.A * n_bar;
+  }
+};
+struct StepTwiceAsFar : ROmega<double> {
+  static Orientation step(const Chart& chart, const Orientation& p, const Vector3<double>& phi) {
+    return ROmega<double>::step(chart, p, 2 * phi);
+  }
+};
+struct ReducedForceWithoutGyroscopicMoment : RP<double> {
+  static Vector3<double> reduced_force(const Kinematics&, const Matrix3<double>&,
+                                       const Vector3<double>& n_bar) {
+    return n_bar;
+  }
+};
+
+template <class F>
+class AWrongFormulation : public testing::Test {};
+using WrongFormulations =
+    testing::Types<WrongSignOfGyroscopicMoment, MassOffByAMillionth, InternalRowWithoutItsBias,
+                   MomentOfAnotherFrame, StepTwiceAsFar, ReducedForceWithoutGyroscopicMoment>;
+TYPED_TEST_SUITE(AWrongFormulation, WrongFormulations);
+
+TYPED_TEST(AWrongFormulation, IsFoundByTheLaws) { EXPECT_FALSE(broken_laws<TypeParam>().empty()); }
+
+}  // namespace
+}  // namespace trivium
