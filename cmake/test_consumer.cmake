@@ -11,13 +11,14 @@ endfunction()
 step(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
 set(INCLUDE ${WORK_DIR}/prefix/include/trivium)
 include(${SOURCE_DIR}/cmake/check_package.cmake)
-# serves(<folder> <program> <scene>): the project of a folder builds, and its program is content with a scene
-function(serves folder program scene)
+# serves(<folder> <program> <scene>...): the project of a folder builds, and its program is content with the scenes
+function(serves folder program)
   set(build ${WORK_DIR}/${program})
   step(${CMAKE_COMMAND} -S ${SOURCE_DIR}/${folder} -B ${build} -G Ninja -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix
        -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=${CXX})
   step(${CMAKE_COMMAND} --build ${build})
-  step(${build}/${program} ${WORK_DIR}/prefix/share/trivium/scenes/${scene}.json)
+  list(TRANSFORM ARGN REPLACE "(.+)" "${WORK_DIR}/prefix/share/trivium/scenes/\\1.json")
+  step(${build}/${program} ${ARGN})
 endfunction()
 # compiled for a processor that the library was not, a project does not build, and is told why
 function(is_refused_with flag)
@@ -36,6 +37,7 @@ endif()
 is_refused_with(-ffast-math)
 serves(cmake/consumer consumer heavy_top)
 serves(examples/rotation_vector rotation_vector_moves spatial_slider_crank)
-serves(examples/directors directors_lambda spatial_slider_crank)
+serves(examples/directors directors_lambda spatial_slider_crank heavy_top stewart_platform four_bar flyball_governor
+       triple_pendulum bricard)
 serves(examples/own_method own_method_moves spatial_slider_crank)
 serves(examples/own_types own_types_move spatial_slider_crank)

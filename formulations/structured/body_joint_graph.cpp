@@ -21,6 +21,12 @@ bool turns(const GraphJoint& driver, const GraphJoint& revolute) {
          apart(driver.axis_j, swapped ? revolute.axis_i : revolute.axis_j) < rank_tolerance;
 }
 
+/// Whether the row of a basic constraint sees how j moves relative to i and nothing else. A cd's vector is
+/// fixed in the global frame. Who is not listed may see anything.
+bool is_seen_relative(ConstraintType type) {
+  return type == ConstraintType::dp1 || type == ConstraintType::dp2 || type == ConstraintType::d;
+}
+
 }  // namespace
 
 BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joints) {
@@ -45,7 +51,7 @@ BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joint
       const bool fits = found != basic_edge.end() && graph.edges[found->second].size() < GraphEdge::most_rows;
       if (!fits) basic_edge[pair] = add_edge(joint, false);
       take_rows(basic_edge[pair], joint);
-      if (joint.type == ConstraintType::cd && joint.i != graph.bodies && joint.j != graph.bodies)
+      if (!is_seen_relative(joint.type) && joint.i != graph.bodies && joint.j != graph.bodies)
         graph.edges[basic_edge[pair]].is_relative = false;
     } else {
       const bool is_point = holds_a_point(joint.type);
