@@ -109,7 +109,8 @@ class Newton {
         // v' that meets the velocity rows moves Phi by a share of them
         phi_ = shares.position / shares.velocity * phi_dot_ - phi_;
         mu_.setZero(nc);
-        system.solve(factors_, at_, StateVector<S>::Zero(nv), phi_, v_change_, mu_);
+        no_force_.setZero(nv);
+        system.solve(factors_, at_, no_force_, phi_, v_change_, mu_);
         change_.tail(nv) = v_change_;
         v_change_.setZero(nv);
         phi_dot_ /= -shares.velocity;
@@ -141,7 +142,7 @@ class Newton {
   typename System::Evaluation at_;
   typename System::Factors factors_;
   StateVector<S> force_, left_, phi_, phi_dot_;
-  StateVector<S> change_, v_change_, lambda_change_, mu_;
+  StateVector<S> change_, v_change_, lambda_change_, mu_, no_force_;
 };
 
 }  // namespace trivium::integrators

@@ -69,7 +69,7 @@ class Radau {
       t = stop;
       return;
     }
-    error_->begin(system, y);
+    error_->begin(system, t, y);
     take_chosen_step(
         system, step_size_, {S(-1) / (s + 1), S(8)}, counters_, t, y, stop,
         [&](const S& h) {
@@ -132,7 +132,7 @@ class Radau {
     if (!error_) return S(0);
     // where the stages were as predicted, none was asked for
     if (!has_matrix_) factor(system, h);
-    return error_->of_step(system, stages_, t, h, y);
+    return error_->of_step(system, stages_, h, y);
   }
 
   /// From the stages as predicted; whether they came to solve their equations.

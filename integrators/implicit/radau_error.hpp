@@ -21,8 +21,11 @@ class RadauError {
   explicit RadauError(const Tolerances& tolerances) : tolerances_(tolerances) {}
   const Tolerances& tolerances() const { return tolerances_; }
 
-  /// Of steps from y.
-  void begin(const System& system, const StateVector<S>& y) { system.position_sizes(y, sizes_); }
+  /// Of steps from (t, y).
+  void begin(System& system, const S& t, const StateVector<S>& y) {
+    system.position_sizes(y, sizes_);
+    system.evaluate(t, y, at_start_);
+  }
 
   /// How far a correction moves the stages.
   S of_correction(const Stages& stages, const StateVector<S>& step, const S& h, const StateVector<S>& y) {
@@ -42,7 +45,7 @@ class RadauError {
 
   /// The estimated error of the step from y, of order s, filtered by the matrix of springs: what it would
   /// damp is no error.
-  S of_step(System& system, const Stages& stages, const S& t, const S& h, const StateVector<S>& y) {
+  S of_step(System& system, const Stages& stages, const S& h, const StateVector<S>& y) {
     const auto& coefficients = stages.coefficients();
     const StateVector<S> v = y.segment(stages.nq(), stages.nv());
     const auto& e = coefficients.error;
@@ -51,12 +54,12 @@ class RadauError {
     for (int i = 0; i < s; ++i) off_v += e[i] * (stages[i].v - v);
     const StateVector<S> off_q = gamma * h * v + stages.mixed(e, &Stages::Stage::theta);
     const auto& last = stages.last();
-    system.evaluate(t, y, at_start_);
     system.inertia_force(at_start_, off_v, force_);
     system.reduce(last.factors, force_, left_);
     of_v_.setZero(stages.nv());
     mu_.setZero(stages.nc());
-    system.solve(last.factors, last.at, left_, StateVector<S>::Zero(stages.nc()), of_v_, mu_);
+    no_rows_.setZero(stages.nc());
+    system.solve(last.factors, last.at, left_, no_rows_, of_v_, mu_);
     return in_tolerances(stages, y, off_q, of_v_);
   }
 
@@ -79,7 +82,7 @@ class RadauError {
   Tolerances tolerances_;
   StateVector<S> sizes_;  ///< of what displacements move
   typename System::Evaluation at_start_;
-  StateVector<S> of_q_, of_v_, force_, left_, mu_;
+  StateVector<S> of_q_, of_v_, force_, left_, mu_, no_rows_;
 };
 
 }  // namespace trivium::integrators

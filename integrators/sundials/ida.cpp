@@ -172,7 +172,8 @@ class Ida final : public Stepper {
     if (system.springs() > 0) {
       system.applied_force(evaluated_, moved_force_);
       system.reduce(factors_, moved_force_ - force_at_, left_);
-      system.solve(factors_, evaluated_, left_, StateVectorD::Zero(nc_), u, x_lambda);
+      no_rows_.setZero(nc_);
+      system.solve(factors_, evaluated_, left_, no_rows_, u, x_lambda);
     }
     const StateVectorD x_v = u / c_, x_sigma = c_ * b_phi - b_phi_dot - along;
     move(linearised_, at_, x_v, x_sigma);
@@ -217,7 +218,7 @@ class Ida final : public Stepper {
   StateVectorD at_, phi_dot_at_, force_at_;                ///< where the matrix was made
   AnyEvaluation evaluated_, linearised_;                   ///< of now, and there
   AnyFactors factors_;
-  StateVectorD moved_force_, left_;
+  StateVectorD moved_force_, left_, no_rows_;
   double at_t_ = 0, c_ = 1;
 };
 

@@ -58,7 +58,8 @@ void OdeStepper::solve(const Eigen::Map<StateVectorD>& b, Eigen::Map<StateVector
   system.reduce(factors_, moved_force_ - force_, left_);
   w_.setZero(nv);
   mu_.setZero(system.multipliers());
-  system.solve(factors_, evaluated_, left_, StateVectorD::Zero(mu_.size()), w_, mu_);
+  no_rows_.setZero(system.multipliers());
+  system.solve(factors_, evaluated_, left_, no_rows_, w_, mu_);
   x.segment(nq, nv) += gamma_ * w_;
   system.position_rate(at_, w_, rate_);
   x.head(nq) += gamma_ * gamma_ * rate_;

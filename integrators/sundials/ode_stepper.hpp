@@ -37,7 +37,7 @@ class OdeStepper : public Stepper {
   StateVectorD at_, force_;  ///< what was linearised about, and Q there
   AnyEvaluation evaluated_;
   AnyFactors factors_;
-  StateVectorD y_dot_, b_v_, rate_, moved_, moved_force_, left_, w_, mu_;
+  StateVectorD y_dot_, b_v_, rate_, moved_, moved_force_, left_, w_, mu_, no_rows_;
 };
 
 }  // namespace trivium::integrators::sundials_library

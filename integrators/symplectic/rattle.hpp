@@ -150,7 +150,8 @@ class Rattle {
       before = now;
       change_.setZero(none_.size());
       system.reduce(factors_, left_, reduced_);
-      system.solve(factors_, at_, reduced_, -rows_, change_, mu_);
+      rows_ = -rows_;
+      system.solve(factors_, at_, reduced_, rows_, change_, mu_);
       move();
       ++counters_.iterations;
     }
