@@ -2,6 +2,8 @@
 /// A law of a contract that does not hold, as the law functions report it: contracts say what types must
 /// have, and their laws say how it must behave. No test library is needed to try them.
 
+#include <fmt/format.h>
+
 #include <string>
 
 namespace trivium {
@@ -10,6 +12,8 @@ namespace trivium {
 struct BrokenLaw {
   std::string law;
   double figure, bound;
+
+  std::string text() const { return fmt::format("{}: {:.1e}, bound {:.1e}", law, figure, bound); }
 };
 
 }  // namespace trivium

@@ -8,7 +8,6 @@
 /// add one, write its file and enter it here; outside the library, add it by `With`.
 
 #include <concepts>
-#include <type_traits>
 #include <variant>
 
 #include "constraints/cd.hpp"

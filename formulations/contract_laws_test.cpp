@@ -11,8 +11,7 @@ namespace {
 
 template <class F>
 void expect_no_broken_law() {
-  for (const BrokenLaw& broken : broken_laws<F>())
-    ADD_FAILURE() << broken.law << ": " << broken.figure << ", bound " << broken.bound;
+  for (const BrokenLaw& broken : broken_laws<F>()) ADD_FAILURE() << broken.text();
 }
 
 TEST(ContractLaws, HoldForEveryFormulation) {

@@ -114,8 +114,7 @@ TEST(SphericalPendulum, IsAConicalPendulumWhereItTurnsAtTheRightSpeed) {
 
 TEST(SphericalPendulum, KeepsTheLawsOfAConstrainedSystem) {
   SphericalPendulum<double> pendulum;
-  for (const BrokenLaw& broken : broken_laws(pendulum, 0.0, pendulum.start()))
-    ADD_FAILURE() << broken.law << ": " << broken.figure << ", bound " << broken.bound;
+  for (const BrokenLaw& broken : broken_laws(pendulum, 0.0, pendulum.start())) ADD_FAILURE() << broken.text();
 }
 
 class GivenStepsOnThePendulum : public testing::TestWithParam<MethodInfo> {};
@@ -138,7 +137,7 @@ class EveryMethod : public testing::TestWithParam<MethodInfo> {};
 
 TEST_P(EveryMethod, KeepsTheLawsThatItsEntrySays) {
   for (const BrokenLaw& broken : broken_laws(method_entry<double>(GetParam().name)))
-    ADD_FAILURE() << broken.law << ": " << broken.figure << ", bound " << broken.bound;
+    ADD_FAILURE() << broken.text();
 }
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, testing::ValuesIn(methods()), in_a_name);
 

@@ -12,12 +12,10 @@
 ///                           `may` shows has a default
 
 #include <array>
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <variant>
 
-#include "base/variants.hpp"
 #include "bodies/numbers/time_function.hpp"
 #include "scenes/side.hpp"
 
@@ -109,8 +107,5 @@ template <class Visitor, class AnEffect>
 void visit_keys(Visitor&& visitor, AnEffect& effect) {
   std::visit([&](auto& one) { one.keys(visitor, one); }, effect);
 }
-
-/// An effect of the n-th type of the list, with its defaults.
-inline Effect default_effect(std::size_t n) { return emplaced<Effect>(n); }
 
 }  // namespace trivium::scenes

@@ -16,7 +16,7 @@ int main(int count, char** arguments) {
   using namespace trivium;
   bool passed = count > 1;
   for (const BrokenLaw& law : broken_laws<Directors<double>>()) {
-    fmt::print("broken: {}: {:.1e}, bound {:.1e}\n", law.law, law.figure, law.bound);
+    fmt::print("broken: {}\n", law.text());
     passed = false;
   }
   for (int k = 1; k < count; ++k) {

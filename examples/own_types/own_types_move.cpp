@@ -117,8 +117,7 @@ bool drag_keeps_its_laws(const Model<double, Mine>& model) {
                  model.state.twist[b].omega_bar};
   const QuadraticDrag<double> of_the_bead{model.mechanism.nb() - 1, 0.3};
   const auto broken = broken_laws(of_the_bead, model.mechanism.bodies, motion, model.state.t);
-  for (const BrokenLaw& law : broken)
-    fmt::print("broken: {}: {:.1e}, bound {:.1e}\n", law.law, law.figure, law.bound);
+  for (const BrokenLaw& law : broken) fmt::print("broken: {}\n", law.text());
   return broken.empty();
 }
 

@@ -34,8 +34,7 @@ double apart(const MotionSample& one, const MotionSample& other) {
 bool keeps_its_laws() {
   auto broken = broken_laws<Mine>();
   for (BrokenLaw& law : broken_laws<WholeFormulation<Mine>>()) broken.push_back(law);
-  for (const BrokenLaw& law : broken)
-    fmt::print("broken: {}: {:.1e}, bound {:.1e}\n", law.law, law.figure, law.bound);
+  for (const BrokenLaw& law : broken) fmt::print("broken: {}\n", law.text());
   return broken.empty();
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "formulations/analysis/magnitude_bounds_impl.hpp"
+#include "formulations/analysis/magnitude_bounds.hpp"
 #include "formulations/analysis/row_analysis.hpp"
 
 namespace trivium {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/variants.hpp"
 #include "scenes/scene.hpp"
 
 namespace trivium::scenes {
@@ -141,7 +142,7 @@ inline const std::vector<Shape>& effect_shapes() {
   static const std::vector<Shape> all = [] {
     std::vector<Shape> shapes;
     for (std::size_t k = 0; k < std::variant_size_v<Effect>; ++k) {
-      const Effect effect = default_effect(k);
+      const Effect effect = emplaced<Effect>(k);
       Shape& shape = shapes.emplace_back(std::visit([](const auto& one) { return one.type; }, effect),
                                          std::initializer_list<Key>{need("type"), may("name")});
       visit_keys(detail::KeyList{shape}, effect);

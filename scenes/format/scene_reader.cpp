@@ -5,6 +5,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "base/variants.hpp"
 #include "scenes/format/json_reader.hpp"
 
 namespace trivium::scenes {
@@ -150,7 +151,7 @@ struct EffectReader {
 void read_value(const Json& json, const Path& at, Effect& out, const Names& bodies, const Names& joints) {
   const std::size_t type = read_tag(json, at, "type", "effect type", names_of(effect_shapes()));
   const ObjectReader object(json, at, effect_shapes()[type]);
-  out = default_effect(type);
+  out = emplaced<Effect>(type);
   visit_keys(EffectReader{object, at, bodies, joints}, out);
   std::visit([&](auto& effect) { object.read("name", effect.name); }, out);
   if (const Json* name = object.find("name"); name && name->text()->empty())

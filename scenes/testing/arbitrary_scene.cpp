@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/variants.hpp"
 #include "scenes/format/scene_keys.hpp"
 
 namespace trivium::scenes {
@@ -188,7 +189,7 @@ struct ArbitraryEffect {
 Effect arbitrary_effect(Random& random, int index, const Scene& scene) {
   const bool has_angle = std::any_of(scene.constraints.begin(), scene.constraints.end(),
                                      [](const Constraint& c) { return has_an_angle(c.type); });
-  Effect effect = default_effect(random.below(static_cast<int>(std::variant_size_v<Effect>)));
+  Effect effect = emplaced<Effect>(random.below(static_cast<int>(std::variant_size_v<Effect>)));
   if (std::holds_alternative<TorsionalSpringDamper>(effect) && !has_angle) effect = Gravity{};
   if (random.flip()) std::visit([&](auto& one) { one.name = fmt::format("e{}", index); }, effect);
   visit_keys(ArbitraryEffect{random, scene}, effect);

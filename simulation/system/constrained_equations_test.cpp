@@ -54,7 +54,7 @@ TYPED_TEST(Constrained, KeepsTheLawsOfAConstrainedSystem) {
         "driven_crank", "basic_drivers", "open_arm_7", "a01_pendulum"}) {
     auto form = form_of<TypeParam>(catalogue_scene(name));
     for (const BrokenLaw& broken : integrators::broken_laws(form, 0.0, form.start()))
-      ADD_FAILURE() << name << ": " << broken.law << ": " << broken.figure << ", bound " << broken.bound;
+      ADD_FAILURE() << name << ": " << broken.text();
   }
 }
 

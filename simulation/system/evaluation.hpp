@@ -35,31 +35,29 @@ struct EvaluatedModel {
 template <Formulation F>
 class Evaluation {
  public:
-  using Model = EvaluatedModel<F>;
-
   /// Storage for another state of the mechanism that the plan is of: its own, unless factors use it; else
   /// `make()`'s.
   template <class Make>
-  Model& begin(const std::shared_ptr<const EliminationPlan>& plan, const Make& make) {
+  EvaluatedModel<F>& begin(const std::shared_ptr<const EliminationPlan>& plan, const Make& make) {
     const auto is_free = [&] { return model_ && model_.use_count() == 1 && model_->plan == plan; };
     if (!is_free()) std::swap(model_, spare_);
     if (!is_free()) model_ = make();
     model_->is_assembled = model_->is_factored = false;
     return *model_;
   }
-  Model& operator*() const {
+  EvaluatedModel<F>& operator*() const {
     if (!model_) throw_not_made();
     return *model_;
   }
-  Model* operator->() const { return &**this; }
-  const std::shared_ptr<Model>& shared() const { return model_; }
+  EvaluatedModel<F>* operator->() const { return &**this; }
+  const std::shared_ptr<EvaluatedModel<F>>& shared() const { return model_; }
 
  private:
   [[noreturn, gnu::cold, gnu::noinline]] static void throw_not_made() {
     throw std::logic_error("an evaluation is asked before it was made");
   }
 
-  std::shared_ptr<Model> model_, spare_;
+  std::shared_ptr<EvaluatedModel<F>> model_, spare_;
 };
 
 }  // namespace trivium

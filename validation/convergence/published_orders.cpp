@@ -3,57 +3,41 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
-#include <string_view>
+#include <string>
 #include <utility>
 
 #include "integrators/methods.hpp"
 
 namespace trivium::convergence {
 
-namespace {
-
-/// The orders are those that the method's entry says.
-Case entered(std::string name, std::string method, integrators::MethodParameters parameters, int steps) {
-  const integrators::MethodInfo& info = *integrators::find_method(method);
-  const int order = parameters.order.value_or(info.order),
-            own = info.has_own_lambda ? parameters.order.value_or(info.own_lambda_order) : 0;
-  return {std::move(name), std::move(method), parameters, order, own, steps};
-}
-
-}  // namespace
-
 std::vector<Case> cases() {
   std::vector<Case> all;
-  for (const auto& [method, steps] : {std::pair("dopri5", 20),
-                                      {"rkf78", 4},
-                                      {"abm", 160},
-                                      {"hedop5", 80},
-                                      {"hem4", 20},
-                                      {"generalized-alpha", 100},
-                                      {"generalized-alpha-gl2", 50},
-                                      {"hht", 200},
-                                      {"radau5", 20},
-                                      {"radau9", 6},
-                                      {"rattle", 50},
-                                      {"rattle4", 20}})
-    all.push_back(entered(method, method, {}, steps));
-  const auto of = [&](std::string_view name) -> Case& {
-    return *std::find_if(all.begin(), all.end(), [&](const Case& c) { return c.label == name; });
+  // the orders are those that the method's entry says
+  const auto add = [&](std::string label, const std::string& method, int steps,
+                       const integrators::MethodParameters& parameters = {}) -> Case& {
+    const integrators::MethodInfo& info = *integrators::find_method(method);
+    const int order = parameters.order.value_or(info.order),
+              own = info.has_own_lambda ? parameters.order.value_or(info.own_lambda_order) : 0;
+    all.push_back({std::move(label), method, parameters, order, own, steps});
+    return all.back();
   };
-  of("hedop5").scene = "double_pendulum";
-  of("hht").needs_constant_mass = true;
+  add("dopri5", "dopri5", 20);
+  add("rkf78", "rkf78", 4);
+  add("abm", "abm", 160);
+  add("hedop5", "hedop5", 80).scene = "double_pendulum";
+  add("hem4", "hem4", 20);
+  add("generalized-alpha", "generalized-alpha", 100);
+  add("generalized-alpha-gl2", "generalized-alpha-gl2", 50);
+  add("hht", "hht", 200).needs_constant_mass = true;
+  add("hht, alpha = 0", "hht", 50, {.alpha = 0.0}).raw_order = 0;
+  add("radau5", "radau5", 20);
   // starts differ less on the slider-crank, and two errors above 1e-16 are too few
-  of("radau9").scene = "spatial_slider_crank";
-  of("radau9").floor = 5e-18;
-  Case undamped = entered("hht, alpha = 0", "hht", {.alpha = 0.0}, 50);
-  undamped.raw_order = 0;
-  all.insert(std::next(all.begin(), &of("hht") - all.data() + 1), std::move(undamped));
-  for (int k = 1; k <= 5; ++k)
-    all.push_back(entered(fmt::format("bdf{}", k), "bdf", {.order = k}, k < 3 ? 400 : 100));
+  add("radau9", "radau9", 6).floor = 5e-18;
+  add("rattle", "rattle", 50);
+  add("rattle4", "rattle4", 20);
+  for (int k = 1; k <= 5; ++k) add(fmt::format("bdf{}", k), "bdf", k < 3 ? 400 : 100, {.order = k});
   const auto add_library = [&](const char* method, int order, int steps) {
-    all.push_back(entered(fmt::format("{}, {}", method, order), method, {.order = order}, steps));
-    all.back().is_double = true;
+    add(fmt::format("{}, {}", method, order), method, steps, {.order = order}).is_double = true;
   };
   // 8 comes down to rounding before its slope shows
   for (const auto& [k, steps] : {std::pair(2, 200), {3, 50}, {4, 20}, {5, 6}, {6, 6}})
@@ -64,8 +48,8 @@ std::vector<Case> cases() {
   for (const integrators::MethodInfo& info : integrators::methods()) {
     const bool is_there =
         std::any_of(all.begin(), all.end(), [&](const Case& c) { return c.method == info.name; });
-    if (info.takes_given_steps && !is_there)
-      all.push_back(entered(std::string(info.name), std::string(info.name), {}, 100));
+    const std::string name(info.name);
+    if (info.takes_given_steps && !is_there) add(name, name, 100);
   }
   return all;
 }
