@@ -3,8 +3,9 @@
 #include "bodies/numbers/quad.hpp"
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
+#include "constraints/constraint_laws.hpp"
 #include "constraints/constraint_row.hpp"
-#include "constraints/testing/plain_body.hpp"
+#include "constraints/testing/moving_plain_body.hpp"
 
 namespace trivium {
 namespace {
@@ -61,6 +62,42 @@ TYPED_TEST(BasicConstraints, RowsAreTheDerivativesOfPhiInCoordinatesOfTheirOwn) 
   }
 }
 
+/// Turns faster than it says.
+template <class S>
+struct HastyDP1 : TurningDP1<S> {
+  template <BodyKinematics Body, class Use>
+  auto with_features(const Body& on_i, const Body& on_j, const S& t, const Use& use) const {
+    return TurningDP1<S>::with_features(on_i, on_j, S(2 * t), use);
+  }
+};
+/// Shows all but its second vector.
+template <class S>
+struct SecretiveDP1 : DP1<S> {
+  static void keys(auto&& show, auto&... c) {
+    show.vector_i(c.a_bar_i...);
+    show.may("f", c.f...);
+  }
+};
+
+TYPED_TEST(BasicConstraints, KeepTheirLawsAndLawsFindOneThatBreaksThem) {
+  using S = TypeParam;
+  Random random(24);
+  for (int n = 0; n < 50; ++n) {
+    const auto i = test::random_plain_body<S>(random).now, j = test::random_plain_body<S>(random).now;
+    const S t(random.uniform());
+    for (int kind = 0; kind < test::basic_kinds; ++kind) {
+      const auto laws = [&](const auto& row) { return broken_laws(row, i, j, t); };
+      for (const BrokenLaw& law : std::visit(laws, test::sample_constraint<S>(kind, n)))
+        ADD_FAILURE() << test::basic_kind_name(kind) << ": " << law.text();
+    }
+    const BodyPair pair{0, 1};
+    const Vector3<S> a = random.vector<S, 3>(), b = random.vector<S, 3>(), c = random.vector<S, 3>();
+    const TimeFunction alpha = TimeFunction::Polynomial{{0.3, 2}};
+    EXPECT_FALSE(broken_laws(HastyDP1<S>{{pair, a, b, c, alpha}}, i, j, t).empty());
+    EXPECT_FALSE(broken_laws(SecretiveDP1<S>{{pair, a, b, alpha}}, i, j, t).empty());
+  }
+}
+
 TYPED_TEST(BasicConstraints, NuIsZeroWhereNothingIsPrescribed) {
   using S = TypeParam;
   Random random(23);
@@ -102,8 +139,8 @@ void expect_jacobian_is_rate(const Feature& x, const Moving& i, const Moving& j)
 TYPED_TEST(Features, RateJacobianAndBiasAreThoseOfTheValue) {
   using S = TypeParam;
   using T = Taylor<S>;
-  using Now = test::PlainBody<S>;
-  using Along = test::PlainBody<T>;
+  using Now = PlainBody<S>;
+  using Along = PlainBody<T>;
   Random random(24);
   for (int n = 0; n < 50; ++n) {
     const auto i = test::random_plain_body<S>(random), j = test::random_plain_body<S>(random);

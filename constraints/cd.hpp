@@ -8,20 +8,17 @@ namespace trivium {
 
 template <class Scalar>
 struct CD : BodyPair {
-  static constexpr const char* name = "CD";
-  static constexpr bool is_of_angle = false;
+  static constexpr const char *name = "CD", *type = "cd";
+  static constexpr bool is_of_angle = false, sees_relative_motion = false;
 
   Vector3<Scalar> c, s_bar_i, s_bar_j;
   TimeFunction f;
 
-  /// use(part...) for every part of one row or of several side by side.
-  template <class Use, class... Part>
-  static void show_parts(const Use& use, Part&... p) {
-    BodyPair::show_parts(use, p...);
-    use(p.c...);
-    use(p.s_bar_i...);
-    use(p.s_bar_j...);
-    use(p.f...);
+  static void keys(auto&& show, auto&... c) {
+    show.need("direction", c.c...);
+    show.point_i(c.s_bar_i...);
+    show.point_j(c.s_bar_j...);
+    show.may("f", c.f...);
   }
   const TimeFunction& function() const { return f; }
   /// |c|

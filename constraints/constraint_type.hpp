@@ -1,14 +1,11 @@
 #pragma once
-/// The types of constraint that a scene may name: the four basic ones, and the joints that are made of them.
-/// What can be said of a type alone is said here; the rows of each type are in joint.hpp.
+/// The types of constraint that a scene may name: a basic one, or a joint that is made of basic ones. What
+/// can be said of a joint's type alone is said here; the rows of each are in joint.hpp.
 
 namespace trivium {
 
-enum class ConstraintType {
-  dp1,
-  dp2,
-  d,
-  cd,
+enum class JointType {
+  basic,  ///< no joint: one basic constraint
   spherical,
   universal,
   revolute,
@@ -22,51 +19,37 @@ enum class ConstraintType {
   rotation_driver
 };
 
-/// One basic constraint, with vectors and f(t) of its own.
-constexpr bool is_basic(ConstraintType type) {
-  switch (type) {  // whole, so that a new type must say it
-    case ConstraintType::dp1:
-    case ConstraintType::dp2:
-    case ConstraintType::d:
-    case ConstraintType::cd:
-      return true;
-    case ConstraintType::spherical:
-    case ConstraintType::universal:
-    case ConstraintType::revolute:
-    case ConstraintType::cylindrical:
-    case ConstraintType::translational:
-    case ConstraintType::fixed:
-    case ConstraintType::planar:
-    case ConstraintType::in_line:
-    case ConstraintType::in_plane:
-    case ConstraintType::distance:
-    case ConstraintType::rotation_driver:
-      return false;
-  }
-  return false;
-}
+/// A joint, or a basic constraint by its place in the list (basic_type<DP1>, in basic_constraint.hpp).
+struct ConstraintType {
+  JointType joint = JointType::basic;
+  int place = 0;  ///< of a basic constraint
+
+  constexpr ConstraintType(JointType type) : joint(type) {}  // NOLINT: a joint is a type of constraint
+  constexpr ConstraintType(JointType type, int place_in_list) : joint(type), place(place_in_list) {}
+  constexpr bool is_basic() const { return joint == JointType::basic; }
+  bool operator==(const ConstraintType&) const = default;
+};
 
 /// Its rows hold a point of j at a point of i: all three coordinates.
 constexpr bool holds_a_point(ConstraintType type) {
-  return type == ConstraintType::spherical || type == ConstraintType::universal ||
-         type == ConstraintType::revolute || type == ConstraintType::fixed;
+  return type == JointType::spherical || type == JointType::universal || type == JointType::revolute ||
+         type == JointType::fixed;
 }
 
 /// Its rows keep z_i and z_j parallel; parallel and antiparallel are two branches of the same rows.
 constexpr bool has_parallel_axes(ConstraintType type) {
-  return type == ConstraintType::revolute || type == ConstraintType::cylindrical ||
-         type == ConstraintType::translational || type == ConstraintType::fixed ||
-         type == ConstraintType::planar;
+  return type == JointType::revolute || type == JointType::cylindrical || type == JointType::translational ||
+         type == JointType::fixed || type == JointType::planar;
 }
 
 /// Its rows allow no relative rotation.
 constexpr bool allows_no_rotation(ConstraintType type) {
-  return type == ConstraintType::translational || type == ConstraintType::fixed;
+  return type == JointType::translational || type == JointType::fixed;
 }
 
 /// It leaves one angle free, theta from u_i to u_j about z_i, which a torsional spring can measure.
 constexpr bool has_an_angle(ConstraintType type) {
-  return type == ConstraintType::revolute || type == ConstraintType::cylindrical;
+  return type == JointType::revolute || type == JointType::cylindrical;
 }
 
 }  // namespace trivium

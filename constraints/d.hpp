@@ -10,19 +10,16 @@ namespace trivium {
 
 template <class Scalar>
 struct D : BodyPair {
-  static constexpr const char* name = "D";
-  static constexpr bool is_of_angle = false;
+  static constexpr const char *name = "D", *type = "d";
+  static constexpr bool is_of_angle = false, sees_relative_motion = true, needs_positive_f = true;
 
   Vector3<Scalar> s_bar_i, s_bar_j;
   TimeFunction f;
 
-  /// use(part...) for every part of one row or of several side by side.
-  template <class Use, class... Part>
-  static void show_parts(const Use& use, Part&... p) {
-    BodyPair::show_parts(use, p...);
-    use(p.s_bar_i...);
-    use(p.s_bar_j...);
-    use(p.f...);
+  static void keys(auto&& show, auto&... c) {
+    show.point_i(c.s_bar_i...);
+    show.point_j(c.s_bar_j...);
+    show.need("f", c.f...);
   }
   const TimeFunction& function() const { return f; }
   /// 2 |d|, where the row holds.

@@ -8,19 +8,16 @@ namespace trivium {
 
 template <class Scalar>
 struct DP1 : BodyPair {
-  static constexpr const char* name = "DP1";
-  static constexpr bool is_of_angle = true;
+  static constexpr const char *name = "DP1", *type = "dp1";
+  static constexpr bool is_of_angle = true, sees_relative_motion = true;
 
   Vector3<Scalar> a_bar_i, a_bar_j;
   TimeFunction f;
 
-  /// use(part...) for every part of one row or of several side by side.
-  template <class Use, class... Part>
-  static void show_parts(const Use& use, Part&... p) {
-    BodyPair::show_parts(use, p...);
-    use(p.a_bar_i...);
-    use(p.a_bar_j...);
-    use(p.f...);
+  static void keys(auto&& show, auto&... c) {
+    show.vector_i(c.a_bar_i...);
+    show.vector_j(c.a_bar_j...);
+    show.may("f", c.f...);
   }
   const TimeFunction& function() const { return f; }
   /// |a_i| |a_j|

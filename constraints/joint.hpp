@@ -1,6 +1,6 @@
 #pragma once
-/// The rows of every constraint type (rows_of): one row of a basic constraint, or a joint's union of basic
-/// constraints in a documented order. A joint's multipliers are those of its rows. Haug (1989), section 9.4.
+/// The rows of every joint (rows_of): a union of basic constraints in a documented order. A joint's
+/// multipliers are those of its rows. Haug (1989), section 9.4.
 ///
 /// Decided here: the axes u, v, z of a joint, the default x axis, and the branch of a rotation driver.
 
@@ -109,53 +109,37 @@ class JointBuilder {
   JointFrame<Scalar> i_, j_;
 };
 
-/// What a constraint states besides its type, bodies and frames; each type reads its own.
+/// The rows of a joint of any type; `distance` [m] and `angle`, alpha(t) [rad], are those of the types that
+/// have one.
 template <class Scalar>
-struct ConstraintParameters {
-  Vector3<Scalar> vector_i, vector_j;  ///< dp1, dp2: a_i, a_j [body frames]
-  Vector3<Scalar> direction;           ///< cd: c [global]
-  TimeFunction f;                      ///< basic constraints: f(t)
-  double distance = 0;                 ///< distance: [m]
-  TimeFunction angle;                  ///< rotation_driver: alpha(t) [rad]
-};
-
-/// The rows of a constraint of any type. The row of a basic constraint has no label.
-template <class Scalar>
-JointRows<Scalar> rows_of(ConstraintType type, const BodyPair& bodies, const JointFrame<Scalar>& i,
-                          const JointFrame<Scalar>& j, const ConstraintParameters<Scalar>& stated) {
+JointRows<Scalar> rows_of(JointType type, const BodyPair& bodies, const JointFrame<Scalar>& i,
+                          const JointFrame<Scalar>& j, double distance, const TimeFunction& angle) {
   const JointBuilder<Scalar> build(bodies, i, j);
-  const auto basic_row = [](BasicConstraint<Scalar> row) { return JointRows<Scalar>{{"", std::move(row)}}; };
   switch (type) {
-    case ConstraintType::dp1:
-      return basic_row(DP1<Scalar>{bodies, stated.vector_i, stated.vector_j, stated.f});
-    case ConstraintType::dp2:
-      return basic_row(DP2<Scalar>{bodies, stated.vector_i, i.point, j.point, stated.f});
-    case ConstraintType::d:
-      return basic_row(D<Scalar>{bodies, i.point, j.point, stated.f});
-    case ConstraintType::cd:
-      return basic_row(CD<Scalar>{bodies, stated.direction, i.point, j.point, stated.f});
-    case ConstraintType::spherical:
+    case JointType::basic:
+      return {};
+    case JointType::spherical:
       return build.spherical();
-    case ConstraintType::universal:
+    case JointType::universal:
       return build.universal();
-    case ConstraintType::revolute:
+    case JointType::revolute:
       return build.revolute();
-    case ConstraintType::cylindrical:
+    case JointType::cylindrical:
       return build.cylindrical();
-    case ConstraintType::translational:
+    case JointType::translational:
       return build.translational();
-    case ConstraintType::fixed:
+    case JointType::fixed:
       return build.fixed();
-    case ConstraintType::planar:
+    case JointType::planar:
       return build.planar();
-    case ConstraintType::in_line:
+    case JointType::in_line:
       return build.in_line();
-    case ConstraintType::in_plane:
+    case JointType::in_plane:
       return build.in_plane();
-    case ConstraintType::distance:
-      return build.distance(stated.distance);
-    case ConstraintType::rotation_driver:
-      return build.rotation_driver(stated.angle);
+    case JointType::distance:
+      return build.distance(distance);
+    case JointType::rotation_driver:
+      return build.rotation_driver(angle);
   }
   return {};
 }

@@ -7,14 +7,14 @@
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
 #include "constraints/constraint_row.hpp"
-#include "constraints/testing/plain_body.hpp"
+#include "constraints/testing/moving_plain_body.hpp"
 
 namespace trivium {
 namespace {
 
 using test::distance, test::for_all, test::Random;
 using Frame = JointFrame<double>;
-using Body = test::PlainBody<double>;
+using Body = PlainBody<double>;
 using Vec = Vector3<double>;
 constexpr double pi = 3.14159265358979323846;
 

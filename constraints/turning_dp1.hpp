@@ -14,14 +14,11 @@ struct TurningDP1 : BodyPair {
   Vector3<Scalar> u_bar_i, v_bar_i, a_bar_j;
   TimeFunction alpha;
 
-  /// use(part...) for every part of one row or of several side by side.
-  template <class Use, class... Part>
-  static void show_parts(const Use& use, Part&... p) {
-    BodyPair::show_parts(use, p...);
-    use(p.u_bar_i...);
-    use(p.v_bar_i...);
-    use(p.a_bar_j...);
-    use(p.alpha...);
+  static void keys(auto&& show, auto&... c) {
+    show.vector_i(c.u_bar_i...);
+    show.vector_i(c.v_bar_i...);
+    show.vector_j(c.a_bar_j...);
+    show.need("alpha", c.alpha...);
   }
   const TimeFunction& function() const { return alpha; }
   /// |u_i| |a_j|

@@ -3,8 +3,12 @@
 
 #include <concepts>
 #include <span>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "bodies/rigid_body.hpp"
+#include "effects/effect_keys.hpp"
 
 namespace trivium {
 
@@ -19,11 +23,13 @@ struct EffectView {
 /// The contract. `apply` adds to the wrenches (one per motion, the ground's last), `power` [W] is the rate at
 /// which the effect does work on the bodies, `potential_energy` [J] its stored energy, 0 for an effect that
 /// has none, and `nonconservative_power` what of the power is not taken from there; it is conservative if
-/// that is always zero. One that counts turns has `follow`, called at every state that a motion has reached
-/// and `longest_step` [s] after which it would lose count, one with functions of time `append_kinks`, and a
-/// spring the `gradient` of what it measures, with its stiffness and damping. One whose wrenches are sums of
-/// parts that may cancel has `add_load_bounds`, which adds these by magnitude. One that looks at no motion
-/// says `sees_motion = false`.
+/// that is always zero. `type` is what a scene file calls it, `name` what a scene calls this one, and `keys`
+/// shows every part with its key in a scene file (effect_keys.hpp).
+///
+/// One that counts turns has `follow`, called at every state that a motion has reached, and `longest_step`
+/// [s] after which it would lose count, one with functions of time `append_kinks`. One whose wrenches are
+/// sums of parts that may cancel has `add_load_bounds`, which adds these by magnitude. One that looks at no
+/// motion says `sees_motion = false`.
 template <class E, class Scalar>
 concept Effect = requires(const E& effect, const EffectView<Scalar>& view,
                           std::span<Wrench<Scalar>> wrenches) {
@@ -32,8 +38,22 @@ concept Effect = requires(const E& effect, const EffectView<Scalar>& view,
   { effect.potential_energy(view) } -> std::convertible_to<Scalar>;
   { effect.nonconservative_power(view) } -> std::convertible_to<Scalar>;
   { effect.is_conservative() } -> std::same_as<bool>;
-  // for casts and batches: every number, and nothing that a name is
-  E::show_parts([](const auto&...) {}, effect);
+  { E::type } -> std::convertible_to<std::string_view>;
+  { effect.name } -> std::convertible_to<std::string>;
+  E::keys(KeyVisitor{}, effect);
+};
+
+/// One that pushes back where two bodies move apart, along one coordinate: with its `stiffness` and
+/// `damping`, the `bodies` i and j, the `gradient` of the coordinate (what a push of 1 does to i and to j),
+/// and `tension_scale`, the size [N, N m] of the numbers that its tension is a difference of. Implicit
+/// methods take it into Newton's matrix. An effect that has `gradient` must have the rest.
+template <class E, class Scalar>
+concept Spring = requires(const E& effect, const EffectView<Scalar>& view) {
+  { effect.stiffness } -> std::convertible_to<Scalar>;
+  { effect.damping } -> std::convertible_to<Scalar>;
+  { effect.bodies() } -> std::same_as<std::pair<int, int>>;
+  { effect.gradient(view) } -> std::same_as<std::pair<Wrench<Scalar>, Wrench<Scalar>>>;
+  { effect.tension_scale(view) } -> std::convertible_to<Scalar>;
 };
 
 }  // namespace trivium

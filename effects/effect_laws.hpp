@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "base/broken_law.hpp"
@@ -12,26 +13,43 @@
 
 namespace trivium {
 
+namespace detail {
+
+/// Takes to another effect of its type what one shows.
+struct CopyOfParts : ValueVisitor<CopyOfParts> {
+  void body(std::string_view, const auto& from, auto& to) const { to = from; }
+  void point(std::string_view, const auto& from, auto& to) const { to = from; }
+  void joint(std::string_view, const auto& from, auto& to) const { to = from; }
+  void value(std::string_view, const auto& from, auto& to) const { to = from; }
+};
+
+}  // namespace detail
+
 /// The motion, the ground's last, must be one that the effect may see: no ends of a spring that coincide.
 template <class E, class S>
 std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<S>>& bodies,
                                    const std::vector<BodyMotion<S>>& motion, const S& t) {
   static_assert(Effect<E, S>);
-  using std::cbrt;
+  using std::abs, std::cbrt;
   std::vector<BrokenLaw> broken;
   const double u = static_cast<double>(std::numeric_limits<S>::epsilon());
-  const auto equal = [&](const char* law, const S& a, const S& b, double bound) {
-    const double off = std::abs(static_cast<double>(S(a - b))) /
-                       (1 + std::abs(static_cast<double>(a)) + std::abs(static_cast<double>(b)));
-    if (!(off <= bound)) broken.push_back({law, off, bound});
+  // beside the numbers that both are made of
+  const auto equal = [&](const char* law, const S& a, const S& b, const S& size, double bound) {
+    using std::abs;
+    const S off = abs(S(a - b)), all = abs(a) + abs(b) + size;
+    const double share = static_cast<double>(all > S(0) ? S(off / all) : off);
+    if (!(share <= bound)) broken.push_back({law, share, bound});
   };
   const EffectView<S> view{bodies, motion, t};
   std::vector<Wrench<S>> wrenches(motion.size()), twice;
   effect.apply(view, wrenches);
-  S of_wrenches(0);
-  for (std::size_t b = 0; b < bodies.size(); ++b)
+  S of_wrenches(0), size(0);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
     of_wrenches += wrenches[b].F.dot(motion[b].r_dot) + wrenches[b].n_bar.dot(motion[b].omega_bar);
-  equal("the power is that of the wrenches", effect.power(view), of_wrenches, 1e4 * u);
+    size +=
+        wrenches[b].F.norm() * motion[b].r_dot.norm() + wrenches[b].n_bar.norm() * motion[b].omega_bar.norm();
+  }
+  equal("the power is that of the wrenches", effect.power(view), of_wrenches, size, 1e4 * u);
   twice = wrenches;
   effect.apply(view, twice);
   S added(0), once(0);
@@ -39,7 +57,15 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
     added += (twice[b].F - wrenches[b].F).norm() + (twice[b].n_bar - wrenches[b].n_bar).norm();
     once += wrenches[b].F.norm() + wrenches[b].n_bar.norm();
   }
-  equal("wrenches are added to those there are", added, once, 1e4 * u);
+  equal("wrenches are added to those there are", added, once, S(0), 1e4 * u);
+  E copy;
+  E::keys(detail::CopyOfParts(), effect, copy);
+  std::vector<Wrench<S>> of_copy(motion.size());
+  copy.apply(view, of_copy);
+  for (std::size_t b = 0; b < wrenches.size(); ++b)
+    equal("keys show every part",
+          (of_copy[b].F - wrenches[b].F).norm() + (of_copy[b].n_bar - wrenches[b].n_bar).norm(), S(0), once,
+          1e4 * u);
   // r and A a little on with the motion, and a little back
   const S h(cbrt(u));
   const auto stored = [&](const S& by) {
@@ -50,11 +76,13 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
     }
     return S(effect.potential_energy(EffectView<S>{bodies, moved, t}));
   };
+  const S behind = stored(-h), ahead = stored(h);
   equal("power is taken from stored energy, but for the part that is not conservative",
-        S(effect.power(view) - effect.nonconservative_power(view)), S((stored(-h) - stored(h)) / (2 * h)),
-        1e4 * cbrt(u * u));
+        S(effect.power(view) - effect.nonconservative_power(view)), S((behind - ahead) / (2 * h)),
+        S(size + abs(behind) + abs(ahead)), 1e4 * cbrt(u * u));
   if (effect.is_conservative())
-    equal("a conservative effect has no other power", effect.nonconservative_power(view), S(0), 1e4 * u);
+    equal("a conservative effect has no other power", effect.nonconservative_power(view), S(0), size,
+          1e4 * u);
   return broken;
 }
 

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "effects/force.hpp"
@@ -26,6 +27,8 @@ struct EffectTypes {
 
   template <class Scalar>
   using In = std::tuple<std::vector<E<Scalar>>...>;
+  template <class Scalar>
+  using OneOf = std::variant<E<Scalar>...>;
   template <template <class> class... More>
   using With = EffectTypes<E..., More...>;
 };
@@ -105,12 +108,14 @@ class Effects {
     });
     return longest;
   }
-  /// Calls visit(effect) for every effect that pushes back where bodies move apart, along the gradient of one
-  /// coordinate: with a stiffness, a damping and a `gradient`.
+  /// Calls visit(effect) for every Spring.
   template <class Visit>
   void for_each_spring(const Visit& visit) const {
     for_each([&](const auto& effect) {
-      if constexpr (requires(const EffectView<Scalar>& view) { effect.gradient(view); }) visit(effect);
+      if constexpr (requires(const EffectView<Scalar>& view) { effect.gradient(view); }) {
+        static_assert(Spring<std::remove_cvref_t<decltype(effect)>, Scalar>);
+        visit(effect);
+      }
     });
   }
   /// Tells effects that count turns where the motion is.

@@ -76,18 +76,19 @@ std::array<TF, 3> numbers() { return {TF(1.5), TF(-2), TF(0.7)}; }
 
 SpringDamper<S> spring(S damping, const TF& actuator) {
   Random random(91);
-  return {"spring", 0, 1, random.vector<S, 3>(), random.vector<S, 3>(), S(12), damping, S(0.375), actuator};
+  return {"spring", {0, random.vector<S, 3>()}, {1, random.vector<S, 3>()}, S(12), damping, S(0.375),
+          actuator};
 }
 TorsionalSpringDamper<S> torsional(const Motion& motion, S damping, const TF& actuator) {
   // the axes coincide in the motion's bodies at t = 0, and j turns about z only: omega_j differs along z
   Random random(92);
   const Matrix3<S> frame = rotation_matrix(random.euler_parameters<S>());
   TorsionalSpringDamper<S> e;
-  e.i = 0;
-  e.j = 1;
-  e.u_bar_i = frame.col(0), e.v_bar_i = frame.col(1), e.z_bar_i = frame.col(2);
+  e.angle.i = 0;
+  e.angle.j = 1;
+  e.angle.u_bar_i = frame.col(0), e.angle.v_bar_i = frame.col(1), e.angle.z_bar_i = frame.col(2);
   const Vec u_j = motion.start[0].A * (frame * Vec(S(0.6), S(0.8), S(0)));
-  e.u_bar_j = motion.start[1].A.transpose() * u_j;
+  e.angle.u_bar_j = motion.start[1].A.transpose() * u_j;
   e.stiffness = S(7);
   e.damping = damping;
   e.free_angle = S(0.25);
@@ -100,7 +101,7 @@ Motion joined_motion(std::uint64_t seed, const S& rate) {
   const auto e = torsional(motion, S(0), {});
   const Vec omega_0 = motion.start[0].A * motion.start[0].omega_bar;
   motion.start[1].omega_bar =
-      motion.start[1].A.transpose() * (omega_0 + rate * (motion.start[0].A * e.z_bar_i));
+      motion.start[1].A.transpose() * (omega_0 + rate * (motion.start[0].A * e.angle.z_bar_i));
   return motion;
 }
 
@@ -110,10 +111,10 @@ TEST(Effects, PowerIsThatOfTheirWrenches) {
   for (int n = 0; n < motions; ++n) {
     const Motion motion(100 + n);
     const Vec s = Random(n).vector<S, 3>();
-    expect_power_is_that_of_the_wrenches(Gravity<S>{Vec(S(1), S(2), S(-9.81))}, motion);
+    expect_power_is_that_of_the_wrenches(Gravity<S>{"", Vec(S(1), S(2), S(-9.81))}, motion);
     for (const ComponentFrame frame : {ComponentFrame::global, ComponentFrame::body}) {
-      expect_power_is_that_of_the_wrenches(Force<S>{1, s, components(), frame}, motion);
-      expect_power_is_that_of_the_wrenches(Torque<S>{1, components(), frame}, motion);
+      expect_power_is_that_of_the_wrenches(Force<S>{"", 1, s, components(), frame}, motion);
+      expect_power_is_that_of_the_wrenches(Torque<S>{"", 1, components(), frame}, motion);
     }
     expect_power_is_that_of_the_wrenches(spring(S(3), TF(1.25)), motion);
     const Motion joined = joined_motion(100 + n, S(1.7));
@@ -124,8 +125,8 @@ TEST(Effects, PowerIsThatOfTheirWrenches) {
 TEST(Effects, PowerOfConservativeOnesIsTheLossOfTheirEnergy) {
   for (int n = 0; n < motions; ++n) {
     const Motion motion(200 + n);
-    expect_conservative(Gravity<S>{Vec(S(1), S(2), S(-9.81))}, motion);
-    expect_conservative(Force<S>{1, Random(n).vector<S, 3>(), numbers(), ComponentFrame::global}, motion);
+    expect_conservative(Gravity<S>{"", Vec(S(1), S(2), S(-9.81))}, motion);
+    expect_conservative(Force<S>{"", 1, Random(n).vector<S, 3>(), numbers(), ComponentFrame::global}, motion);
     expect_conservative(spring(S(0), {}), motion);
     const Motion joined = joined_motion(200 + n, S(1.7));
     expect_conservative(torsional(joined, S(0), {}), joined);
@@ -137,6 +138,15 @@ struct ForgetfulSpring : SpringDamper<S> {
   S nonconservative_power(const EffectView<S>&) const { return S(0); }
 };
 
+/// Shows all but its stiffness.
+struct SecretiveSpring : SpringDamper<S> {
+  static void keys(auto&& show, auto&... e) {
+    show.point("i", e.i...);
+    show.point("j", e.j...);
+    show.may("actuator", e.actuator...);
+  }
+};
+
 TEST(EffectLaws, HoldForEveryEffectAndFindOneThatBreaksThem) {
   const auto keeps = [](const auto& effect, const Motion& motion) {
     return broken_laws(effect, motion.bodies, motion.start, S(0)).empty();
@@ -145,23 +155,24 @@ TEST(EffectLaws, HoldForEveryEffectAndFindOneThatBreaksThem) {
   for (int n = 0; n < motions; ++n) {
     const Motion motion(600 + n), joined = joined_motion(600 + n, S(1.7));
     const Vec s = Random(n).vector<S, 3>();
-    EXPECT_TRUE(keeps(Gravity<S>{Vec(S(1), S(2), S(-9.81))}, motion));
-    EXPECT_TRUE(keeps(Force<S>{1, s, numbers(), ComponentFrame::global}, motion));
-    EXPECT_TRUE(keeps(Force<S>{1, s, components(), ComponentFrame::body}, motion));
-    EXPECT_TRUE(keeps(Torque<S>{1, components(), ComponentFrame::global}, motion));
+    EXPECT_TRUE(keeps(Gravity<S>{"", Vec(S(1), S(2), S(-9.81))}, motion));
+    EXPECT_TRUE(keeps(Force<S>{"", 1, s, numbers(), ComponentFrame::global}, motion));
+    EXPECT_TRUE(keeps(Force<S>{"", 1, s, components(), ComponentFrame::body}, motion));
+    EXPECT_TRUE(keeps(Torque<S>{"", 1, components(), ComponentFrame::global}, motion));
     EXPECT_TRUE(keeps(spring(S(3), TF(1.25)), motion));
     EXPECT_TRUE(keeps(torsional(joined, S(3), TF(1.25)), joined));
     EXPECT_FALSE(keeps(ForgetfulSpring{spring(S(3), TF(1.25))}, motion));
+    EXPECT_FALSE(keeps(SecretiveSpring{spring(S(3), TF(1.25))}, motion));
   }
 }
 
 TEST(Effects, SumOfAllIsTheSumOfEach) {
   const Motion motion = joined_motion(300, S(0.9));
   Effects<S> all;
-  all.add(Gravity<S>{Vec(S(0), S(0), S(-9.81))});
-  all.add(Force<S>{0, Vec::Zero(), numbers()});
-  all.add(Force<S>{1, Vec::Ones(), components(), ComponentFrame::body});
-  all.add(Torque<S>{0, components()});
+  all.add(Gravity<S>{"", Vec(S(0), S(0), S(-9.81))});
+  all.add(Force<S>{"", 0, Vec::Zero(), numbers()});
+  all.add(Force<S>{"", 1, Vec::Ones(), components(), ComponentFrame::body});
+  all.add(Torque<S>{"", 0, components()});
   all.add(spring(S(3), TF(1)));
   all.add(torsional(motion, S(2), TF(1)));
   expect_power_is_that_of_the_wrenches(all, motion);
@@ -176,7 +187,7 @@ TEST(Effects, SumOfAllIsTheSumOfEach) {
 TEST(Gravity, ActsOnBodiesAndNotOnTheGround) {
   const Motion motion(301);
   std::vector<Wrench<S>> wrenches(3);
-  Gravity<S>{Vec(S(0), S(0), S(-10))}.apply({motion.bodies, motion.start, S(0)}, wrenches);
+  Gravity<S>{"", Vec(S(0), S(0), S(-10))}.apply({motion.bodies, motion.start, S(0)}, wrenches);
   for (int b = 0; b < 2; ++b) EXPECT_EQ(wrenches[b].F[2], -10 * motion.bodies[b].mass);
   EXPECT_EQ(wrenches[2].F, Vec::Zero());
 }
@@ -187,7 +198,7 @@ TEST(Force, FrameSaysWhichWayItsComponentsPoint) {
   for (const auto& [frame, expected] :
        {std::pair{ComponentFrame::global, F}, std::pair{ComponentFrame::body, Vec(motion.start[1].A * F)}}) {
     std::vector<Wrench<S>> wrenches(3);
-    Force<S>{1, Vec::Zero(), numbers(), frame}.apply({motion.bodies, motion.start, S(0)}, wrenches);
+    Force<S>{"", 1, Vec::Zero(), numbers(), frame}.apply({motion.bodies, motion.start, S(0)}, wrenches);
     EXPECT_LE(distance(wrenches[1].F, expected), 1e-32);
     EXPECT_EQ(wrenches[1].n_bar, Vec::Zero());
   }
@@ -200,7 +211,7 @@ TEST(Torque, FrameSaysWhichWayItsComponentsPoint) {
        {std::pair{ComponentFrame::body, n},
         std::pair{ComponentFrame::global, Vec(motion.start[1].A.transpose() * n)}}) {
     std::vector<Wrench<S>> wrenches(3);
-    Torque<S>{1, numbers(), frame}.apply({motion.bodies, motion.start, S(0)}, wrenches);
+    Torque<S>{"", 1, numbers(), frame}.apply({motion.bodies, motion.start, S(0)}, wrenches);
     EXPECT_LE(distance(wrenches[1].n_bar, expected), 1e-32);
     EXPECT_EQ(wrenches[1].F, Vec::Zero());
   }
@@ -209,9 +220,10 @@ TEST(Torque, FrameSaysWhichWayItsComponentsPoint) {
 TEST(Force, OnlyAConstantGlobalOneStoresEnergy) {
   const Motion motion(304);
   const EffectView<S> view{motion.bodies, motion.start, S(0)};
-  EXPECT_NE((Force<S>{1, Vec::Ones(), numbers(), ComponentFrame::global}.potential_energy(view)), S(0));
-  EXPECT_EQ((Force<S>{1, Vec::Ones(), numbers(), ComponentFrame::body}.potential_energy(view)), S(0));
-  EXPECT_EQ((Force<S>{1, Vec::Ones(), components(), ComponentFrame::global}.potential_energy(view)), S(0));
+  EXPECT_NE((Force<S>{"", 1, Vec::Ones(), numbers(), ComponentFrame::global}.potential_energy(view)), S(0));
+  EXPECT_EQ((Force<S>{"", 1, Vec::Ones(), numbers(), ComponentFrame::body}.potential_energy(view)), S(0));
+  EXPECT_EQ((Force<S>{"", 1, Vec::Ones(), components(), ComponentFrame::global}.potential_energy(view)),
+            S(0));
 }
 
 // a damper of 1 takes the square of the rate that its gradient tells
@@ -221,7 +233,8 @@ TEST(Effects, GradientsTellHowFastTheirLengthOrAngleGrows) {
     const auto along = [&](const Wrench<S>& on, int b) {
       return S(on.F.dot(motion.start[b].r_dot) + on.n_bar.dot(motion.start[b].omega_bar));
     };
-    return S(along(gradient.first, effect.i) + along(gradient.second, effect.j));
+    const auto [i, j] = effect.bodies();
+    return S(along(gradient.first, i) + along(gradient.second, j));
   };
   const auto expect = [&](auto effect, const Motion& motion) {
     effect.stiffness = S(0);

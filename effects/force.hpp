@@ -3,27 +3,31 @@
 /// potential.
 
 #include <array>
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "effects/components.hpp"
 #include "effects/effect.hpp"
+#include "effects/effect_parts.hpp"
 
 namespace trivium {
 
 template <class Scalar>
 struct Force {
-  int body = 0;
-  Vector3<Scalar> s_bar;                   ///< point of application [m, body frame]
-  std::array<TimeFunction, 3> components;  ///< [N]
-  ComponentFrame frame = ComponentFrame::global;
+  static constexpr std::string_view type = "force";
 
-  /// use(part...) for every part of one effect or of several side by side.
-  template <class Use, class... Part>
-  static void show_parts(const Use& use, Part&... p) {
-    use(p.body...);
-    use(p.s_bar...);
-    use(p.components...);
-    use(p.frame...);
+  std::string name;
+  int body = 0;
+  Vector3<Scalar> s_bar = Vector3<Scalar>::Zero();  ///< point of application [m, body frame]
+  std::array<TimeFunction, 3> components;           ///< [N]
+  ComponentFrame frame = ComponentFrame::global;
+  bool operator==(const Force&) const = default;
+
+  static void keys(auto&& show, auto&... e) {
+    show.body("body", e.body...);
+    show.place("point", e.s_bar...);
+    show.need("force", e.components...);
+    show.may("frame", e.frame...);
   }
 
   void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {

@@ -2,29 +2,31 @@
 /// Uniform gravity: m g on every body, at its centre of mass, so without a moment. Its potential energy is -m
 /// g . r.
 
+#include <string>
+#include <string_view>
+
 #include "effects/effect.hpp"
 
 namespace trivium {
 
 template <class Scalar>
 struct Gravity {
+  static constexpr std::string_view type = "gravity";
   static constexpr bool sees_motion = false;
 
-  Vector3<Scalar> g;  ///< [m/s^2, global]
+  std::string name;
+  Vector3<Scalar> acceleration = Vector3<Scalar>::Zero();  ///< g [m/s^2, global]
+  bool operator==(const Gravity&) const = default;
 
-  /// use(part...) for every part of one effect or of several side by side.
-  template <class Use, class... Part>
-  static void show_parts(const Use& use, Part&... p) {
-    use(p.g...);
-  }
+  static void keys(auto&& show, auto&... e) { show.need("acceleration", e.acceleration...); }
 
   void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
-    for (std::size_t b = 0; b < view.bodies.size(); ++b) wrenches[b].F += view.bodies[b].mass * g;
+    for (std::size_t b = 0; b < view.bodies.size(); ++b) wrenches[b].F += view.bodies[b].mass * acceleration;
   }
   Scalar power(const EffectView<Scalar>& view) const {
     Scalar sum(0);
     for (std::size_t b = 0; b < view.bodies.size(); ++b)
-      sum += view.bodies[b].mass * g.dot(view.motion[b].r_dot);
+      sum += view.bodies[b].mass * acceleration.dot(view.motion[b].r_dot);
     return sum;
   }
   Scalar nonconservative_power(const EffectView<Scalar>&) const { return Scalar(0); }
@@ -32,7 +34,8 @@ struct Gravity {
   /// -m g . r, zero at the global origin.
   Scalar potential_energy(const EffectView<Scalar>& view) const {
     Scalar sum(0);
-    for (std::size_t b = 0; b < view.bodies.size(); ++b) sum -= view.bodies[b].mass * g.dot(view.motion[b].r);
+    for (std::size_t b = 0; b < view.bodies.size(); ++b)
+      sum -= view.bodies[b].mass * acceleration.dot(view.motion[b].r);
     return sum;
   }
 };

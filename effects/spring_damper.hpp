@@ -4,42 +4,43 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 #include "bodies/numbers/lanewise.hpp"
 #include "bodies/numbers/time_function.hpp"
 #include "bodies/point_offset.hpp"
 #include "effects/effect.hpp"
+#include "effects/effect_parts.hpp"
 
 namespace trivium {
 
 template <class Scalar>
 struct SpringDamper {
+  static constexpr std::string_view type = "spring_damper";
+
   std::string name;
-  int i = 0, j = 0;
-  Vector3<Scalar> s_bar_i, s_bar_j;                 ///< its ends [m, body frames]
+  BodyPoint<Scalar> i, j;                           ///< its ends
   Scalar stiffness{0}, damping{0}, free_length{0};  ///< k [N/m], c [N s/m], l0 [m]
   TimeFunction actuator;                            ///< h [N]
+  bool operator==(const SpringDamper&) const = default;
 
-  /// use(part...) for every part of one effect or of several side by side.
-  template <class Use, class... Part>
-  static void show_parts(const Use& use, Part&... p) {
-    use(p.i...);
-    use(p.j...);
-    use(p.s_bar_i...);
-    use(p.s_bar_j...);
-    use(p.stiffness...);
-    use(p.damping...);
-    use(p.free_length...);
-    use(p.actuator...);
+  static void keys(auto&& show, auto&... e) {
+    show.point("i", e.i...);
+    show.point("j", e.j...);
+    show.may("stiffness", e.stiffness...);
+    show.may("damping", e.damping...);
+    show.may("free_length", e.free_length...);
+    show.may("actuator", e.actuator...);
   }
 
   void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
     const Line line = measure(view);
     const Vector3<Scalar> pull = tension(line, view.t) * line.direction;  // on i, towards j
-    wrenches[i].add_force(pull, view.motion[i].A, s_bar_i);
-    wrenches[j].add_force(-pull, view.motion[j].A, s_bar_j);
+    wrenches[i.body].add_force(pull, view.motion[i.body].A, i.s_bar);
+    wrenches[j.body].add_force(-pull, view.motion[j.body].A, j.s_bar);
   }
   Scalar power(const EffectView<Scalar>& view) const {
     const Line line = measure(view);
@@ -59,13 +60,23 @@ struct SpringDamper {
     return stiffness * stretch * stretch / 2;
   }
 
+  std::pair<int, int> bodies() const { return {i.body, j.body}; }
   /// Of its length: what a tension of -1 does to i and to j.
   std::pair<Wrench<Scalar>, Wrench<Scalar>> gradient(const EffectView<Scalar>& view) const {
     const Vector3<Scalar> push = measure(view).direction;
     std::pair<Wrench<Scalar>, Wrench<Scalar>> on;
-    on.first.add_force(-push, view.motion[i].A, s_bar_i);
-    on.second.add_force(push, view.motion[j].A, s_bar_j);
+    on.first.add_force(-push, view.motion[i.body].A, i.s_bar);
+    on.second.add_force(push, view.motion[j.body].A, j.s_bar);
     return on;
+  }
+
+  /// Of lengths, as places far from the origin leave them.
+  Scalar tension_scale(const EffectView<Scalar>& view) const {
+    const BodyMotion<Scalar>&bi = view.motion[i.body], &bj = view.motion[j.body];
+    const Scalar s_i = i.s_bar.norm(), s_j = j.s_bar.norm();
+    return stiffness * (bi.r.norm() + s_i + bj.r.norm() + s_j + free_length) +
+           damping *
+               (bi.r_dot.norm() + bi.omega_bar.norm() * s_i + bj.r_dot.norm() + bj.omega_bar.norm() * s_j);
   }
 
   /// The parts of its tension, each pulling for itself: add(body, |F|, |n_bar|).
@@ -76,12 +87,13 @@ struct SpringDamper {
     if (line.length == Scalar(0)) return;  // no direction, and no force
     const Scalar pull = stiffness * (line.length + abs(free_length)) + abs(damping * line.length_rate) +
                         abs(actuator(view.t).f);
-    const auto load = [&](int body, const Vector3<Scalar>& s_bar) {
-      const Vector3<Scalar> arm = s_bar.cross(view.motion[body].A.transpose() * line.direction);
-      add(body, Vector3<Scalar>(pull * line.direction.cwiseAbs()), Vector3<Scalar>(pull * arm.cwiseAbs()));
+    const auto load = [&](const BodyPoint<Scalar>& end) {
+      const Vector3<Scalar> arm = end.s_bar.cross(view.motion[end.body].A.transpose() * line.direction);
+      add(end.body, Vector3<Scalar>(pull * line.direction.cwiseAbs()),
+          Vector3<Scalar>(pull * arm.cwiseAbs()));
     };
-    load(i, s_bar_i);
-    load(j, s_bar_j);
+    load(i);
+    load(j);
   }
 
  private:
@@ -91,12 +103,12 @@ struct SpringDamper {
   };
 
   Line measure(const EffectView<Scalar>& view) const {
-    const BodyMotion<Scalar>&bi = view.motion[i], &bj = view.motion[j];
-    const Vector3<Scalar> d = point_offset(bi, s_bar_i, bj, s_bar_j);
+    const BodyMotion<Scalar>&bi = view.motion[i.body], &bj = view.motion[j.body];
+    const Vector3<Scalar> d = point_offset(bi, i.s_bar, bj, j.s_bar);
     const Scalar length = d.norm();
     if (length == Scalar(0)) return at_zero_length(view.t);
     const Vector3<Scalar> direction = d / length;
-    return {length, direction.dot(point_offset_rate(bi, s_bar_i, bj, s_bar_j)), direction};
+    return {length, direction.dot(point_offset_rate(bi, i.s_bar, bj, j.s_bar)), direction};
   }
   /// Where its ends meet, a spring with nothing but stiffness pulls with zero force; any other has no
   /// direction.

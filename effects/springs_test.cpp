@@ -31,8 +31,7 @@ struct OnALine {
   }
 };
 SpringDamper<double> spring_from_origin(double k, double c, double l0, const TF& h) {
-  const Vector3<double> zero = Vector3<double>::Zero();
-  return {"rope", 1, 0, zero, zero, k, c, l0, h};
+  return {"rope", {1}, {0}, k, c, l0, h};
 }
 
 TEST(SpringDamper, PullsWithItsTension) {
@@ -76,21 +75,22 @@ struct OnAnAxis {
 };
 TorsionalSpringDamper<double> about_z(double k, double c, double theta0, const TF& h) {
   const Vector3<double> x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-  return {1, 0, x, y, z, x, k, c, theta0, h};
+  return {"", {0, 1, 0, x, y, z, x}, k, c, theta0, h};
 }
 
 TEST(Effects, AreConservativeWhereTheyGiveBackWhatTheyStore) {
   const TF number = 3.0, function = TF::Polynomial{{0, 1}};
   EXPECT_TRUE(Gravity<double>{}.is_conservative());
-  EXPECT_TRUE((Force<double>{0, {}, {number, number, number}}.is_conservative()));
-  EXPECT_FALSE((Force<double>{0, {}, {number, function, number}}.is_conservative()));
-  EXPECT_FALSE((Force<double>{0, {}, {number, number, number}, ComponentFrame::body}.is_conservative()));
-  EXPECT_FALSE((Torque<double>{0, {number, number, number}}.is_conservative()));
+  EXPECT_TRUE((Force<double>{"", 0, Vector3<double>::Zero(), {number, number, number}}.is_conservative()));
+  EXPECT_FALSE((Force<double>{"", 0, Vector3<double>::Zero(), {number, function, number}}.is_conservative()));
+  EXPECT_FALSE((Force<double>{"", 0, Vector3<double>::Zero(), {number, number, number}, ComponentFrame::body}
+                    .is_conservative()));
+  EXPECT_FALSE((Torque<double>{"", 0, {number, number, number}}.is_conservative()));
   EXPECT_TRUE(about_z(10, 0, 0.2, {}).is_conservative());
   EXPECT_FALSE(about_z(10, 1, 0.2, {}).is_conservative());
   EXPECT_FALSE(about_z(10, 0, 0.2, number).is_conservative());
-  EXPECT_TRUE((SpringDamper<double>{"", 0, 1, {}, {}, 10, 0, 1, {}}.is_conservative()));
-  EXPECT_FALSE((SpringDamper<double>{"", 0, 1, {}, {}, 10, 1, 1, {}}.is_conservative()));
+  EXPECT_TRUE((SpringDamper<double>{"", {0}, {1}, 10, 0, 1, {}}.is_conservative()));
+  EXPECT_FALSE((SpringDamper<double>{"", {0}, {1}, 10, 1, 1, {}}.is_conservative()));
 }
 
 TEST(Effects, TakeFromStoredEnergyAllButTheWorkOfDampersAndActuators) {
@@ -111,14 +111,14 @@ TEST(TorsionalSpringDamper, AngleLiesInTheHalfOpenTurnUntilItIsFollowed) {
   const double pi = std::acos(-1.0);
   auto s = about_z(1, 0, 0, {});
   for (const double angle : {-3.0, -0.5, 0.0, 0.5, 3.0}) {
-    EXPECT_NEAR(s.angle(OnAnAxis(angle, 0).view()), angle, 1e-15);
-    EXPECT_NEAR(s.angle(OnAnAxis(angle + 2 * pi, 0).view()), angle, 1e-14);
+    EXPECT_NEAR(s.angle.value(OnAnAxis(angle, 0).view()), angle, 1e-15);
+    EXPECT_NEAR(s.angle.value(OnAnAxis(angle + 2 * pi, 0).view()), angle, 1e-14);
   }
   for (double angle = 0; angle < 13; angle += 3) {
     s.follow(OnAnAxis(angle, 0).view());
-    EXPECT_NEAR(s.angle(OnAnAxis(angle, 0).view()), angle, 1e-14);
+    EXPECT_NEAR(s.angle.value(OnAnAxis(angle, 0).view()), angle, 1e-14);
   }
-  EXPECT_NEAR(s.angle(OnAnAxis(0.5, 0).view()), 0.5 + 4 * pi, 1e-14);
+  EXPECT_NEAR(s.angle.value(OnAnAxis(0.5, 0).view()), 0.5 + 4 * pi, 1e-14);
 }
 
 TEST(TorsionalSpringDamper, HalfATurnIsPlusPi) {
@@ -126,7 +126,7 @@ TEST(TorsionalSpringDamper, HalfATurnIsPlusPi) {
   for (const double zero : {0.0, -0.0}) {  // whatever the signs of the zeros in A
     OnAnAxis half(0, 0);
     half.motion[0].A << -1, zero, zero, zero, -1, zero, zero, zero, 1;
-    EXPECT_EQ(about_z(1, 0, 0, {}).angle(half.view()), pi);
+    EXPECT_EQ(about_z(1, 0, 0, {}).angle.value(half.view()), pi);
   }
 }
 

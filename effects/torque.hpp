@@ -2,25 +2,29 @@
 /// A torque of given components on a body. It has no potential, not even where its components are constant.
 
 #include <array>
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "effects/components.hpp"
 #include "effects/effect.hpp"
+#include "effects/effect_parts.hpp"
 
 namespace trivium {
 
 template <class Scalar>
 struct Torque {
+  static constexpr std::string_view type = "torque";
+
+  std::string name;
   int body = 0;
   std::array<TimeFunction, 3> components;  ///< [N m]
   ComponentFrame frame = ComponentFrame::global;
+  bool operator==(const Torque&) const = default;
 
-  /// use(part...) for every part of one effect or of several side by side.
-  template <class Use, class... Part>
-  static void show_parts(const Use& use, Part&... p) {
-    use(p.body...);
-    use(p.components...);
-    use(p.frame...);
+  static void keys(auto&& show, auto&... e) {
+    show.body("body", e.body...);
+    show.need("torque", e.components...);
+    show.may("frame", e.frame...);
   }
 
   void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {

@@ -52,7 +52,7 @@ scenes::Scene held_at_origin(ConstraintType type, const scenes::Vector3& positio
 }
 
 TYPED_TEST(Reactions, APendulumHangingStillIsHeldUp) {
-  const Solved<TypeParam> s(held_at_origin(ConstraintType::revolute, {0, 0, -L}));
+  const Solved<TypeParam> s(held_at_origin(JointType::revolute, {0, 0, -L}));
   const Reaction<double> on_body = s.on(End::j).about(s.joint_point());
   expect_vector(on_body.force, {0, 0, m * g});
   expect_vector(on_body.torque, Vec::Zero());
@@ -63,7 +63,7 @@ TYPED_TEST(Reactions, APendulumHangingStillIsHeldUp) {
 }
 
 TYPED_TEST(Reactions, AHorizontalCantileverIsHeldByForceAndTorque) {
-  const Solved<TypeParam> s(held_at_origin(ConstraintType::fixed, {L, 0, 0}));
+  const Solved<TypeParam> s(held_at_origin(JointType::fixed, {L, 0, 0}));
   const Reaction<double> at_wall = s.on(End::j).about(s.joint_point());
   expect_vector(at_wall.force, {0, 0, m * g});
   expect_vector(at_wall.torque, {0, -m * g * L, 0});
@@ -77,7 +77,7 @@ TYPED_TEST(Reactions, AHorizontalCantileverIsHeldByForceAndTorque) {
 
 TYPED_TEST(Reactions, ASpinningRotorIsPulledToItsAxis) {
   constexpr double omega = 7, e = 0.2;
-  auto scene = held_at_origin(ConstraintType::revolute, {e, 0, 0});
+  auto scene = held_at_origin(JointType::revolute, {e, 0, 0});
   scene.bodies[0].angular_velocity = {0, omega, 0};
   scene.bodies[0].velocity = {0, 0, -omega * e};
   scene.effects.clear();
@@ -89,16 +89,16 @@ TYPED_TEST(Reactions, ASpinningRotorIsPulledToItsAxis) {
 TYPED_TEST(Reactions, AFallingPendulumIsHeldByHalfItsFall) {
   // let go from the horizontal: alpha = m g L / (J + m L^2), the pin carries m (g - L alpha)
   const double J = 0.4, alpha = m * g * L / (J + m * L * L);
-  const Solved<TypeParam> s(held_at_origin(ConstraintType::revolute, {L, 0, 0}));
+  const Solved<TypeParam> s(held_at_origin(JointType::revolute, {L, 0, 0}));
   expect_vector(s.on(End::j).force, {0, 0, m * (g - L * alpha)});
   expect_vector(s.on(End::j).about(s.joint_point()).torque, Vec::Zero());
   expect_vector(s.u.body[0].r_ddot, {0, 0, -L * alpha});
 }
 
 TYPED_TEST(Reactions, ADriverTurnsBodyJWithMinusLambda) {
-  auto scene = held_at_origin(ConstraintType::revolute, {0, 0, -L});
+  auto scene = held_at_origin(JointType::revolute, {0, 0, -L});
   auto driver = scene.constraints[0];
-  driver.type = ConstraintType::rotation_driver;
+  driver.type = JointType::rotation_driver;
   driver.name = "motor";
   const double alpha_ddot = 1.7, J = 0.4;
   driver.angle = TimeFunction::Polynomial{{0, 0, alpha_ddot / 2}};
@@ -114,7 +114,7 @@ TYPED_TEST(Reactions, ADriverTurnsBodyJWithMinusLambda) {
 TYPED_TEST(Reactions, ABodyOfAChainCarriesAllBelowIt) {
   scenes::Scene scene;
   const auto ball = [](const char* name, int i, int j) {
-    return test::joint(ConstraintType::spherical, name,
+    return test::joint(JointType::spherical, name,
                        test::side(i, scenes::Vector3{0, 0, i == scenes::ground ? 0.0 : -0.5}),
                        test::side(j, scenes::Vector3{0, 0, 0.5}));
   };
@@ -158,7 +158,7 @@ TEST(Reaction, InAnotherFrameHasTheComponentsOfThatFrame) {
 }
 
 TEST(SideBySide, ReportsReactionsOnBodyJAboutTheJointsPoint) {
-  const auto result = test::solve_scene<double>(held_at_origin(ConstraintType::fixed, {L, 0, 0}));
+  const auto result = test::solve_scene<double>(held_at_origin(JointType::fixed, {L, 0, 0}));
   ASSERT_EQ(result.formulations.size(), 4u);
   for (const auto& formulation : result.formulations) {
     expect_vector(formulation.reactions[0].force, {0, 0, m * g});

@@ -74,7 +74,7 @@ scenes::Scene rotor(double spin) {
   scene.bodies[0].angular_velocity = {0, 0, spin};
   const Vector3<double> z = rotation_matrix<double>(Vector4<double>(0.8, 0.3, 0.4, 0.33).normalized()).col(2);
   scene.constraints = {
-      test::joint(ConstraintType::revolute, "bearing",
+      test::joint(JointType::revolute, "bearing",
                   test::side(scenes::ground, scenes::Vector3{}, scenes::Vector3{z[0], z[1], z[2]}),
                   test::side(0, scenes::Vector3{}, scenes::Vector3{0, 0, 1}))};
   return scene;
@@ -92,9 +92,8 @@ TEST(BalancedRotor, HasADiscrepancyWithinWhatCancels) {
 TEST(BalancedRotor, IsNotTouchedByASpringWithoutLength) {
   scenes::Scene scene = rotor(100);
   const double before = test::solve_scene<double>(scene).cancellation();
-  scenes::SpringDamper spring;
-  spring.i = test::side(scenes::ground, scenes::Vector3{});
-  spring.j = test::side(0, scenes::Vector3{});
+  SpringDamper<double> spring;
+  spring.i.body = scenes::ground;
   spring.stiffness = 10;
   spring.free_length = 0;
   scene.effects.push_back(spring);
@@ -104,7 +103,7 @@ TEST(BalancedRotor, IsNotTouchedByASpringWithoutLength) {
 /// Two bodies in space on a rope, and a spring and damper between them.
 scenes::Scene roped_pair() {
   auto scene = test::random_scene(3, {.bodies = 3, .closings = 0});
-  auto rope = test::joint(ConstraintType::d, "rope", test::side(0), test::side(1));
+  auto rope = test::joint(basic_type<D>, "rope", test::side(0), test::side(1));
   double d2 = 0;
   for (int k = 0; k < 3; ++k) d2 += std::pow(scene.bodies[1].position[k] - scene.bodies[0].position[k], 2);
   rope.f = d2;
@@ -144,12 +143,12 @@ TEST(Invariance, LambdaIsTheSameHoweverFarTheGroundHoldsItsBodies) {
     scene.bodies[0].position = {x + 1, 2 * x, -x / 4};
     scene.bodies[0].orientation = scenes::EulerParameters{{0.8, 0.3, 0.4, 0.33}};
     const scenes::Vector3 anchor{x, 2 * x + 2, -x / 4 + 1};
-    auto rope = test::joint(ConstraintType::d, "rope", test::side(scenes::ground, anchor), test::side(0));
+    auto rope = test::joint(basic_type<D>, "rope", test::side(scenes::ground, anchor), test::side(0));
     rope.f = 6.0;
     scene.constraints = {rope};
-    scenes::SpringDamper spring;
-    spring.i = test::side(0, scenes::Vector3{0.1, 0.2, -0.1});
-    spring.j = test::side(scenes::ground, scenes::Vector3{x + 3, 2 * x, -x / 4});
+    SpringDamper<double> spring;
+    spring.i = {0, {0.1, 0.2, -0.1}};
+    spring.j = {scenes::ground, {x + 3, 2 * x, -x / 4}};
     spring.stiffness = 30;
     scene.effects = {test::gravity(), spring};
     const auto result = test::solve_scene<double>(scene);
@@ -161,7 +160,7 @@ TEST(Invariance, LambdaIsTheSameHoweverFarTheGroundHoldsItsBodies) {
 TEST(Cancellation, IsNoneWhereOneForceActs) {
   scenes::Scene scene;
   scene.bodies = {test::body("weight", 2)};
-  scene.constraints = {test::joint(ConstraintType::spherical, "ball",
+  scene.constraints = {test::joint(JointType::spherical, "ball",
                                    test::side(scenes::ground, scenes::Vector3{0, 0, 1}),
                                    test::side(0, scenes::Vector3{0, 0, 1}))};
   scene.effects = {test::gravity()};

@@ -50,12 +50,12 @@ void checked_step(AnySystem<S>& system, AnyMethod<S>& method, S& t, StateVector<
                         "or leave their length to tolerances",
                         static_cast<double>(t)));
       if (!projects) return;
-      project(system, t, y, report);
+      const int row = project(system, t, y, report);
       if (!system.projection_is_too_large(before, stepped, y)) return;
       throw IntegrationError(fmt::format(
           "row \"{}\" at t = {}: its projection moved the bodies by more than a tenth of the step; take "
           "smaller steps, or leave their length to tolerances",
-          system.worst_row(), static_cast<double>(t)));
+          system.row_name(row), static_cast<double>(t)));
     } catch (const IntegrationError& error) {
       if (!method.shorten()) throw;
       trouble = error.what();

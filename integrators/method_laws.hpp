@@ -111,8 +111,8 @@ class MethodLaws {
     at_most("its own multipliers are near those of the state", of.lambda_error, 0.05);
     if (!entry_.info.meets_constraints) return;
     SphericalPendulum<double> pendulum;
-    at_most("positions meet their constraints without a projection", pendulum.position_violation(0, of.y),
-            1e-12);
+    at_most("positions meet their constraints without a projection",
+            pendulum.position_violation(0, of.y).size, 1e-12);
   }
   /// A step that is taken back is followed by a shorter one.
   void shortens() {

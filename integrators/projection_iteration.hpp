@@ -19,54 +19,55 @@
 
 namespace trivium::integrators {
 
-/// Moves y onto the constraints. Throws an IntegrationError that names the row which cannot be met.
+/// Moves y onto the constraints, and returns the row whose velocity was the last to be met. Throws an
+/// IntegrationError that names the row which cannot be met.
 template <FirstOrderSystem System>
 class ProjectionIteration {
  public:
   using S = typename System::Scalar;
 
-  void operator()(System& system, const S& t, StateVector<S>& y, ProjectionReport<S>& report) {
+  int operator()(System& system, const S& t, StateVector<S>& y, ProjectionReport<S>& report) {
     is_factored_ = false;
     system.normalise(y);
     approach(
         system, t, "position", report.position, report.position_left, report.changes,
-        [&] { return S(system.position_violation(t, y)); },
-        [&](bool factor) { system.correct_positions(y, factor); });
+        [&] { return system.position_violation(t, y); },
+        [&](bool factor) { system.correct_positions(t, y, factor); });
     system.normalise(y);
-    approach(
+    return approach(
         system, t, "velocity", report.velocity, report.velocity_left, report.changes,
-        [&] { return S(system.velocity_violation(t, y)); },
-        [&](bool factor) { system.correct_velocities(y, factor); });
+        [&] { return system.velocity_violation(t, y); },
+        [&](bool factor) { system.correct_velocities(t, y, factor); });
   }
 
  private:
   /// Until the violation is rounding or falls no more. Beside a singular position rows that are nearly
   /// dependent are left alone, so that more than rounding may be left for a while; but never much.
   template <class Measure, class Correct>
-  void approach(System& system, const S& t, const char* what, S& found, S& left, long& changes,
-                const Measure& measure, const Correct& correct) {
-    S size = measure(), relative = system.relative_violation();
-    found = std::max(found, size);
+  int approach(System& system, const S& t, const char* what, S& found, S& left, long& changes,
+               const Measure& measure, const Correct& correct) {
+    Violation<S> off = measure();
+    found = std::max(found, off.size);
     constexpr int most_changes = 30;
-    for (int k = 0; k < most_changes && relative > rounding<S>(); ++k) {
+    for (int k = 0; k < most_changes && off.relative > rounding<S>(); ++k) {
       const bool factors = !is_factored_;
       correct(factors);
       is_factored_ = true;
       ++changes;
-      size = measure();
-      const S now = system.relative_violation();
-      const bool falls = now <= relative / 2;
-      relative = now;
+      const S before = off.relative;
+      off = measure();
+      const bool falls = off.relative <= before / 2;
       if (falls) continue;
       if (factors) break;
       is_factored_ = false;  // the matrix of before is too far from that of here
     }
-    left = std::max(left, size);
-    if (!(relative <= S(1e-6)))
+    left = std::max(left, off.size);
+    if (!(off.relative <= S(1e-6)))
       throw IntegrationError(fmt::format(
           "row \"{}\" at t = {}: the step left its {} too far off to project back; take smaller steps or "
           "tighter tolerances",
-          system.worst_row(), static_cast<double>(t), what));
+          system.row_name(off.row), static_cast<double>(t), what));
+    return off.row;
   }
 
   bool is_factored_ = false;

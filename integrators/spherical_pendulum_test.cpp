@@ -181,7 +181,7 @@ struct AddsTwice : SphericalPendulum<double> {
   void displace(const Y& from, const Y& by, Y& to) const { to.head(3) = from.head(3) + 2 * by; }
 };
 struct CorrectsBackwards : SphericalPendulum<double> {
-  void correct_positions(Y& y, bool) const { y.head(3) *= 1.001; }
+  void correct_positions(double, Y& y, bool) const { y.head(3) *= 1.001; }
 };
 struct ForgetsGravity : SphericalPendulum<double> {
   double residual(const Evaluation& at, const Y& force, const Y& lambda, Y& left) const {
@@ -190,9 +190,9 @@ struct ForgetsGravity : SphericalPendulum<double> {
   }
 };
 struct WrongVelocityRow : SphericalPendulum<double> {
-  RowViolation<double> velocity_rows(const Evaluation& at, Y& phi_dot) const {
+  Violation<double> velocity_rows(const Evaluation& at, Y& phi_dot) const {
     phi_dot.setConstant(1, 2 * at.r.dot(at.v));
-    return {0, 0};
+    return {};
   }
 };
 struct WrongSolution : SphericalPendulum<double> {

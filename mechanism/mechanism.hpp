@@ -18,7 +18,7 @@ namespace trivium {
 template <class Scalar>
 struct Joint : BodyPair {
   std::string name;
-  ConstraintType type = ConstraintType::spherical;
+  ConstraintType type = JointType::spherical;
   JointFrame<Scalar> frame_i, frame_j;  ///< for joints with axes; a basic constraint has its points here
   int first_row = 0, rows = 0;
   TimeFunction angle;  ///< rotation_driver: alpha(t)
@@ -28,7 +28,8 @@ struct Joint : BodyPair {
   static void show_parts(const Use& use, Part&... p) {
     BodyPair::show_parts(use, p...);
     use(p.name...);
-    use(p.type...);
+    use(p.type.joint...);
+    use(p.type.place...);
     JointFrame<Scalar>::show_parts(use, p.frame_i...);
     JointFrame<Scalar>::show_parts(use, p.frame_j...);
     use(p.first_row...);

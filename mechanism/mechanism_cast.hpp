@@ -31,8 +31,7 @@ Mechanism<To, ToTypes> same_structure(const Mechanism<From, FromTypes>& from) {
   for (const auto& row : from.rows) std::visit(add_row, row);
   const auto resize = [](const auto& from_list, auto& to_list) {
     to_list.resize(from_list.size());
-    for (std::size_t k = 0; k < from_list.size(); ++k)
-      if constexpr (requires { to_list[k].name; }) to_list[k].name = from_list[k].name;
+    for (std::size_t k = 0; k < from_list.size(); ++k) to_list[k].name = from_list[k].name;
   };
   [&]<std::size_t... n>(std::index_sequence<n...>) {
     (resize(std::get<n>(from.effects.lists()), std::get<n>(to.effects.lists())), ...);

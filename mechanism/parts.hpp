@@ -5,6 +5,7 @@
 /// and those of effects, which only messages need, are no parts.
 
 #include <cstddef>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -22,13 +23,36 @@ void show_parts_of_all(const Use& use, List& list, Lists&... lists) {
   for (std::size_t k = 0; k < list.size(); ++k) List::value_type::show_parts(use, list[k], lists[k]...);
 }
 
+/// Of effects, which show their parts by the keys of a scene file.
+template <class Use>
+struct PartsOfEffect : ValueVisitor<PartsOfEffect<Use>> {
+  const Use& use;
+
+  explicit PartsOfEffect(const Use& visitor) : use(visitor) {}
+
+  void body(std::string_view, auto&... index) const { use(index...); }
+  void point(std::string_view, auto&... point) const {
+    use(point.body...);
+    use(point.s_bar...);
+  }
+  template <class Angle, class... Angles>
+  void joint(std::string_view, Angle& angle, Angles&... angles) const {
+    Angle::show_parts(use, angle, angles...);
+  }
+  void value(std::string_view, auto&... value) const { use(value...); }
+};
+
+template <class Use, class List, class... Lists>
+void show_parts_of_effects(const Use& use, List& list, Lists&... lists) {
+  for (std::size_t k = 0; k < list.size(); ++k)
+    List::value_type::keys(PartsOfEffect<Use>(use), list[k], lists[k]...);
+}
+
 /// Of a variant whose type is the same in all lists.
 template <class Use, class Row, class... Rows>
 void show_parts_of_row(const Use& use, Row& row, Rows&... rows) {
   const auto of = [&]<std::size_t n>(std::integral_constant<std::size_t, n>) {
-    if (row.index() == n)
-      std::variant_alternative_t<n, std::remove_const_t<Row>>::show_parts(use, std::get<n>(row),
-                                                                          std::get<n>(rows)...);
+    if (row.index() == n) show_constraint_parts(use, std::get<n>(row), std::get<n>(rows)...);
   };
   [&]<std::size_t... n>(std::index_sequence<n...>) { (of(std::integral_constant<std::size_t, n>{}), ...); }
   (std::make_index_sequence<std::variant_size_v<std::remove_const_t<Row>>>{});
@@ -49,8 +73,8 @@ void show_parts(const Use& use, M& mechanism, Others&... others) {
   detail::show_parts_of_all(use, mechanism.joints, others.joints...);
   [&]<std::size_t... n>(std::index_sequence<n...>) {
     const auto of = [&]<std::size_t type>(std::integral_constant<std::size_t, type>) {
-      detail::show_parts_of_all(use, std::get<type>(mechanism.effects.lists()),
-                                std::get<type>(others.effects.lists())...);
+      detail::show_parts_of_effects(use, std::get<type>(mechanism.effects.lists()),
+                                    std::get<type>(others.effects.lists())...);
     };
     (of(std::integral_constant<std::size_t, n>{}), ...);
   }

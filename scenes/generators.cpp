@@ -70,7 +70,7 @@ Body body_of(const std::string& name, const Bar& bar) {
 /// in both.
 Constraint hinge(const std::string& name, int i, int j, const V& axis) {
   Constraint c;
-  c.type = ConstraintType::revolute;
+  c.type = JointType::revolute;
   c.name = name;
   c.i.body = i;
   c.i.point = i == ground ? Vector3{0, 0, 0} : Vector3{0.5, 0, 0};
@@ -91,7 +91,7 @@ Constraint joint_of(ConstraintType type, const std::string& name, const Side& i,
 
 Constraint revolute_about_z(const std::string& name, int i, const Vector3& point_i, int j,
                             const Vector3& point_j) {
-  return joint_of(ConstraintType::revolute, name, {i, point_i, {}, Vector3{0, 0, 1}, {}},
+  return joint_of(JointType::revolute, name, {i, point_i, {}, Vector3{0, 0, 1}, {}},
                   {j, point_j, {}, Vector3{0, 0, 1}, {}});
 }
 
@@ -118,7 +118,7 @@ Scene chain(int n) {
     scene.bodies.push_back(body_of(fmt::format("bar_{}", k + 1), last));
     scene.constraints.push_back(hinge(fmt::format("J{}", k + 1), k == 0 ? ground : k - 1, k, axis));
   }
-  scene.effects.push_back(Gravity{"", {0, 0, -9.81}});
+  scene.effects.push_back(Gravity<double>{"", {0, 0, -9.81}});
   return scene;
 }
 
@@ -130,7 +130,7 @@ Scene two_bars() {
   const Bar upper = hang(nullptr, y, 0.3, 0.1), lower = hang(&upper, z, 0.5, -0.2);
   scene.bodies = {body_of("upper", upper), body_of("lower", lower)};
   scene.constraints = {hinge("J1", ground, 0, y), hinge("J2", 0, 1, z)};
-  scene.effects.push_back(Gravity{"", {0, 0, -9.81}});
+  scene.effects.push_back(Gravity<double>{"", {0, 0, -9.81}});
   return scene;
 }
 
@@ -154,7 +154,7 @@ Scene ladder(int n) {
     scene.constraints.push_back(
         revolute_about_z(fmt::format("B{}_left", k), coupler, {0.5, 0, 0}, k, {0, 0.5, 0}));
   }
-  scene.effects.push_back(Gravity{"", {0, -9.81, 0}});
+  scene.effects.push_back(Gravity<double>{"", {0, -9.81, 0}});
   return scene;
 }
 
@@ -175,7 +175,7 @@ Scene tree(int n, std::uint64_t seed) {
     scene.bodies.push_back(body_of(fmt::format("bar_{}", k + 1), bars.back()));
     scene.constraints.push_back(hinge(fmt::format("J{}", k + 1), inboard, k, axis));
   }
-  scene.effects.push_back(Gravity{"", {0, 0, -9.81}});
+  scene.effects.push_back(Gravity<double>{"", {0, 0, -9.81}});
   return scene;
 }
 
@@ -195,14 +195,14 @@ Scene ring(int n) {
     bar.r_dot = V(0, turn, 0).cross(bar.r) + V(0, (lift(k) + lift(k + 1)) / 2, 0);
     scene.bodies.push_back(body_of(fmt::format("bar_{}", k + 1), bar));
   }
-  scene.constraints.push_back(joint_of(ConstraintType::revolute, "hold",
+  scene.constraints.push_back(joint_of(JointType::revolute, "hold",
                                        {ground, Vector3{0, 0, 0}, {}, Vector3{0, 1, 0}, {}},
                                        {0, Vector3{0, 0, 0}, {}, Vector3{0, 1, 0}, {}}));
   for (int k = 0; k < n; ++k)
-    scene.constraints.push_back(joint_of(ConstraintType::spherical, fmt::format("J{}", k + 1),
+    scene.constraints.push_back(joint_of(JointType::spherical, fmt::format("J{}", k + 1),
                                          {k, Vector3{0.5, 0, 0}, {}, {}, {}},
                                          {(k + 1) % n, Vector3{-0.5, 0, 0}, {}, {}, {}}));
-  scene.effects.push_back(Gravity{"", {0, 0, -9.81}});
+  scene.effects.push_back(Gravity<double>{"", {0, 0, -9.81}});
   return scene;
 }
 
@@ -223,11 +223,11 @@ Scene hub(int n) {
     const V rim = spoke.end(radius / 2), axis = rotation_matrix(spoke.p) * V(0, 1, 0);
     const Bar bar = hang(&spoke, V(0, 1, 0), 0.4 + 0.3 * std::sin(1.3 * k), std::cos(0.9 * k));
     scene.bodies.push_back(body_of(fmt::format("bar_{}", k), bar));
-    scene.constraints.push_back(joint_of(ConstraintType::revolute, fmt::format("J{}", k),
+    scene.constraints.push_back(joint_of(JointType::revolute, fmt::format("J{}", k),
                                          {0, plain(rim), {}, plain(axis), {}},
                                          {k, Vector3{-0.5, 0, 0}, {}, Vector3{0, 1, 0}, {}}));
   }
-  scene.effects.push_back(Gravity{"", {0, 0, -9.81}});
+  scene.effects.push_back(Gravity<double>{"", {0, 0, -9.81}});
   return scene;
 }
 

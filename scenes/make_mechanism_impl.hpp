@@ -14,6 +14,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/variants.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "bodies/rotations/so3.hpp"
 #include "constraints/joint.hpp"
@@ -85,68 +86,96 @@ JointFrame<Scalar> frame_of(const scenes::Side& side, const RangeCheckedCast<Sca
   return joint_frame<Scalar>(point, direction_of<Scalar>(axis), x);
 }
 
+/// Takes what the scene's constraint states to the basic constraint of its type.
 template <class Scalar>
-ConstraintParameters<Scalar> parameters_of(const scenes::Constraint& c,
-                                           const RangeCheckedCast<Scalar>& narrowed) {
-  ConstraintParameters<Scalar> stated;
-  stated.vector_i = narrowed.vector(c.i.vector, "i/vector");
-  stated.vector_j = narrowed.vector(c.j.vector, "j/vector");
-  stated.f = narrowed.function(c.f, "f");
-  if (c.type == ConstraintType::cd) stated.direction = narrowed.vector(c.direction, "direction");
-  if (c.type == ConstraintType::distance) {
-    narrowed.number(c.distance, "distance");
-    narrowed.number(c.distance * c.distance, "squared distance");  // the row's right side
-    stated.distance = c.distance;
-  }
-  if (c.type == ConstraintType::rotation_driver) stated.angle = narrowed.function(c.angle, "angle");
-  return stated;
-}
+struct StatedParts {
+  const scenes::Constraint& stated;
+  const Joint<Scalar>& joint;
+  const RangeCheckedCast<Scalar>& narrowed;
 
-/// Turns the scene's effects into the mechanism's; body indices as in the mechanism.
-template <class Scalar>
-struct EffectBuilder {
-  Mechanism<Scalar>& mechanism;
-  std::string_view name;  ///< the effect's own, or its place in the file
-  RangeCheckedCast<Scalar> narrowed{"effect", name};
+  void vector_i(Vector3<Scalar>& a_bar) const { a_bar = narrowed.vector(stated.i.vector, "i/vector"); }
+  void vector_j(Vector3<Scalar>& a_bar) const { a_bar = narrowed.vector(stated.j.vector, "j/vector"); }
+  void point_i(Vector3<Scalar>& s_bar) const { s_bar = joint.frame_i.point; }
+  void point_j(Vector3<Scalar>& s_bar) const { s_bar = joint.frame_j.point; }
+  void need(std::string_view key, auto& value) const { take(key, value); }
+  void may(std::string_view key, auto& value) const { take(key, value); }
 
-  int index(int scene_body) const { return scene_body == scenes::ground ? mechanism.ground() : scene_body; }
-  static ComponentFrame frame(scenes::Frame f) {
-    return f == scenes::Frame::global ? ComponentFrame::global : ComponentFrame::body;
-  }
-
-  void operator()(const scenes::Gravity& e) const {
-    mechanism.effects.add(Gravity<Scalar>{narrowed.vector(e.acceleration, "acceleration")});
-  }
-  void operator()(const scenes::Force& e) const {
-    mechanism.effects.add(Force<Scalar>{index(e.body), narrowed.place(e.point, "point"),
-                                        narrowed.functions(e.force, "force"), frame(e.frame)});
-  }
-  void operator()(const scenes::Torque& e) const {
-    mechanism.effects.add(
-        Torque<Scalar>{index(e.body), narrowed.functions(e.torque, "torque"), frame(e.frame)});
-  }
-  void operator()(const scenes::SpringDamper& e) const {
-    mechanism.effects.add(SpringDamper<Scalar>{
-        std::string(name), index(e.i.body), index(e.j.body),
-        narrowed.place(e.i.point.value_or(scenes::Vector3{}), "i/point"),
-        narrowed.place(e.j.point.value_or(scenes::Vector3{}), "j/point"),
-        narrowed.number(e.stiffness, "stiffness"), narrowed.number(e.damping, "damping"),
-        narrowed.number(e.free_length, "free_length"), narrowed.function(e.actuator, "actuator")});
-  }
-  void operator()(const scenes::TorsionalSpringDamper& e) const {
-    const Joint<Scalar>& joint = mechanism.joints[e.joint];
-    mechanism.effects.add(TorsionalSpringDamper<Scalar>{
-        joint.i, joint.j, joint.frame_i.u, joint.frame_i.v, joint.frame_i.z, joint.frame_j.u,
-        narrowed.number(e.stiffness, "stiffness"), narrowed.number(e.damping, "damping"),
-        narrowed.angle(e.free_angle, "free_angle"), narrowed.function(e.actuator, "actuator"), Scalar(0)});
-  }
+ private:
+  void take(std::string_view key, TimeFunction& f) const { f = narrowed.function(stated.f, key); }
+  void take(std::string_view key, Vector3<Scalar>& c) const { c = narrowed.vector(stated.direction, key); }
 };
 
-/// The name of an effect, or its place in the file where it has none.
-inline std::string name_of(const scenes::Scene& scene, std::size_t effect) {
-  const std::string& name =
-      std::visit([](const auto& e) -> const std::string& { return e.name; }, scene.effects[effect]);
-  return name.empty() ? fmt::format("/effects/{}", effect) : name;
+template <class Scalar>
+BasicConstraint<Scalar> basic_row_of(const scenes::Constraint& stated, const Joint<Scalar>& joint,
+                                     const RangeCheckedCast<Scalar>& narrowed) {
+  auto row = emplaced<BasicConstraint<Scalar>>(stated.type.place);
+  const auto fill = [&](auto& one) {
+    static_cast<BodyPair&>(one) = joint;
+    one.keys(StatedParts<Scalar>{stated, joint, narrowed}, one);
+  };
+  std::visit(fill, row);
+  return row;
+}
+
+template <class Scalar>
+JointRows<Scalar> rows_of(const scenes::Constraint& stated, const Joint<Scalar>& joint,
+                          const RangeCheckedCast<Scalar>& narrowed) {
+  if (stated.type.is_basic()) return {{"", basic_row_of(stated, joint, narrowed)}};
+  if (stated.type == JointType::distance) {
+    narrowed.number(stated.distance, "distance");
+    narrowed.number(stated.distance * stated.distance, "squared distance");  // the row's right side
+  }
+  return rows_of(stated.type.joint, joint, joint.frame_i, joint.frame_j, stated.distance,
+                 narrowed.function(stated.angle, "angle"));
+}
+
+/// Takes what an effect of the scene shows to an effect of the mechanism.
+template <class Scalar>
+struct EffectCast {
+  const Mechanism<Scalar>& mechanism;
+  RangeCheckedCast<Scalar> narrowed;
+
+  void body(std::string_view, const int& from, int& to) const {
+    to = from == scenes::ground ? mechanism.ground() : from;
+  }
+  void point(std::string_view key, const BodyPoint<double>& from, BodyPoint<Scalar>& to) const {
+    body(key, from.body, to.body);
+    place(fmt::format("{}/point", key), from.s_bar, to.s_bar);
+  }
+  void joint(std::string_view, const JointAngle<double>& from, JointAngle<Scalar>& to) const {
+    const Joint<Scalar>& of = mechanism.joints[from.joint];
+    to = {from.joint,   of.i,         of.j,         of.frame_i.u,
+          of.frame_i.v, of.frame_i.z, of.frame_j.u, Scalar(from.tracked)};
+  }
+  void need(std::string_view key, const auto& from, auto& to) const { cast(key, from, to); }
+  void may(std::string_view key, const auto& from, auto& to) const { cast(key, from, to); }
+  void place(std::string_view key, const Vector3<double>& from, Vector3<Scalar>& to) const {
+    to = narrowed.place({from[0], from[1], from[2]}, key);
+  }
+  void angle(std::string_view key, const double& from, Scalar& to) const { to = narrowed.angle(from, key); }
+
+ private:
+  void cast(std::string_view key, const double& from, Scalar& to) const { to = narrowed.number(from, key); }
+  void cast(std::string_view key, const Vector3<double>& from, Vector3<Scalar>& to) const {
+    to = narrowed.vector(scenes::Vector3{from[0], from[1], from[2]}, key);
+  }
+  void cast(std::string_view key, const TimeFunction& from, TimeFunction& to) const {
+    to = narrowed.function(from, key);
+  }
+  void cast(std::string_view key, const std::array<TimeFunction, 3>& from,
+            std::array<TimeFunction, 3>& to) const {
+    to = narrowed.functions(from, key);
+  }
+  void cast(std::string_view, ComponentFrame from, ComponentFrame& to) const { to = from; }
+};
+
+/// Adds the scene's effect to a mechanism that has its joints.
+template <class Scalar, template <class> class E>
+void add_effect(const E<double>& from, std::string name, Mechanism<Scalar>& mechanism) {
+  E<Scalar> to;
+  to.name = std::move(name);
+  E<double>::keys(EffectCast<Scalar>{mechanism, {"effect", to.name}}, from, to);
+  mechanism.effects.add(std::move(to));
 }
 
 template <class Scalar>
@@ -210,8 +239,7 @@ Mechanism<Scalar> make_mechanism(const scenes::Scene& scene) {
     joint.frame_j = detail::frame_of<Scalar>(c.j, narrowed, "j/point");
     joint.angle = c.angle;
     joint.first_row = m.nc();
-    for (NamedRow<Scalar>& row :
-         rows_of<Scalar>(c.type, joint, joint.frame_i, joint.frame_j, detail::parameters_of(c, narrowed))) {
+    for (NamedRow<Scalar>& row : detail::rows_of(c, joint, narrowed)) {
       m.row_names.push_back(row.label.empty() ? c.name : c.name + "." + row.label);
       m.rows.push_back(std::move(row.constraint));
     }
@@ -219,8 +247,10 @@ Mechanism<Scalar> make_mechanism(const scenes::Scene& scene) {
     m.joints.push_back(std::move(joint));
   }
   for (std::size_t k = 0; k < scene.effects.size(); ++k) {
-    const std::string name = detail::name_of(scene, k);
-    std::visit(detail::EffectBuilder<Scalar>{m, name}, scene.effects[k]);
+    const auto add = [&](const auto& effect) {
+      detail::add_effect(effect, effect.name.empty() ? fmt::format("/effects/{}", k) : effect.name, m);
+    };
+    std::visit(add, scene.effects[k]);
   }
   return m;
 }

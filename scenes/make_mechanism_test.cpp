@@ -20,7 +20,7 @@ using test::distance;
 TEST(Mechanism, GroundIsTheLastBody) {
   scenes::Scene scene;
   scene.bodies = {test::body("a", 1), test::body("b", 2)};
-  scene.constraints = {test::joint(ConstraintType::spherical, "s", {}, test::side(1))};
+  scene.constraints = {test::joint(JointType::spherical, "s", {}, test::side(1))};
   const auto mechanism = make_mechanism<double>(scene);
   EXPECT_EQ(mechanism.body_names, (std::vector<std::string>{"a", "b", "ground"}));
   EXPECT_EQ(mechanism.nb(), 2);
@@ -40,11 +40,11 @@ TEST(Mechanism, RowsStandInFileOrderUnderTheNamesOfTheirJoints) {
   ground.vector = x;
   a.vector = z;
   const std::vector<std::pair<ConstraintType, int>> rows{
-      {ConstraintType::dp1, 1},      {ConstraintType::dp2, 1},         {ConstraintType::d, 1},
-      {ConstraintType::cd, 1},       {ConstraintType::spherical, 3},   {ConstraintType::universal, 4},
-      {ConstraintType::revolute, 5}, {ConstraintType::cylindrical, 4}, {ConstraintType::translational, 5},
-      {ConstraintType::fixed, 6},    {ConstraintType::planar, 3},      {ConstraintType::in_line, 2},
-      {ConstraintType::in_plane, 1}, {ConstraintType::distance, 1},    {ConstraintType::rotation_driver, 1}};
+      {basic_type<DP1>, 1},     {basic_type<DP2>, 1},        {basic_type<D>, 1},
+      {basic_type<CD>, 1},      {JointType::spherical, 3},   {JointType::universal, 4},
+      {JointType::revolute, 5}, {JointType::cylindrical, 4}, {JointType::translational, 5},
+      {JointType::fixed, 6},    {JointType::planar, 3},      {JointType::in_line, 2},
+      {JointType::in_plane, 1}, {JointType::distance, 1},    {JointType::rotation_driver, 1}};
   for (const auto& [type, count] : rows)
     scene.constraints.push_back(test::joint(type, fmt::format("c{}", scene.constraints.size()), ground, a));
   const auto mechanism = make_mechanism<double>(scene);
@@ -68,7 +68,7 @@ TEST(Mechanism, JointFramesComeFromTheScenesAxes) {
   scenes::Scene scene;
   scene.bodies = {test::body("a", 1)};
   scene.constraints = {
-      test::joint(ConstraintType::revolute, "r",
+      test::joint(JointType::revolute, "r",
                   test::side(scenes::ground, scenes::Vector3{1, 2, 3}, scenes::Vector3{0, 2, 0}),
                   test::side(0, {}, scenes::Vector3{0, 0, -3}, scenes::Vector3{0, 5, 4}))};
   const auto joint = make_mechanism<double>(scene).joints[0];
@@ -86,8 +86,8 @@ TEST(Mechanism, JointFramesAreTheSameInEveryScalar) {
     scenes::Scene scene;
     scene.bodies = {test::body("a", 1)};
     const scenes::Vector3 axis{1, 1 - 1e-12, 5};  // a tie of x and y once rounded to float
-    scene.constraints = {test::joint(ConstraintType::revolute, "r", test::side(scenes::ground, {}, axis),
-                                     test::side(0, {}, axis))};
+    scene.constraints = {
+        test::joint(JointType::revolute, "r", test::side(scenes::ground, {}, axis), test::side(0, {}, axis))};
     return scalar_cast<double>(make_mechanism<Scalar>(scene).joints[0].frame_i.u);
   };
   EXPECT_LE(distance(u(1.0f), u(1.0)), test::roundings<float>(8));
@@ -97,7 +97,7 @@ TEST(Mechanism, JointFramesAreTheSameInEveryScalar) {
 TEST(Mechanism, VectorsOfBasicConstraintsAreTakenAsWritten) {
   scenes::Scene scene;
   scene.bodies = {test::body("a", 1)};
-  auto dp1 = test::joint(ConstraintType::dp1, "dp1", test::vector_side(scenes::ground, {2, 0, 0}),
+  auto dp1 = test::joint(basic_type<DP1>, "dp1", test::vector_side(scenes::ground, {2, 0, 0}),
                          test::vector_side(0, {3, 4, 0}));
   dp1.f = 5.0;
   scene.constraints = {dp1};
@@ -207,7 +207,7 @@ TYPED_TEST(EverySize, OfAJointsAxesIsTheSameFrame) {
     scenes::Scene scene;
     scene.bodies = {test::body("a", 1)};
     scene.constraints = {test::joint(
-        ConstraintType::fixed, "f",
+        JointType::fixed, "f",
         test::side(scenes::ground, {}, scenes::Vector3{2 * s, -3 * s, 6 * s}, scenes::Vector3{s, 0, s}),
         test::side(0, {}, scenes::Vector3{2 / s, -3 / s, 6 / s}, scenes::Vector3{1 / s, 0, 1 / s}))};
     return make_mechanism<TypeParam>(scene).joints[0];

@@ -4,9 +4,12 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <vector>
 
 #include "bodies/rotations/so3.hpp"
+#include "scenes/format/scene_keys.hpp"
 #include "scenes/make_mechanism.hpp"
+#include "scenes/random_basic_row.hpp"
 #include "scenes/random_draw.hpp"
 
 namespace trivium::scenes {
@@ -17,10 +20,6 @@ using V = RandomDraw::V;
 using M = RandomDraw::M;
 
 Vector3 plain(const V& v) { return {v[0], v[1], v[2]}; }
-
-/// Parallel vectors of a dp1 and coincident points of a d are singularities of that one row; its scaling to
-/// unit size hides them from kappa, so rows are drawn this far from them [sine; m].
-constexpr double far_from_singular = 0.2;
 
 class Builder {
  public:
@@ -106,13 +105,16 @@ class Builder {
   /// A joint of any type between two bodies, fitted to where they are.
   void add_joint(int i, int j) {
     if (draw_.chance(0.5)) std::swap(i, j);
-    constexpr ConstraintType types[] = {
-        ConstraintType::revolute,      ConstraintType::revolute, ConstraintType::spherical,
-        ConstraintType::universal,     ConstraintType::fixed,    ConstraintType::cylindrical,
-        ConstraintType::translational, ConstraintType::planar,   ConstraintType::in_line,
-        ConstraintType::in_plane,      ConstraintType::distance, ConstraintType::dp1,
-        ConstraintType::dp2,           ConstraintType::d,        ConstraintType::cd};
-    add_joint_of(types[draw_.below(std::size(types))], i, j);
+    static const std::vector<ConstraintType> types = [] {
+      std::vector<ConstraintType> all{JointType::revolute,      JointType::revolute, JointType::spherical,
+                                      JointType::universal,     JointType::fixed,    JointType::cylindrical,
+                                      JointType::translational, JointType::planar,   JointType::in_line,
+                                      JointType::in_plane,      JointType::distance};
+      for (const ConstraintShape& known : constraint_shapes())
+        if (known.type.is_basic() && known.shape.find("f")) all.push_back(known.type);
+      return all;
+    }();
+    add_joint_of(types[draw_.below(static_cast<int>(types.size()))], i, j);
   }
 
   void add_joint_of(ConstraintType type, int i, int j) {
@@ -125,69 +127,58 @@ class Builder {
     const V turned_x = std::cos(angle) * x + std::sin(angle) * y;
     const double along = draw_.uniform(-1, 1), across = draw_.uniform(-1, 1);
     const bool moving = draw_.chance(0.3);
-    switch (type) {
-      case ConstraintType::spherical:
+    switch (type.joint) {
+      case JointType::basic:
+        add_basic(type, i, j, random_basic_row(type, draw_, out_.t, P, Q, x, y), moving);
+        break;
+      case JointType::spherical:
         add_points(type, i, P, j, P);
         break;
-      case ConstraintType::universal:
+      case JointType::universal:
         add(type, side(i, P, z, x), side(j, P, x, y));
         break;
-      case ConstraintType::revolute:
+      case JointType::revolute:
         add(type, side(i, P, z, x), side(j, P, z, turned_x));
         if (draw_.chance(0.2)) add_driver(side(i, P, z, x), side(j, P, z, turned_x), angle);
         break;
-      case ConstraintType::cylindrical:
+      case JointType::cylindrical:
         add(type, side(i, P, z, x), side(j, P + along * z, z, turned_x));
         break;
-      case ConstraintType::translational:
+      case JointType::translational:
         add(type, side(i, P, z, x), side(j, P + along * z, z, x));
         break;
-      case ConstraintType::fixed:
+      case JointType::fixed:
         add(type, side(i, P, z, x), side(j, P, z, x));
         break;
-      case ConstraintType::planar:
+      case JointType::planar:
         add(type, side(i, P, z, x), side(j, P + along * x + across * y, z, turned_x));
         break;
-      case ConstraintType::in_line:
+      case JointType::in_line:
         add_axis_and_point(type, i, P, z, x, j, P + along * z);
         break;
-      case ConstraintType::in_plane:
+      case JointType::in_plane:
         add_axis_and_point(type, i, P, z, x, j, P + along * x + across * y);
         break;
-      case ConstraintType::distance:
+      case JointType::distance:
         add_points(type, i, P, j, Q).distance = (Q - P).norm();
         break;
-      case ConstraintType::d:
-        add_points(type, i, P, j, Q).f = through((Q - P).squaredNorm(), moving);
-        break;
-      case ConstraintType::cd: {
-        const V c = draw_.vector(2);
-        Constraint& row = add_points(type, i, P, j, Q);
-        row.direction = plain(c);
-        row.f = through(c.dot(Q - P), moving);
-        break;
-      }
-      case ConstraintType::dp1: {
-        const V a = draw_.vector(2) + x;
-        V b = draw_.vector(2) + y;
-        while (a.cross(b).norm() < far_from_singular * a.norm() * b.norm()) b = draw_.vector(2) + y;
-        Side si, sj;
-        si.body = i, si.vector = plain(to_body(i, a));
-        sj.body = j, sj.vector = plain(to_body(j, b));
-        add(type, si, sj).f = through(a.dot(b), moving);
-        break;
-      }
-      case ConstraintType::dp2: {
-        const V a = draw_.vector(2) + x;
-        Side si, sj;
-        si.body = i, si.point = plain(point_in(i, P)), si.vector = plain(to_body(i, a));
-        sj.body = j, sj.point = plain(point_in(j, Q));
-        add(type, si, sj).f = through(a.dot(Q - P), moving);
-        break;
-      }
-      case ConstraintType::rotation_driver:
+      case JointType::rotation_driver:
         break;  // comes with its revolute
     }
+  }
+
+  /// A row that is met where the bodies are.
+  void add_basic(ConstraintType type, int i, int j, const RandomBasicRow& drawn, bool moving) {
+    const auto side = [&](int body, const Side& global) {
+      Side s;
+      s.body = body;
+      if (global.point) s.point = plain(point_in(body, V(global.point->data())));
+      if (global.vector) s.vector = plain(to_body(body, V(global.vector->data())));
+      return s;
+    };
+    Constraint& row = add(type, side(i, drawn.i), side(j, drawn.j));
+    row.direction = drawn.direction;
+    row.f = through(drawn.f, moving);
   }
 
   Constraint& add_points(ConstraintType type, int i, const V& P, int j, const V& Q) {
@@ -202,7 +193,7 @@ class Builder {
     add(type, side(i, P, z, x), sj);
   }
   void add_driver(const Side& i, const Side& j, double angle) {
-    add(ConstraintType::rotation_driver, i, j).angle = through(angle, true);
+    add(JointType::rotation_driver, i, j).angle = through(angle, true);
   }
 
   /// One more joint between bodies that are joined already, as long as degrees of freedom are left.
@@ -221,7 +212,7 @@ class Builder {
 
   /// A joint on the same axis as another one, a little further along it.
   void repeat(const Constraint& original) {
-    if (original.type != ConstraintType::revolute && original.type != ConstraintType::cylindrical) return;
+    if (original.type != JointType::revolute && original.type != JointType::cylindrical) return;
     Constraint copy = original;
     copy.name = fmt::format("c{}", out_.scene.constraints.size() + 1);
     const auto shift = [](Side& s, double by) {
@@ -235,33 +226,35 @@ class Builder {
 
   void add_effects() {
     const int nb = static_cast<int>(out_.scene.bodies.size());
-    if (draw_.chance(0.9)) out_.scene.effects.push_back(Gravity{"", plain(9.81 * draw_.direction())});
+    if (draw_.chance(0.9)) out_.scene.effects.push_back(Gravity<double>{"", 9.81 * draw_.direction()});
     const auto components = [&](double size) {
       const bool moving = draw_.chance(0.5);
       return std::array<TimeFunction, 3>{through(draw_.uniform(-size, size), moving),
                                          draw_.uniform(-size, size), draw_.uniform(-size, size)};
     };
-    const auto frame = [&] { return draw_.chance(0.5) ? Frame::global : Frame::body; };
+    const auto frame = [&] { return draw_.chance(0.5) ? ComponentFrame::global : ComponentFrame::body; };
     if (draw_.chance(0.4))
       out_.scene.effects.push_back(
-          Force{"", draw_.below(nb), plain(draw_.vector(1)), components(20), frame()});
-    if (draw_.chance(0.4)) out_.scene.effects.push_back(Torque{"", draw_.below(nb), components(5), frame()});
+          Force<double>{"", draw_.below(nb), draw_.vector(1), components(20), frame()});
+    if (draw_.chance(0.4))
+      out_.scene.effects.push_back(Torque<double>{"", draw_.below(nb), components(5), frame()});
     if (draw_.chance(0.5)) add_spring();
     for (std::size_t k = 0; k < out_.scene.constraints.size(); ++k) {
       const ConstraintType type = out_.scene.constraints[k].type;
-      if ((type == ConstraintType::revolute || type == ConstraintType::cylindrical) && draw_.chance(0.3))
-        out_.scene.effects.push_back(TorsionalSpringDamper{"", static_cast<int>(k), draw_.uniform(0, 50),
-                                                           draw_.uniform(0, 2), draw_.uniform(-1, 1),
-                                                           through(draw_.uniform(-1, 1), true)});
+      if ((type == JointType::revolute || type == JointType::cylindrical) && draw_.chance(0.3))
+        out_.scene.effects.push_back(TorsionalSpringDamper<double>{"",
+                                                                   {static_cast<int>(k)},
+                                                                   draw_.uniform(0, 50),
+                                                                   draw_.uniform(0, 2),
+                                                                   draw_.uniform(-1, 1),
+                                                                   through(draw_.uniform(-1, 1), true)});
     }
   }
   void add_spring() {
     const int j = draw_.below(static_cast<int>(out_.scene.bodies.size()));
-    SpringDamper spring;
-    spring.i.body = ground;
-    spring.i.point = plain(draw_.vector(3) + V(4, 0, 0));
-    spring.j.body = j;
-    spring.j.point = plain(draw_.vector(0.5));
+    SpringDamper<double> spring;
+    spring.i = {ground, draw_.vector(3) + V(4, 0, 0)};
+    spring.j = {j, draw_.vector(0.5)};
     spring.stiffness = draw_.uniform(0, 200);
     spring.damping = draw_.uniform(0, 10);
     spring.free_length = draw_.uniform(0, 2);

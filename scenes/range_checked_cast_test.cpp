@@ -62,40 +62,40 @@ const std::vector<Beyond>& beyond_float() {
        [](Scene& s) {
          s.bodies[0].orientation = scenes::AxisAngle{{0, 0, 1}, 1e39};
        }},
-      {"constraint \"c\": j/point 1e+39", constraint(ConstraintType::spherical,
+      {"constraint \"c\": j/point 1e+39", constraint(JointType::spherical,
                                                      [](auto& c) {
                                                        c.j.point = {0, 0, 1e39};
                                                      })},
-      {"constraint \"c\": i/vector 1e-60", constraint(ConstraintType::dp1,
+      {"constraint \"c\": i/vector 1e-60", constraint(basic_type<DP1>,
                                                       [](auto& c) {
                                                         c.i.vector = {1e-60, 0, 0};
                                                       })},
-      {"constraint \"c\": direction 1e-60", constraint(ConstraintType::cd,
+      {"constraint \"c\": direction 1e-60", constraint(basic_type<CD>,
                                                        [](auto& c) {
                                                          c.direction = {1e-60, 0, 0};
                                                        })},
-      {"constraint \"c\": f 1e-60", constraint(ConstraintType::cd, [](auto& c) { c.f = 1e-60; })},
+      {"constraint \"c\": f 1e-60", constraint(basic_type<CD>, [](auto& c) { c.f = 1e-60; })},
       {"constraint \"c\": squared distance 1e+40",
-       constraint(ConstraintType::distance, [](auto& c) { c.distance = 1e20; })},
+       constraint(JointType::distance, [](auto& c) { c.distance = 1e20; })},
       {"constraint \"c\": angle 1e+39",
-       constraint(ConstraintType::rotation_driver,
+       constraint(JointType::rotation_driver,
                   [](auto& c) {
                     c.angle = F(F::Sum{{F(1), F(F::Sin{{F(F::Polynomial{{0, 1e39}})}})}});
                   })},
       {"effect \"/effects/0\": acceleration 1e-60",
        [](Scene& s) {
-         s.effects = {scenes::Gravity{"", {0, 0, 1e-60}}};
+         s.effects = {Gravity<double>{"", {0, 0, 1e-60}}};
        }},
       {"effect \"pull\": force 1e+39",
        [](Scene& s) {
-         s.effects = {scenes::Force{"pull", 0, {}, {1, 2, 1e39}}};
+         s.effects = {Force<double>{"pull", 0, Vector3<double>::Zero(), {1, 2, 1e39}}};
        }},
       {"effect \"turn\": torque 1e-60",
        [](Scene& s) {
-         s.effects = {scenes::Torque{"turn", 0, {F(F::Harmonic{0, 1e-60, 1, 0})}}};
+         s.effects = {Torque<double>{"turn", 0, {F(F::Harmonic{0, 1e-60, 1, 0})}}};
        }},
       {"effect \"spring\": stiffness 1e+39", [](Scene& s) {
-         s.effects = {scenes::SpringDamper{"spring", test::side(0), test::side(1), 1e39, 0, 0, {}}};
+         s.effects = {SpringDamper<double>{"spring", {0}, {1}, 1e39, 0, 0, {}}};
        }}};
   return all;
 }

@@ -10,8 +10,8 @@
 
 #include "bodies/numbers/time_function.hpp"
 #include "bodies/rotations/euler_sequence.hpp"
-#include "constraints/constraint_type.hpp"
-#include "scenes/effects.hpp"
+#include "constraints/basic_constraint.hpp"
+#include "effects/effect_list.hpp"
 #include "scenes/side.hpp"
 
 namespace trivium::scenes {
@@ -50,16 +50,26 @@ struct Body {
   bool operator==(const Body&) const = default;
 };
 
+/// What it states beside its type, name and sides; each type reads its own.
 struct Constraint {
-  ConstraintType type = ConstraintType::spherical;
+  ConstraintType type = JointType::spherical;
   std::string name;
   Side i, j;
-  TimeFunction f;       ///< dp1, dp2, d, cd
-  Vector3 direction{};  ///< cd: c, global
+  TimeFunction f;       ///< of basic constraints
+  Vector3 direction{};  ///< of basic constraints, global
   double distance = 0;  ///< distance: its length
   TimeFunction angle;   ///< rotation_driver: alpha(t)
   bool operator==(const Constraint&) const = default;
 };
+
+/// An effect as it acts, in doubles: its bodies and its joint are those of the scene.
+using Effect = StandardEffects::OneOf<double>;
+
+/// Shows the keys of an effect of any type (effects/effect_keys.hpp).
+template <class Visitor, class AnEffect>
+void visit_keys(Visitor&& visitor, AnEffect& effect) {
+  std::visit([&](auto& one) { one.keys(visitor, one); }, effect);
+}
 
 struct Scene {
   std::string name, description, reference;

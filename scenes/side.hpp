@@ -1,6 +1,6 @@
 #pragma once
-/// What constraints and effects of a scene file have in common: a vector as a file states it, the number of a
-/// body, and one side of what stands between two bodies.
+/// A vector as a scene file states it, the number of a body, and one side of a constraint. Which vectors a
+/// side has is said by the type of its constraint.
 
 #include <array>
 #include <optional>

@@ -48,8 +48,9 @@ class MotionWatch {
 
   /// What the report says of every state.
   Seen watch(const S& t, const StateVector& y) {
-    const Seen seen{first_order().energy(t, y), static_cast<double>(first_order().position_violation(t, y)),
-                    static_cast<double>(first_order().velocity_violation(t, y))};
+    const Seen seen{first_order().energy(t, y),
+                    static_cast<double>(first_order().position_violation(t, y).size),
+                    static_cast<double>(first_order().velocity_violation(t, y).size)};
     raise(report_.normalisation, static_cast<double>(first_order().normalisation_violation(y)));
     raise(report_.phi, seen.phi);
     raise(report_.phi_dot, seen.phi_dot);

@@ -51,17 +51,16 @@ TEST_P(Implicit, ABodyComesToRestOnStiffSpringsAlone) {
   scene.name = "mount";
   scene.bodies.push_back(test::body("block", 1, {0.1, 0.2, 0.15}));
   scene.bodies[0].angular_velocity = {0.1, 0.2, 3};
-  scene.effects.emplace_back(scenes::Gravity{{}, {0, 0, -9.81}});
+  scene.effects.emplace_back(Gravity<double>{{}, {0, 0, -9.81}});
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {-1.0, 1.0}) {
-      scenes::Vector3 on_ground{}, on_block{};
+      Vector3<double> on_ground = Vector3<double>::Zero(), on_block = on_ground;
       on_ground[axis] = side;
       on_block[axis] = 0.3 * side;
       on_ground[(axis + 1) % 3] = on_block[(axis + 1) % 3] = 0.1 * side;
-      scenes::SpringDamper spring;
-      spring.i.point = on_ground;
-      spring.j.body = 0;
-      spring.j.point = on_block;
+      SpringDamper<double> spring;
+      spring.i = {scenes::ground, on_ground};
+      spring.j = {0, on_block};
       spring.stiffness = 1e8;
       spring.damping = 1e5;
       spring.free_length = 0.7;

@@ -28,11 +28,11 @@ TEST_P(InEveryFormulation, ATorsionalSpringIsCountedOverFullTurns) {
   scene.bodies.push_back(test::body("rotor", 1, {1, 1, 1}));
   const double pi = std::acos(-1.0), rate = 6 * pi;
   scene.bodies[0].angular_velocity = {0, 0, rate};
-  scene.constraints.push_back(test::joint(ConstraintType::revolute, "hinge",
+  scene.constraints.push_back(test::joint(JointType::revolute, "hinge",
                                           test::side(scenes::ground, {}, {{0, 0, 1}}, {{1, 0, 0}}),
                                           test::side(0, {}, {{0, 0, 1}}, {{1, 0, 0}})));
-  scenes::TorsionalSpringDamper spring;
-  spring.joint = 0;
+  TorsionalSpringDamper<double> spring;
+  spring.angle.joint = 0;
   spring.stiffness = 1;
   scene.effects.emplace_back(spring);
   SimulationOptions options = tight(GetParam(), "rkf78", 5, 1e-11);

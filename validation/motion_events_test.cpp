@@ -77,9 +77,9 @@ TEST_P(InEveryFormulation, KinksOfAFunctionOfTimeAreLandedOn) {
   scenes::Scene scene;
   scene.name = "pushed";
   scene.bodies.push_back(test::body("puck", 1, {1, 1, 1}));
-  scenes::Force push;
+  Force<double> push;
   push.body = 0;
-  push.force[0] = TimeFunction::Step5{0.13, 0, 0.77, 1};
+  push.components[0] = TimeFunction::Step5{0.13, 0, 0.77, 1};
   scene.effects.emplace_back(push);
   SimulationOptions options;
   options.formulation = GetParam();

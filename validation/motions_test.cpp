@@ -138,7 +138,7 @@ TEST_P(InEveryFormulation, TheSizeOfAMechanismChangesNothing) {
     for (scenes::Constraint& joint : scene.constraints)
       for (scenes::Side* side : {&joint.i, &joint.j})
         if (side->point) scale(*side->point, size);
-    scale(std::get<scenes::Gravity>(scene.effects.front()).acceleration, size);
+    std::get<Gravity<double>>(scene.effects.front()).acceleration *= size;
     return scene;
   };
   constexpr double size = 1e-6;

@@ -32,7 +32,7 @@ TEST_P(Implicit, RadauIsAsAccurateFarFromTheOrigin) {
     scenes::Scene scene;
     scene.name = "pendulum";
     scene.bodies.push_back(test::body("bob", 1, {0.1, 0.2, 0.25}, {x + 1, 0, 0}));
-    scene.constraints.push_back(test::joint(ConstraintType::revolute, "pivot",
+    scene.constraints.push_back(test::joint(JointType::revolute, "pivot",
                                             test::side(scenes::ground, {{x, 0, 0}}, {{0, 1, 0}}),
                                             test::side(0, {{-1, 0, 0}}, {{0, 1, 0}})));
     scene.effects.push_back(test::gravity());

@@ -51,7 +51,7 @@ BasicConstraint<S> sample_constraint(int kind, std::uint64_t seed) {
   };
   std::visit(
       [&](auto& row) {
-        row.show_parts(draw, row);
+        show_constraint_parts(draw, row);
         row.i = 0;
         row.j = 1;
       },

@@ -141,7 +141,7 @@ TEST(VelocityProjection, IsTheLeastChangeInTheMassMetric) {
 TEST(Assembly, SaysWhichRowsCannotBeMet) {
   scenes::Scene scene = catalogue_scene("simple_pendulum");
   scenes::Constraint rod;
-  rod.type = ConstraintType::distance;
+  rod.type = JointType::distance;
   rod.name = "too_long";
   rod.j.body = 0;
   rod.distance = 100;
@@ -204,20 +204,19 @@ TEST_P(WrongBranch, IsNamedThoughItsRowsHold) {
 
 INSTANTIATE_TEST_SUITE_P(
     Joints, WrongBranch,
-    testing::Values(Turned{"antiparallel_revolute", ConstraintType::revolute, {0, 0, -1}, {1, 0, 0}},
-                    Turned{"antiparallel_cylindrical", ConstraintType::cylindrical, {0, 0, -1}, {1, 0, 0}},
-                    Turned{
-                        "antiparallel_translational", ConstraintType::translational, {0, 0, -1}, {1, 0, 0}},
-                    Turned{"antiparallel_fixed", ConstraintType::fixed, {0, 0, -1}, {1, 0, 0}},
-                    Turned{"antiparallel_planar", ConstraintType::planar, {0, 0, -1}, {1, 0, 0}},
-                    Turned{"half_turned_translational", ConstraintType::translational, {0, 0, 1}, {-1, 0, 0}},
-                    Turned{"half_turned_fixed", ConstraintType::fixed, {0, 0, 1}, {-1, 0, 0}}),
+    testing::Values(Turned{"antiparallel_revolute", JointType::revolute, {0, 0, -1}, {1, 0, 0}},
+                    Turned{"antiparallel_cylindrical", JointType::cylindrical, {0, 0, -1}, {1, 0, 0}},
+                    Turned{"antiparallel_translational", JointType::translational, {0, 0, -1}, {1, 0, 0}},
+                    Turned{"antiparallel_fixed", JointType::fixed, {0, 0, -1}, {1, 0, 0}},
+                    Turned{"antiparallel_planar", JointType::planar, {0, 0, -1}, {1, 0, 0}},
+                    Turned{"half_turned_translational", JointType::translational, {0, 0, 1}, {-1, 0, 0}},
+                    Turned{"half_turned_fixed", JointType::fixed, {0, 0, 1}, {-1, 0, 0}}),
     testing::PrintToStringParamName());
 
 TEST(Consistency, ADriverAHalfTurnOffIsAWrongBranch) {
   scenes::Scene scene = catalogue_scene("driven_crank");
   for (scenes::Constraint& c : scene.constraints)
-    if (c.type == ConstraintType::rotation_driver)
+    if (c.type == JointType::rotation_driver)
       c.angle = TimeFunction::Sum{{c.angle, TimeFunction(std::acos(-1.0))}};
   const Consistency result = consistency(scene);
   ASSERT_EQ(result.wrong_branches.size(), 1u) << result.report();

@@ -33,7 +33,7 @@ std::vector<std::string> wrong_branches_of(const Joint<double>& joint, const Glo
   if (has_parallel_axes(joint.type) && a.z_i.dot(a.z_j) < 0) say("its axes z_i and z_j are antiparallel");
   if (allows_no_rotation(joint.type) && a.u_i.dot(a.u_j) < 0)
     say("its x axes u_i and u_j are a half turn apart");
-  if (joint.type == ConstraintType::rotation_driver) {
+  if (joint.type == JointType::rotation_driver) {
     const double theta = std::atan2(a.v_i.dot(a.u_j), a.u_i.dot(a.u_j));
     if (std::cos(theta - joint.angle(t).f) < 0) say("its angle is a half turn from alpha(t)");
   }

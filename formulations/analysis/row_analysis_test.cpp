@@ -20,7 +20,7 @@ scenes::Scene door(const std::vector<double>& heights, double length = 1) {
                              {0.5 * length, 0.1 * length, 0.3 * length})};
   for (const double z : heights)
     scene.constraints.push_back(
-        test::joint(ConstraintType::revolute, "hinge " + std::to_string(scene.constraints.size()),
+        test::joint(JointType::revolute, "hinge " + std::to_string(scene.constraints.size()),
                     test::side(scenes::ground, scenes::Vector3{0, 0, z * length}, scenes::Vector3{0, 0, 1}),
                     test::side(0, scenes::Vector3{-0.5 * length, -0.1 * length, (z - 0.3) * length},
                                scenes::Vector3{0, 0, 1})));
@@ -47,8 +47,7 @@ scenes::Scene four_bar(double length = 1) {
         for (int m = 0; m < 3; ++m) s[m] -= scene.bodies[body].position[m];
       return scenes::Side{body, s, {}, scenes::Vector3{0, 0, 1}, {}};
     };
-    scene.constraints.push_back(test::joint(ConstraintType::revolute,
-                                            std::string(1, static_cast<char>('A' + k)),
+    scene.constraints.push_back(test::joint(JointType::revolute, std::string(1, static_cast<char>('A' + k)),
                                             side(k == 0 ? scenes::ground : i), side(j)));
   }
   scene.effects = {test::gravity()};
@@ -167,11 +166,10 @@ TEST(RowAnalysis, OfOneAssemblyDoesNotDependOnAnotherBesideIt) {
   small.position = {3, 0, 0};
   scene.bodies.push_back(small);
   const double s = 1e-5;
-  scene.constraints.push_back(test::joint(ConstraintType::spherical, "ball",
-                                          test::side(scenes::ground, scenes::Vector3{3, 0, 0}),
-                                          test::side(1)));
+  scene.constraints.push_back(test::joint(
+      JointType::spherical, "ball", test::side(scenes::ground, scenes::Vector3{3, 0, 0}), test::side(1)));
   scene.constraints.push_back(
-      test::joint(ConstraintType::in_line, "slot",
+      test::joint(JointType::in_line, "slot",
                   test::side(scenes::ground, scenes::Vector3{3, 0, 0}, scenes::Vector3{0, 0, 1}),
                   test::side(1, scenes::Vector3{0, 0, s})));
   EXPECT_EQ(analyse_rows(make_model<double>(scene)).rank, 5 + 5);
@@ -200,7 +198,7 @@ TEST(RowAnalysis, KappaAndEAreThoseOfTheirDefinition) {
   scenes::Scene scene;
   scene.bodies = {test::body("weight", 4)};
   const auto rope = [&](const char* name, const scenes::Vector3& end) {
-    auto c = test::joint(ConstraintType::distance, name, test::side(scenes::ground, end), test::side(0));
+    auto c = test::joint(JointType::distance, name, test::side(scenes::ground, end), test::side(0));
     c.distance = 2;
     return c;
   };
@@ -227,7 +225,7 @@ TEST(RowAnalysis, OfNothingIsEmpty) {
 // ---- rows without a gradient: d . d between points that coincide
 
 scenes::Constraint points_together(const char* name) {
-  return test::joint(ConstraintType::d, name, test::side(scenes::ground), test::side(0, scenes::Vector3{}));
+  return test::joint(basic_type<D>, name, test::side(scenes::ground), test::side(0, scenes::Vector3{}));
 }
 
 TEST(RowAnalysis, OfARowWithoutGradientHasRankZero) {
@@ -245,7 +243,7 @@ TEST(RowAnalysis, ARowWithoutGradientDoesNotDisturbTheOthers) {
   scenes::Scene scene;
   scene.bodies = {test::body("weight", 2)};
   const auto ball = [](const char* name) {
-    return test::joint(ConstraintType::spherical, name, test::side(scenes::ground, scenes::Vector3{0, 0, 1}),
+    return test::joint(JointType::spherical, name, test::side(scenes::ground, scenes::Vector3{0, 0, 1}),
                        test::side(0, scenes::Vector3{0, 0, 1}));
   };
   scene.constraints = {ball("first"), points_together("nothing"), ball("second")};

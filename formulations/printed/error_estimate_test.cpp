@@ -157,7 +157,7 @@ TEST(RedundantRows, EstimateCoversWhatTheChoiceOfThemDecides) {
                             local = A.transpose() * (global - Vector3<double>(0.5, 0.1, 0.3)),
                             local_axis = A.transpose() * axis;
       const auto v = [](const Vector3<double>& x) { return scenes::Vector3{x[0], x[1], x[2]}; };
-      scene.constraints.push_back(test::joint(ConstraintType::revolute, at < 0.5 ? "low" : "high",
+      scene.constraints.push_back(test::joint(JointType::revolute, at < 0.5 ? "low" : "high",
                                               test::side(scenes::ground, v(global), v(axis)),
                                               test::side(0, v(local), v(local_axis))));
     }

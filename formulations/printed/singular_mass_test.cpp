@@ -19,22 +19,22 @@ scenes::Scene rod(ConstraintType type) {
                   test::body("rod", 2, {0, 0.3, 0.3}, {0.7, 0, 0})};
   const scenes::Vector3 y{0, 1, 0};
   scene.constraints = {
-      test::joint(ConstraintType::revolute, "A", test::side(scenes::ground, scenes::Vector3{-1, 0, 0}, y),
+      test::joint(JointType::revolute, "A", test::side(scenes::ground, scenes::Vector3{-1, 0, 0}, y),
                   test::side(0, scenes::Vector3{-0.5, 0, 0}, y)),
       test::joint(type, "B", test::side(0, scenes::Vector3{0.5, 0, 0}, y),
                   {1,
                    scenes::Vector3{-0.7, 0, 0},
                    {},
-                   type == ConstraintType::universal ? scenes::Vector3{0, 0, 1} : y,
+                   type == JointType::universal ? scenes::Vector3{0, 0, 1} : y,
                    {}})};
   scene.effects = {test::gravity()};
   return scene;
 }
 
 TEST(SingularMass, ThatIsHeldByAJointIsNoError) {
-  for (const auto type : {ConstraintType::revolute, ConstraintType::universal, ConstraintType::fixed}) {
+  for (const auto type : {JointType::revolute, JointType::universal, JointType::fixed}) {
     auto scene = rod(type);
-    if (type == ConstraintType::fixed)
+    if (type == JointType::fixed)
       scene.constraints[1].i.x = scene.constraints[1].j.x = scenes::Vector3{1, 0, 0};
     const RowAnalysis rows = analyse_rows(make_model<double>(scene));
     EXPECT_EQ(rows.rank, static_cast<int>(rows.unique.size()));
@@ -44,17 +44,17 @@ TEST(SingularMass, ThatIsHeldByAJointIsNoError) {
 }
 
 TEST(SingularMass, IsHeldByARowOfAnyScale) {
-  auto scene = rod(ConstraintType::universal);
-  auto pin = test::joint(ConstraintType::cd, "pin", test::side(scenes::ground), test::side(0));
+  auto scene = rod(JointType::universal);
+  auto pin = test::joint(basic_type<CD>, "pin", test::side(scenes::ground), test::side(0));
   pin.direction = {0, 1e9, 0};
   scene.constraints.push_back(pin);
   EXPECT_EQ(analyse_rows(make_model<double>(scene)).rank,
-            analyse_rows(make_model<double>(rod(ConstraintType::universal))).rank);
+            analyse_rows(make_model<double>(rod(JointType::universal))).rank);
 }
 
 TEST(SingularMass, IsHeldBesideAMassOfAnySize) {
   for (const double mass : {1e-14, 1e14}) {
-    auto scene = rod(ConstraintType::universal);
+    auto scene = rod(JointType::universal);
     scene.bodies[0].mass = mass;
     scene.bodies[0].inertia = scenes::Vector3{0.1 * mass, 0.1 * mass, 0.1 * mass};
     EXPECT_EQ(analyse_rows(make_model<double>(scene)).rank, 9);
@@ -63,7 +63,7 @@ TEST(SingularMass, IsHeldBesideAMassOfAnySize) {
 
 TEST(SingularMass, AboutATiltedAxisIsHeldBesideAMassOfAnySize) {
   // the rod's frame is turned, so that no body axis is the rod's own
-  auto scene = rod(ConstraintType::universal);
+  auto scene = rod(JointType::universal);
   const Matrix3<double> A = rotation_matrix<double>(Vector4<double>(0.8, 0.2, 0.4, 0.4).normalized());
   const auto turned = [&](const scenes::Vector3& v) {
     const Vector3<double> w = A.transpose() * Vector3<double>(v[0], v[1], v[2]);
@@ -86,7 +86,7 @@ TEST(SingularMass, AboutATiltedAxisIsHeldBesideAMassOfAnySize) {
 
 TEST(SingularMass, ThatNothingHoldsIsAnErrorThatNamesTheBodyAndItsAxis) {
   try {
-    analyse_rows(make_model<double>(rod(ConstraintType::spherical)));
+    analyse_rows(make_model<double>(rod(JointType::spherical)));
     FAIL() << "the rod may spin at any acceleration";
   } catch (const ModelError& error) {
     const std::string message = error.what();

@@ -37,13 +37,11 @@ scenes::Scene in_units(scenes::Scene scene, double length, double mass) {
     if (c.i.point) scale(*c.i.point, length);
     if (c.j.point) scale(*c.j.point, length);
     c.distance *= length;
-    const double f = c.type == ConstraintType::dp1 ? 1
-                     : c.type == ConstraintType::d ? length * length
-                                                   : length;
+    const double f = c.type == basic_type<DP1> ? 1 : c.type == basic_type<D> ? length * length : length;
     c.f = TimeFunction::Product{{c.f, f}};
   }
-  std::erase_if(scene.effects, [](const auto& e) { return !std::holds_alternative<scenes::Gravity>(e); });
-  for (auto& effect : scene.effects) scale(std::get<scenes::Gravity>(effect).acceleration, length);
+  std::erase_if(scene.effects, [](const auto& e) { return !std::holds_alternative<Gravity<double>>(e); });
+  for (auto& effect : scene.effects) std::get<Gravity<double>>(effect).acceleration *= length;
   return scene;
 }
 /// What a row is measured in: a number, a length, or its square.
@@ -122,7 +120,7 @@ TEST(StructuredSolver, AgreesWhereManyClosingsMeet) {
 TEST(StructuredSolver, NamesTheBodyWhoseMotionHasNoInertia) {
   scenes::Scene scene;
   scene.bodies = {test::body("rod", 1, {0, 1, 1})};
-  scene.constraints = {test::joint(ConstraintType::spherical, "ball",
+  scene.constraints = {test::joint(JointType::spherical, "ball",
                                    test::side(scenes::ground, scenes::Vector3{}),
                                    test::side(0, scenes::Vector3{1, 0, 0}))};
   scene.bodies[0].position = {-1, 0, 0};
@@ -152,7 +150,7 @@ scenes::Scene hung_on_a_light_body(double light, double heavy) {
                   body("heavy", heavy, {3, 0, 0.5})};
   for (int b = 0; b < 3; ++b) {
     const Vector3 on_i = b == 0 ? Vector3{} : Vector3{0.1, 0.2, 0.3}, on_j{-0.2, 0.1, -0.3};
-    auto rod = test::joint(ConstraintType::distance, "rod " + std::to_string(b), test::side(b - 1, on_i),
+    auto rod = test::joint(JointType::distance, "rod " + std::to_string(b), test::side(b - 1, on_i),
                            test::side(b, on_j));
     double squared = 0;
     for (int k = 0; k < 3; ++k) {

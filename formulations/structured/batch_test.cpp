@@ -119,7 +119,7 @@ TEST(Batch, LanesMayFloatFreely) {
   scenes::Scene afloat = scenes::chain(3);
   afloat.constraints.erase(afloat.constraints.begin());
   expect_lanes_are_the_scenes<ROmega>(turned(afloat));
-  for (const auto type : {ConstraintType::cylindrical, ConstraintType::planar}) {
+  for (const auto type : {JointType::cylindrical, JointType::planar}) {
     scenes::Scene sliding = scenes::chain(3);
     sliding.constraints[0].type = type;
     expect_lanes_are_the_scenes<RP>(turned(sliding));

@@ -21,12 +21,6 @@ bool turns(const GraphJoint& driver, const GraphJoint& revolute) {
          apart(driver.axis_j, swapped ? revolute.axis_i : revolute.axis_j) < rank_tolerance;
 }
 
-/// Whether the row of a basic constraint sees how j moves relative to i and nothing else. A cd's vector is
-/// fixed in the global frame. Who is not listed may see anything.
-bool is_seen_relative(ConstraintType type) {
-  return type == ConstraintType::dp1 || type == ConstraintType::dp2 || type == ConstraintType::d;
-}
-
 }  // namespace
 
 BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joints) {
@@ -44,20 +38,20 @@ BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joint
   std::vector<const GraphJoint*> drivers;
   for (const GraphJoint& joint : joints) {
     const auto pair = unordered(joint);
-    if (joint.type == ConstraintType::rotation_driver) {
+    if (joint.type == JointType::rotation_driver) {
       drivers.push_back(&joint);
-    } else if (is_basic(joint.type)) {
+    } else if (joint.type.is_basic()) {
       const auto found = basic_edge.find(pair);
       const bool fits = found != basic_edge.end() && graph.edges[found->second].size() < GraphEdge::most_rows;
       if (!fits) basic_edge[pair] = add_edge(joint, false);
       take_rows(basic_edge[pair], joint);
-      if (!is_seen_relative(joint.type) && joint.i != graph.bodies && joint.j != graph.bodies)
+      if (!joint.sees_relative_motion && joint.i != graph.bodies && joint.j != graph.bodies)
         graph.edges[basic_edge[pair]].is_relative = false;
     } else {
       const bool is_point = holds_a_point(joint.type);
       const int edge = add_edge(joint, is_point);
       if (is_point) point_edge.emplace(pair, edge);
-      if (joint.type == ConstraintType::revolute) revolute_edge.emplace(pair, std::pair(edge, &joint));
+      if (joint.type == JointType::revolute) revolute_edge.emplace(pair, std::pair(edge, &joint));
       take_rows(edge, joint);
     }
   }

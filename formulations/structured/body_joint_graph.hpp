@@ -35,6 +35,7 @@ struct BodyJointGraph {
 /// A joint of any Scalar, as far as the graph sees it.
 struct GraphJoint : BodyPair {
   ConstraintType type;
+  bool sees_relative_motion;  ///< its first row, and nothing else
   int first_row, rows;
   Vector3<double> axis_i, axis_j;  ///< unit, each in its body's frame
 };
@@ -48,7 +49,8 @@ template <class Scalar, class Types>
 BodyJointGraph body_joint_graph(const Mechanism<Scalar, Types>& mechanism) {
   std::vector<GraphJoint> joints;
   for (const Joint<Scalar>& joint : mechanism.joints)
-    joints.push_back({joint, joint.type, joint.first_row, joint.rows, scalar_cast<double>(joint.frame_i.z),
+    joints.push_back({joint, joint.type, sees_relative_motion(mechanism.rows[joint.first_row]),
+                      joint.first_row, joint.rows, scalar_cast<double>(joint.frame_i.z),
                       scalar_cast<double>(joint.frame_j.z)});
   return body_joint_graph(mechanism.nb(), joints);
 }

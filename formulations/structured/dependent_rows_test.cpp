@@ -58,7 +58,7 @@ TEST(DependentRows, APointOfAWeldHeldToItselfAddsNothing) {
     const Vector3& r = scene.bodies[1].position;
     return Vector3{P[0] - r[0], P[1] - r[1], P[2] - r[2]};
   };
-  scene.constraints.push_back(test::joint(ConstraintType::fixed, "weld", test::side(0, point, axis, across),
+  scene.constraints.push_back(test::joint(JointType::fixed, "weld", test::side(0, point, axis, across),
                                           test::side(1, at(point), axis, across)));
   const Vector3 P{0.7, 1.1, -0.3};
   scene.constraints.push_back(cd("pin", 0, P, 1, at(P)));
@@ -88,7 +88,8 @@ TEST(DependentRows, AForceElsewhereHidesNoContradiction) {
   scene.bodies = {test::body("block", 2), test::body("shot", 1)};
   scene.constraints = {cd("guide", scenes::ground, {}, 0, {}, Polynomial{{0, 0, 0.5}}),
                        cd("second guide", scenes::ground, {}, 0, {}, Polynomial{{0, 0, 1}})};
-  scene.effects = {scenes::Force{"blow", 1, {}, {1e9, 0, 0}, scenes::Frame::global}};
+  scene.effects = {
+      Force<double>{"blow", 1, trivium::Vector3<double>::Zero(), {1e9, 0, 0}, ComponentFrame::global}};
   const std::string refusal = refusal_of(scene);
   EXPECT_NE(refusal.find("second guide"), std::string::npos) << refusal;
 }
@@ -112,7 +113,8 @@ TEST(DependentRows, ForcesInBalanceLeaveNoMoreThanAllToCorrect) {
   for (int n : {2, 5}) {
     scenes::Scene scene = scenes::ladder(n);
     for (scenes::Body& body : scene.bodies) body.velocity = body.angular_velocity = {};
-    scene.effects = {scenes::Force{"pull", 0, {}, {0, 0, 5}, scenes::Frame::global}};
+    scene.effects = {
+        Force<double>{"pull", 0, trivium::Vector3<double>::Zero(), {0, 0, 5}, ComponentFrame::global}};
     const auto mechanism = make_mechanism<double>(scene);
     AccelerationSolver<F> solver(mechanism);
     solver.solve(to_coordinates<F>(mechanism, make_state<double>(scene), {}), 0);
@@ -134,7 +136,7 @@ TEST(RowsOfOneJoint, MayBindTheMotionOfTheParentItself) {
 
 TEST(RowsOfOneJoint, HoldABodyOfHardlyAnyInertia) {
   for (const double J : {1e-12, 1e-15, 1e-18, 1e-30})
-    for (const ConstraintType type : {ConstraintType::translational, ConstraintType::cylindrical}) {
+    for (const ConstraintType type : {JointType::translational, JointType::cylindrical}) {
       scenes::Scene scene;
       scene.bodies = {test::body("collar", 1, {J, J, J})};
       const auto along = [](int body) { return test::side(body, point, slope, level); };
@@ -148,9 +150,9 @@ TEST(RowsOfOneJoint, HoldASpinWithoutInertiaTogether) {
   scenes::Scene scene;
   scene.bodies = {test::body("rod", 1, {0, 1, 1}, {-1, 0, 0})};
   const scenes::Constraint no_spin =
-      test::joint(ConstraintType::dp1, "no spin", test::vector_side(scenes::ground, {0, 1, 0}),
+      test::joint(basic_type<DP1>, "no spin", test::vector_side(scenes::ground, {0, 1, 0}),
                   test::vector_side(0, {0, 0, 1}));
-  scene.constraints = {test::joint(ConstraintType::spherical, "ball", test::side(scenes::ground, Vector3{}),
+  scene.constraints = {test::joint(JointType::spherical, "ball", test::side(scenes::ground, Vector3{}),
                                    test::side(0, Vector3{1, 0, 0})),
                        no_spin};
   scene.effects = {test::gravity()};
@@ -159,7 +161,7 @@ TEST(RowsOfOneJoint, HoldASpinWithoutInertiaTogether) {
 
 TEST(NoAnswer, AJointWhoseAxesHaveFallenTogetherIsAnErrorThatNamesItsBody) {
   scenes::Scene scene = pendulum();
-  scene.constraints[0].type = ConstraintType::universal;  // wants its axes perpendicular
+  scene.constraints[0].type = JointType::universal;  // wants its axes perpendicular
   const std::string refusal = refusal_of(scene);
   EXPECT_NE(refusal.find("body \"rod\""), std::string::npos) << refusal;
   EXPECT_NE(refusal.find("depend on each other"), std::string::npos) << refusal;
@@ -175,7 +177,7 @@ TEST(NoAnswer, AFreeTurnWithoutInertiaIsAnErrorThatNamesItsBody) {
   for (int m = 0; m < 3; ++m)
     for (int n = 0; n < 3; ++n) inertia[m][n] = (m == n ? 1 : 0) - along[m] * along[n] / length2;
   scene.bodies[0].inertia = inertia;
-  scene.constraints = {test::joint(ConstraintType::cylindrical, "sleeve",
+  scene.constraints = {test::joint(JointType::cylindrical, "sleeve",
                                    test::side(scenes::ground, Vector3{}, along),
                                    test::side(0, Vector3{}, along))};
   const std::string refusal = refusal_of(scene);

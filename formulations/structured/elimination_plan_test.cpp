@@ -26,7 +26,7 @@ scenes::Scene joined(int bodies, const std::vector<std::array<int, 2>>& pairs) {
   scenes::Scene scene;
   for (int b = 0; b < bodies; ++b) scene.bodies.push_back(test::body("b" + std::to_string(b), 1));
   for (const auto& [i, j] : pairs)
-    scene.constraints.push_back(test::joint(ConstraintType::revolute,
+    scene.constraints.push_back(test::joint(JointType::revolute,
                                             "j" + std::to_string(scene.constraints.size()),
                                             test::side(i, scenes::Vector3{}, scenes::Vector3{0, 0, 1}),
                                             test::side(j, scenes::Vector3{}, scenes::Vector3{0, 0, 1})));

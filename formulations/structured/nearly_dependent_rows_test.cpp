@@ -37,13 +37,13 @@ TEST(NearlyDependentRows, AFourBarNearItsDeadCentreIsRightInFloat) {
     const auto hinge = [&](const std::string& name, int i, const Vector3& P, int j, const Vector3& Q) {
       const Vector3 z{0, 0, 1}, x{1, 0, 0};
       scene.constraints.push_back(
-          test::joint(ConstraintType::revolute, name, test::side(i, P, z, x), test::side(j, Q, z, x)));
+          test::joint(JointType::revolute, name, test::side(i, P, z, x), test::side(j, Q, z, x)));
     };
     hinge("left pivot", scenes::ground, {}, 0, {-0.5, 0, 0});
     hinge("left pin", 0, {0.5, 0, 0}, 1, {-1, 0, 0});
     hinge("right pin", 1, {1, 0, 0}, 2, {0.5, 0, 0});
     hinge("right pivot", scenes::ground, {2, 0, 0}, 2, {-0.5, 0, 0});
-    scene.effects = {scenes::Gravity{"", {0.3, -9.81, 0}}};
+    scene.effects = {Gravity<double>{"", {0.3, -9.81, 0}}};
     expect_solution_of_quad<ROmega<float>>(scene, 1e-6 / angle, fmt::format("{} rad", angle));
   }
 }
@@ -72,7 +72,7 @@ TEST(NearlyDependentRows, AreJudgedByTheLeversOfTheirOwnAssembly) {
   for (const double far : {1.0, 1e3, 1e6}) {
     scenes::Scene scene = block_on_rows({0.3, 0.3 + 1e-6, -1}, 1);
     scene.bodies.push_back(test::body("elsewhere", 1));
-    scene.constraints.push_back(test::joint(ConstraintType::spherical, "far ball",
+    scene.constraints.push_back(test::joint(JointType::spherical, "far ball",
                                             test::side(scenes::ground, Vector3{far, 0, 0}),
                                             test::side(1, Vector3{far, 0, 0})));
     expect_solution_of_quad<F>(scene, 1e-6, fmt::format("a ball at {} m", far));
@@ -89,7 +89,7 @@ TEST(NearlyDependentRows, TooManyOfThemAreAnErrorThatNamesOne) {
       row.j.body = b;
       scene.constraints.push_back(row);
     }
-    scene.effects.push_back(scenes::Torque{"", b, {0, 0.7, 0}, scenes::Frame::global});
+    scene.effects.push_back(Torque<double>{"", b, {0, 0.7, 0}, ComponentFrame::global});
   }
   const std::string refusal = refusal_of(scene);
   EXPECT_NE(refusal.find("row \"row 1 of block 100\""), std::string::npos) << refusal;
@@ -104,12 +104,13 @@ TEST(NearlyDependentRows, ABodyBetweenHeavyOnesMayBeAsLightAsItWants) {
       const int b = static_cast<int>(scene.bodies.size());
       scene.bodies.push_back(test::body(name, mass, {mass, mass, mass}));
       const auto along = [](int body) { return test::side(body, Vector3{}, slope, level); };
-      scene.constraints.push_back(test::joint(ConstraintType::translational, "slide " + std::string(name),
+      scene.constraints.push_back(test::joint(JointType::translational, "slide " + std::string(name),
                                               along(scenes::ground), along(b)));
     }
     scene.constraints.push_back(cd("left to light", 0, {}, 1, {}));
     scene.constraints.push_back(cd("light to right", 1, {}, 2, {}));
-    scene.effects = {scenes::Force{"pull", 0, {}, {0.6, 0, 0.8}, scenes::Frame::global}};
+    scene.effects = {
+        Force<double>{"pull", 0, trivium::Vector3<double>::Zero(), {0.6, 0, 0.8}, ComponentFrame::global}};
     expect_solution_of_quad<F>(scene, 1e-14, fmt::format("{} kg", light));
   }
 }

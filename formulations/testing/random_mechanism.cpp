@@ -63,11 +63,10 @@ class SceneBuilder {
   }
 
   ConstraintType draw_type() {
-    constexpr std::array types{ConstraintType::spherical,   ConstraintType::universal,
-                               ConstraintType::revolute,    ConstraintType::revolute,
-                               ConstraintType::cylindrical, ConstraintType::translational,
-                               ConstraintType::planar,      ConstraintType::in_line,
-                               ConstraintType::distance,    ConstraintType::fixed};
+    constexpr std::array types{JointType::spherical, JointType::universal,   JointType::revolute,
+                               JointType::revolute,  JointType::cylindrical, JointType::translational,
+                               JointType::planar,    JointType::in_line,     JointType::distance,
+                               JointType::fixed};
     return types[random_.index(static_cast<int>(types.size()))];
   }
 
@@ -80,7 +79,7 @@ class SceneBuilder {
     const Vec along = random_.uniform() * g.z_i;
     const double y = random_.uniform(), x = random_.uniform();
     const Vec across = x * axes.u + y * axes.v;
-    using enum ConstraintType;
+    using enum JointType;
     if (type == cylindrical || type == translational || type == in_line) g.P_j += along;
     if (type == planar) g.P_j += across;
     if (type == distance) g.P_j += along + across;
@@ -117,8 +116,7 @@ class SceneBuilder {
     for (int attempt = 0; attempt < 20; ++attempt) {
       const int j = random_.index(options_.bodies), i = random_.index(options_.bodies + 1) - 1;
       scenes::Constraint c;
-      constexpr std::array types{ConstraintType::dp1, ConstraintType::dp2, ConstraintType::d,
-                                 ConstraintType::cd};
+      constexpr std::array types{basic_type<DP1>, basic_type<DP2>, basic_type<D>, basic_type<CD>};
       c.type = types[random_.index(4)];
       c.name = "closing " + std::to_string(scene_.constraints.size());
       const auto draw = [&] { return store(random_.vector<double, 3>()); };
@@ -145,7 +143,7 @@ class SceneBuilder {
     const Vec s_i = random_.vector<double, 3>(3), s_j = random_.vector<double, 3>();
     for (const double shift : {0.0, options_.near_rows}) {
       scenes::Constraint c;
-      c.type = ConstraintType::d;
+      c.type = basic_type<D>;
       c.name = "near " + std::to_string(scene_.constraints.size());
       c.i = test::side(scenes::ground, store(s_i));
       c.j = test::side(j, store(s_j + shift * Vec(0.3, -0.5, 0.8)));
@@ -171,7 +169,7 @@ class SceneBuilder {
     const std::size_t k = random_.index(options_.bodies);
     const scenes::Constraint first = scene_.constraints[k];
     GlobalJoint g = geometry_[k];
-    if (first.type == ConstraintType::revolute || first.type == ConstraintType::cylindrical) {
+    if (first.type == JointType::revolute || first.type == JointType::cylindrical) {
       g.P_i += 0.5 * g.z_i;
       g.P_j += 0.5 * g.z_i;
     }
@@ -180,9 +178,9 @@ class SceneBuilder {
 
   void drive_a_revolute() {
     for (std::size_t k = 0; k < scene_.constraints.size(); ++k) {
-      if (scene_.constraints[k].type != ConstraintType::revolute) continue;
+      if (scene_.constraints[k].type != JointType::revolute) continue;
       const auto [i, j] = std::pair{scene_.constraints[k].i.body, scene_.constraints[k].j.body};
-      add(ConstraintType::rotation_driver, i, j, geometry_[k]);
+      add(JointType::rotation_driver, i, j, geometry_[k]);
       scene_.constraints.back().angle = TF::Polynomial{{0, random_.uniform(), random_.uniform()}};
       if (!is_independent()) remove_last();
       return;
@@ -190,18 +188,18 @@ class SceneBuilder {
   }
 
   void add_effects() {
-    scene_.effects.push_back(scenes::Gravity{"", {0.3, -0.4, -9.81}});
+    scene_.effects.push_back(Gravity<double>{"", {0.3, -0.4, -9.81}});
     const auto functions = [&] {
       return std::array<TF, 3>{TF(random_.uniform(-5, 5)), TF(random_.uniform(-5, 5)),
                                TF(TF::Harmonic{0, random_.uniform(-5, 5), 3, 1})};
     };
     const int last = options_.bodies - 1;
     scene_.effects.push_back(
-        scenes::Force{"", 0, store(random_.vector<double, 3>()), functions(), scenes::Frame::body});
-    scene_.effects.push_back(scenes::Torque{"", last, functions(), scenes::Frame::global});
-    scenes::SpringDamper spring;
-    spring.i = test::side(scenes::ground, store(random_.vector<double, 3>(3)));
-    spring.j = test::side(last, store(random_.vector<double, 3>()));
+        Force<double>{"", 0, random_.vector<double, 3>(), functions(), ComponentFrame::body});
+    scene_.effects.push_back(Torque<double>{"", last, functions(), ComponentFrame::global});
+    SpringDamper<double> spring;
+    spring.i = {scenes::ground, random_.vector<double, 3>(3)};
+    spring.j = {last, random_.vector<double, 3>()};
     spring.stiffness = 20;
     spring.damping = 3;
     spring.free_length = 0.5;

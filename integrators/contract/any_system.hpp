@@ -25,16 +25,15 @@ class AnySystem {
   virtual int size() const = 0;
   virtual StateVector<S> start() const = 0;
   virtual void derivative(const S& t, const StateVector<S>& y, StateVector<S>& y_dot) = 0;
-  virtual S position_violation(const S& t, const StateVector<S>& y) = 0;
-  virtual S velocity_violation(const S& t, const StateVector<S>& y) = 0;
-  virtual S relative_violation() const = 0;
+  virtual Violation<S> position_violation(const S& t, const StateVector<S>& y) = 0;
+  virtual Violation<S> velocity_violation(const S& t, const StateVector<S>& y) = 0;
+  virtual std::string row_name(int row) const = 0;
   virtual bool projection_is_too_large(const StateVector<S>& before, const StateVector<S>& stepped,
                                        const StateVector<S>& projected) = 0;
   virtual S longest_step(const S& t, const StateVector<S>& y) = 0;
-  virtual void correct_positions(StateVector<S>& y, bool factor) = 0;
-  virtual void correct_velocities(StateVector<S>& y, bool factor) = 0;
+  virtual void correct_positions(const S& t, StateVector<S>& y, bool factor) = 0;
+  virtual void correct_velocities(const S& t, StateVector<S>& y, bool factor) = 0;
   virtual void normalise(StateVector<S>& y) = 0;
-  virtual std::string worst_row() const = 0;
   virtual bool accept_state(const S& t, StateVector<S>& y) = 0;
   virtual bool pass_discontinuity(const S& before, const S& t, StateVector<S>& y) = 0;
   virtual std::string diagnose(const S& t, const StateVector<S>& y) = 0;
@@ -62,9 +61,8 @@ class AnySystem {
   virtual void applied_force(const AnyEvaluation& at, StateVector<S>& force) = 0;
   virtual S residual(const AnyEvaluation& at, const StateVector<S>& force, const StateVector<S>& lambda,
                      StateVector<S>& left) = 0;
-  virtual RowViolation<S> position_rows(const AnyEvaluation& at, StateVector<S>& rows) = 0;
-  virtual RowViolation<S> velocity_rows(const AnyEvaluation& at, StateVector<S>& rows) = 0;
-  virtual std::string row_name(int row) const = 0;
+  virtual Violation<S> position_rows(const AnyEvaluation& at, StateVector<S>& rows) = 0;
+  virtual Violation<S> velocity_rows(const AnyEvaluation& at, StateVector<S>& rows) = 0;
   virtual S work_rate(const AnyEvaluation& at, const StateVector<S>& lambda) = 0;
 
   // HasNewtonMatrix
@@ -104,22 +102,25 @@ class SystemAdapter final : public AnySystem<typename System::Scalar> {
   void derivative(const S& t, const StateVector<S>& y, StateVector<S>& y_dot) override {
     system_.derivative(t, y, y_dot);
   }
-  S position_violation(const S& t, const StateVector<S>& y) override {
+  Violation<S> position_violation(const S& t, const StateVector<S>& y) override {
     return system_.position_violation(t, y);
   }
-  S velocity_violation(const S& t, const StateVector<S>& y) override {
+  Violation<S> velocity_violation(const S& t, const StateVector<S>& y) override {
     return system_.velocity_violation(t, y);
   }
-  S relative_violation() const override { return system_.relative_violation(); }
+  std::string row_name(int row) const override { return system_.row_name(row); }
   bool projection_is_too_large(const StateVector<S>& before, const StateVector<S>& stepped,
                                const StateVector<S>& projected) override {
     return system_.projection_is_too_large(before, stepped, projected);
   }
   S longest_step(const S& t, const StateVector<S>& y) override { return system_.longest_step(t, y); }
-  void correct_positions(StateVector<S>& y, bool factor) override { system_.correct_positions(y, factor); }
-  void correct_velocities(StateVector<S>& y, bool factor) override { system_.correct_velocities(y, factor); }
+  void correct_positions(const S& t, StateVector<S>& y, bool factor) override {
+    system_.correct_positions(t, y, factor);
+  }
+  void correct_velocities(const S& t, StateVector<S>& y, bool factor) override {
+    system_.correct_velocities(t, y, factor);
+  }
   void normalise(StateVector<S>& y) override { system_.normalise(y); }
-  std::string worst_row() const override { return system_.worst_row(); }
   bool accept_state(const S& t, StateVector<S>& y) override { return system_.accept_state(t, y); }
   bool pass_discontinuity(const S& before, const S& t, StateVector<S>& y) override {
     return system_.pass_discontinuity(before, t, y);
@@ -174,14 +175,11 @@ class SystemAdapter final : public AnySystem<typename System::Scalar> {
              StateVector<S>& left) override {
     return constrained([&](auto& system) { return S(system.residual(own(at), force, lambda, left)); });
   }
-  RowViolation<S> position_rows(const AnyEvaluation& at, StateVector<S>& rows) override {
+  Violation<S> position_rows(const AnyEvaluation& at, StateVector<S>& rows) override {
     return constrained([&](auto& system) { return system.position_rows(own(at), rows); });
   }
-  RowViolation<S> velocity_rows(const AnyEvaluation& at, StateVector<S>& rows) override {
+  Violation<S> velocity_rows(const AnyEvaluation& at, StateVector<S>& rows) override {
     return constrained([&](auto& system) { return system.velocity_rows(own(at), rows); });
-  }
-  std::string row_name(int row) const override {
-    return constrained([&](auto& system) { return std::string(system.row_name(row)); });
   }
   S work_rate(const AnyEvaluation& at, const StateVector<S>& lambda) override {
     return constrained([&](auto& system) { return S(system.work_rate(own(at), lambda)); });

@@ -10,6 +10,21 @@
 
 namespace trivium::integrators {
 
+/// How far y is from the constraints: the largest distance from one of them, in units of the model; the
+/// largest beside the model's own numbers, where rounding is a few units of roundoff; and the row that is
+/// farthest off, -1 if there is none.
+template <class S>
+struct Violation {
+  S size{0}, relative{0};
+  int row = -1;
+};
+
+/// The larger of two; what is not a number is larger than any.
+template <class S>
+const Violation<S>& larger(const Violation<S>& a, const Violation<S>& b) {
+  return a.relative != a.relative || b.relative <= a.relative ? a : b;
+}
+
 /// The equations:
 ///
 ///   size, start          how many numbers y has, and which it has at the start
@@ -17,15 +32,13 @@ namespace trivium::integrators {
 ///                        takes a smaller step
 ///   longest_step         how long a step from (t, y) may be, for reasons of the model
 ///
-/// The constraints, whose violation is the largest distance of y from one of them, in units of the model:
+/// The constraints:
 ///
-///   position_violation   of the constraints on positions at (t, y)
+///   position_violation   the Violation of the constraints on positions at (t, y)
 ///   velocity_violation   of those on velocities
-///   relative_violation   the violation measured last, beside the model's own numbers: rounding is a few
-///                        units of roundoff there
-///   worst_row            the name of the row that was violated most
-///   correct_positions    one Newton correction of the violation measured last, by a matrix that is factored
-///                        there or, unless `factor`, was factored before
+///   row_name             of a row by its number
+///   correct_positions    from (t, y, factor): one Newton correction of y, by a matrix that is factored there
+///                        or, unless `factor`, was factored before
 ///   correct_velocities   the same of velocities
 ///   normalise            meets the rows that a model keeps to itself, such as |p| = 1
 ///
@@ -45,19 +58,18 @@ namespace trivium::integrators {
 template <class System>
 concept FirstOrderSystem = requires(System& system, const typename System::Scalar& t,
                                     const StateVector<typename System::Scalar>& y,
-                                    StateVector<typename System::Scalar>& changed, bool factor) {
+                                    StateVector<typename System::Scalar>& changed, bool factor, int row) {
   { system.size() } -> std::convertible_to<int>;
   { system.start() } -> std::convertible_to<StateVector<typename System::Scalar>>;
   system.derivative(t, y, changed);
-  { system.position_violation(t, y) } -> std::convertible_to<typename System::Scalar>;
-  { system.velocity_violation(t, y) } -> std::convertible_to<typename System::Scalar>;
-  { system.relative_violation() } -> std::convertible_to<typename System::Scalar>;
+  { system.position_violation(t, y) } -> std::same_as<Violation<typename System::Scalar>>;
+  { system.velocity_violation(t, y) } -> std::same_as<Violation<typename System::Scalar>>;
+  { system.row_name(row) } -> std::convertible_to<std::string>;
   { system.projection_is_too_large(y, y, y) } -> std::same_as<bool>;
   { system.longest_step(t, y) } -> std::convertible_to<typename System::Scalar>;
-  system.correct_positions(changed, factor);
-  system.correct_velocities(changed, factor);
+  system.correct_positions(t, changed, factor);
+  system.correct_velocities(t, changed, factor);
   system.normalise(changed);
-  { system.worst_row() } -> std::convertible_to<std::string>;
   { system.accept_state(t, changed) } -> std::same_as<bool>;
   { system.pass_discontinuity(t, t, changed) } -> std::same_as<bool>;
   { system.diagnose(t, y) } -> std::convertible_to<std::string>;

@@ -89,18 +89,18 @@ class SystemLaws {
     off.segment(nq_, nv_) += S(1e-3) * (1 + v_.norm()) * numbers(nv_, 8);
     system_.normalise(off);
     const auto falls = [&](const char* law, const auto& violation, const auto& correct) {
-      const double before = static_cast<double>(S(violation()));
+      const double before = static_cast<double>(violation().size);
       correct();
       system_.normalise(off);
-      const double after = static_cast<double>(S(violation())), bound = before / 10 + 1e-12;
+      const double after = static_cast<double>(violation().size), bound = before / 10 + 1e-12;
       if (!(after <= bound)) broken_.push_back({law, after, bound});
     };
     falls(
         "a correction leads positions back", [&] { return system_.position_violation(t_, off); },
-        [&] { system_.correct_positions(off, true); });
+        [&] { system_.correct_positions(t_, off, true); });
     falls(
         "a correction leads velocities back", [&] { return system_.velocity_violation(t_, off); },
-        [&] { system_.correct_velocities(off, true); });
+        [&] { system_.correct_velocities(t_, off, true); });
   }
   void accelerations() {
     Y v_dot, lambda, force, left, internal = Y::Zero(nv_), y_dot;

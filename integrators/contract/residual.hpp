@@ -13,20 +13,6 @@
 
 namespace trivium::integrators {
 
-/// How far rows are from being met: the largest violation beside the model's own numbers (lengths, or speeds
-/// for velocities), where rounding is a few units of roundoff, and which row's it is; -1 if there are none.
-template <class S>
-struct RowViolation {
-  S relative{0};
-  int row = -1;
-};
-
-/// The larger of two; what is not a number is larger than any.
-template <class S>
-const RowViolation<S>& larger(const RowViolation<S>& a, const RowViolation<S>& b) {
-  return a.relative != a.relative || b.relative <= a.relative ? a : b;
-}
-
 ///   Evaluation           empty at first; its storage is used again by the next `evaluate`
 ///   evaluate             from (t, y, at): makes `at` the model at (t, y)
 ///   multipliers          how many numbers lambda has
@@ -45,8 +31,7 @@ const RowViolation<S>& larger(const RowViolation<S>& a, const RowViolation<S>& b
 ///                        reduced: in the places of v, without what internal rows take
 ///                        (internal_rows.hpp)
 ///   position_rows, velocity_rows
-///                        from (at, rows): Phi, and Phi_q v - nu. Each returns its RowViolation
-///   row_name             of a row by its number
+///                        from (at, rows): Phi, and Phi_q v - nu. Each returns its Violation
 ///   work_rate            from (at, lambda): by how much the work behind q and v grows
 template <class System>
 concept HasResidual = HasDisplacements<System> && std::default_initializable<typename System::Evaluation> &&
@@ -61,9 +46,8 @@ concept HasResidual = HasDisplacements<System> && std::default_initializable<typ
   system.inertia_force(at, v, changed);
   system.applied_force(at, changed);
   { system.residual(at, v, v, changed) } -> std::convertible_to<typename System::Scalar>;
-  { system.position_rows(at, changed) } -> std::same_as<RowViolation<typename System::Scalar>>;
-  { system.velocity_rows(at, changed) } -> std::same_as<RowViolation<typename System::Scalar>>;
-  { system.row_name(row) } -> std::convertible_to<std::string>;
+  { system.position_rows(at, changed) } -> std::same_as<Violation<typename System::Scalar>>;
+  { system.velocity_rows(at, changed) } -> std::same_as<Violation<typename System::Scalar>>;
   { system.work_rate(at, v) } -> std::convertible_to<typename System::Scalar>;
 };
 

@@ -33,15 +33,11 @@ class SphericalPendulum {
     accelerations(t, y, v_dot, lambda);
     y_dot = joined(y.tail(3), v_dot);
   }
-  S position_violation(const S&, const Y& y) { return violation_of((r(y).squaredNorm() - l * l) / 2); }
-  S velocity_violation(const S&, const Y& y) { return violation_of(r(y).dot(v(y))); }
-  S relative_violation() const {
-    using std::abs;
-    return abs(left_) / (l * l);
-  }
-  std::string worst_row() const { return "sphere"; }
-  void correct_positions(Y& y, bool factor) { y.head(3) -= left_ * direction(y, factor); }
-  void correct_velocities(Y& y, bool factor) { y.tail(3) -= left_ * direction(y, factor); }
+  Violation<S> position_violation(const S&, const Y& y) const { return violation_of(phi(y)); }
+  Violation<S> velocity_violation(const S&, const Y& y) const { return violation_of(phi_dot(y)); }
+  std::string row_name(int) const { return "sphere"; }
+  void correct_positions(const S&, Y& y, bool factor) { y.head(3) -= phi(y) * direction(y, factor); }
+  void correct_velocities(const S&, Y& y, bool factor) { y.tail(3) -= phi_dot(y) * direction(y, factor); }
   void normalise(Y&) const {}
   bool projection_is_too_large(const Y&, const Y&, const Y&) const { return false; }
   S longest_step(const S&, const Y&) const { return std::numeric_limits<S>::max(); }
@@ -75,17 +71,16 @@ class SphericalPendulum {
     left = weight() - force - at.r * lambda[0];
     return left.norm() / (weight().norm() + force.norm() + (at.r * lambda[0]).norm());
   }
-  RowViolation<S> position_rows(const Evaluation& at, Y& phi) const {
+  Violation<S> position_rows(const Evaluation& at, Y& phi) const {
     using std::abs;
     phi.setConstant(1, (at.r.squaredNorm() - l * l) / 2);
-    return {abs(phi[0]) / (l * l), 0};
+    return {abs(phi[0]), abs(phi[0]) / (l * l), 0};
   }
-  RowViolation<S> velocity_rows(const Evaluation& at, Y& phi_dot) const {
+  Violation<S> velocity_rows(const Evaluation& at, Y& phi_dot) const {
     using std::sqrt, std::abs;
     phi_dot.setConstant(1, at.r.dot(at.v));
-    return {abs(phi_dot[0]) / (l * (at.v.norm() + sqrt(g * l))), 0};
+    return {abs(phi_dot[0]), abs(phi_dot[0]) / (l * (at.v.norm() + sqrt(g * l))), 0};
   }
-  std::string row_name(int) const { return "sphere"; }
   S work_rate(const Evaluation&, const Y&) const { return S(0); }
 
   // Newton's matrix [m 1, r; r^T, 0]: gravity adds no stiffness
@@ -119,10 +114,11 @@ class SphericalPendulum {
     return y;
   }
   Vector weight() const { return {S(0), S(0), -m * g}; }
-  S violation_of(const S& left) {
+  S phi(const Y& y) const { return (r(y).squaredNorm() - l * l) / 2; }
+  S phi_dot(const Y& y) const { return r(y).dot(v(y)); }
+  Violation<S> violation_of(const S& left) const {
     using std::abs;
-    left_ = left;
-    return abs(left);
+    return {abs(left), abs(left) / (l * l), 0};
   }
   /// Of the least change in M, which moves the row by 1.
   const Vector& direction(const Y& y, bool factor) {
@@ -130,7 +126,6 @@ class SphericalPendulum {
     return direction_;
   }
 
-  S left_{0};  ///< of the row measured last
   Vector direction_;
 };
 

@@ -166,7 +166,7 @@ class HalfExplicit {
     system.solve_internal_rows(stage_at_, left_, v_dot);
     next_.segment(nq_, nv_) += share * v_dot;
     S before = std::numeric_limits<S>::max();
-    RowViolation<S> missed;
+    Violation<S> missed;
     constexpr int most_repetitions = 60;
     for (int k = 0; k < most_repetitions; ++k) {
       system.evaluate(t_next, next_, next_at_);

@@ -36,7 +36,7 @@ struct StepUnknowns {
 /// Says which row is not met by the last iterate, or that its forces do not balance.
 template <HasResidual System>
 [[noreturn]] void throw_not_converged(const System& system, const typename System::Scalar& t,
-                                      const RowViolation<typename System::Scalar>& violation) {
+                                      const Violation<typename System::Scalar>& violation) {
   using S = typename System::Scalar;
   constexpr double met =
       1e-8;  // half of a double's digits; what does not converge is far above or at rounding
@@ -72,7 +72,7 @@ class Newton {
     const bool is_stabilised = x.shift.size() > 0;
     const Eigen::Index nv = x.v_dot.size(), nc = x.lambda.size();
     bool is_fresh = false;
-    RowViolation<S> violation;
+    Violation<S> violation;
     anderson_.clear();
     S before = std::numeric_limits<S>::max();
     for (int k = 0, rises = 0; k < most_iterations && rises < most_rises; ++k) {
@@ -88,7 +88,7 @@ class Newton {
       const S imbalance = system.residual(at_, force_, x.lambda, left_);
       ++counters.right_sides;
       violation = system.position_rows(at_, phi_);
-      if (is_stabilised) violation = larger(violation, RowViolation<S>(system.velocity_rows(at_, phi_dot_)));
+      if (is_stabilised) violation = larger(violation, Violation<S>(system.velocity_rows(at_, phi_dot_)));
       if (imbalance <= enough() && violation.relative <= rounding<S>()) return;
       // what falls no more by a matrix made there is rounding, or no solution
       const S now = imbalance / enough() + violation.relative / rounding<S>();

@@ -159,8 +159,8 @@ class Radau {
         system.inertia_force(stage.at, stage.v_dot, force_);
         imbalance = std::max(imbalance, S(system.residual(stage.at, force_, stage.lambda, stage.left)));
         ++counters_.right_sides;
-        violation_ = larger(violation_, RowViolation<S>(system.position_rows(stage.at, stage.phi)));
-        violation_ = larger(violation_, RowViolation<S>(system.velocity_rows(stage.at, stage.phi_dot)));
+        violation_ = larger(violation_, Violation<S>(system.position_rows(stage.at, stage.phi)));
+        violation_ = larger(violation_, Violation<S>(system.velocity_rows(stage.at, stage.phi_dot)));
         stage_work_[i] = y.size() > nq_ + nv_ ? S(system.work_rate(stage.at, stage.lambda)) : S(0);
       }
       const S now = imbalance / enough + violation_.relative / rounding<S>();
@@ -257,7 +257,7 @@ class Radau {
   Stages stages_;
   RadauSprings<System, s> springs_;
   RowProjection<System> row_projection_;
-  RowViolation<S> violation_;  ///< of the last iterate
+  Violation<S> violation_;  ///< of the last iterate
   std::array<S, s> stage_work_;
   StateVector<S> force_, along_, change_;
   int nq_ = 0, nv_ = 0, nc_ = 0;

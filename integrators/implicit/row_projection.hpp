@@ -48,12 +48,12 @@ class RowProjection {
   }
 
  private:
-  template <class Violation, class Move>
-  void meet(System& system, const typename System::Factors& factors, const S& t, const Violation& violation,
+  template <class Measure, class Move>
+  void meet(System& system, const typename System::Factors& factors, const S& t, const Measure& measure,
             const Move& move) {
     S before = std::numeric_limits<S>::max();
-    RowViolation<S> now = violation();
-    for (; now.relative > rounding<S>() && now.relative < before; now = violation()) {
+    Violation<S> now = measure();
+    for (; now.relative > rounding<S>() && now.relative < before; now = measure()) {
       before = now.relative;
       x_.setZero(system.velocity_size());
       mu_.setZero(system.multipliers());

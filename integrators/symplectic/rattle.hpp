@@ -139,7 +139,7 @@ class Rattle {
   void approach(System& system, const S& t, const StateVector<S>& beside, const Look& look,
                 const Move& move) {
     S before = std::numeric_limits<S>::max();
-    RowViolation<S> rows;
+    Violation<S> rows;
     for (int k = 0; k < 50; ++k) {
       rows = look();
       const S size = beside.norm();

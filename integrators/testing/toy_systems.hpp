@@ -21,18 +21,17 @@ struct Free {
   int size() const { return static_cast<int>(y0.size()); }
   StateVector<double> start() const { return y0; }
   void derivative(double t, const StateVector<double>& y, StateVector<double>& y_dot) { y_dot = f(t, y); }
-  double position_violation(double, const StateVector<double>&) { return 0; }
-  double velocity_violation(double, const StateVector<double>&) { return 0; }
-  double relative_violation() const { return 0; }
+  Violation<double> position_violation(double, const StateVector<double>&) { return {}; }
+  Violation<double> velocity_violation(double, const StateVector<double>&) { return {}; }
   bool projection_is_too_large(const StateVector<double>&, const StateVector<double>&,
                                const StateVector<double>&) const {
     return false;
   }
   double longest_step(double, const StateVector<double>&) const { return longest; }
-  void correct_positions(StateVector<double>&, bool) {}
-  void correct_velocities(StateVector<double>&, bool) {}
+  void correct_positions(double, StateVector<double>&, bool) {}
+  void correct_velocities(double, StateVector<double>&, bool) {}
   void normalise(StateVector<double>&) {}
-  std::string worst_row() const { return "none"; }
+  std::string row_name(int) const { return "none"; }
   bool accept_state(double, StateVector<double>&) { return settled++ == changes_at; }
   bool pass_discontinuity(double, double, StateVector<double>&) { return false; }
   std::string diagnose(double, const StateVector<double>&) { return {}; }
@@ -40,7 +39,7 @@ struct Free {
 
 /// A particle (x, y, x', y') on the unit circle at constant speed: Phi = (x^2 + y^2 - 1) / 2.
 struct OnACircle : Free {
-  double seen = 0, factored_x = 0, factored_y = 0;
+  double factored_x = 0, factored_y = 0;
   bool stuck = false;  ///< corrections do nothing
   int factors = 0;
 
@@ -51,25 +50,24 @@ struct OnACircle : Free {
       return StateVector<double>(Eigen::Vector4d(y[2], y[3], -pull * y[0], -pull * y[1]));
     };
   }
-  double position_violation(double, const StateVector<double>& y) {
-    seen = (y[0] * y[0] + y[1] * y[1] - 1) / 2;
-    return std::abs(seen);
+  static double phi(const StateVector<double>& y) { return (y[0] * y[0] + y[1] * y[1] - 1) / 2; }
+  static double phi_dot(const StateVector<double>& y) { return y[0] * y[2] + y[1] * y[3]; }
+  Violation<double> position_violation(double, const StateVector<double>& y) {
+    return {std::abs(phi(y)), std::abs(phi(y)), 0};
   }
-  double velocity_violation(double, const StateVector<double>& y) {
-    seen = y[0] * y[2] + y[1] * y[3];
-    return std::abs(seen);
+  Violation<double> velocity_violation(double, const StateVector<double>& y) {
+    return {std::abs(phi_dot(y)), std::abs(phi_dot(y)), 0};
   }
-  void correct_positions(StateVector<double>& y, bool factor) { correct(y, 0, factor); }
-  void correct_velocities(StateVector<double>& y, bool factor) { correct(y, 2, factor); }
-  double relative_violation() const { return std::abs(seen); }
+  void correct_positions(double, StateVector<double>& y, bool factor) { correct(y, 0, phi(y), factor); }
+  void correct_velocities(double, StateVector<double>& y, bool factor) { correct(y, 2, phi_dot(y), factor); }
   bool projection_is_too_large(const StateVector<double>& before, const StateVector<double>& stepped,
                                const StateVector<double>& projected) const {
     return !((projected - stepped).norm() <= (stepped - before).norm() / 10 + 1e-4);
   }
-  std::string worst_row() const { return "circle"; }
+  std::string row_name(int) const { return "circle"; }
 
  private:
-  void correct(StateVector<double>& y, int part, bool factor) {
+  void correct(StateVector<double>& y, int part, double left, bool factor) {
     if (factor) {
       factored_x = y[0];
       factored_y = y[1];
@@ -77,8 +75,8 @@ struct OnACircle : Free {
     }
     if (stuck) return;
     const double size = factored_x * factored_x + factored_y * factored_y;
-    y[part] -= seen * factored_x / size;
-    y[part + 1] -= seen * factored_y / size;
+    y[part] -= left * factored_x / size;
+    y[part + 1] -= left * factored_y / size;
   }
 };
 

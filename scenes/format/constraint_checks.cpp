@@ -73,15 +73,15 @@ void check_constraint(const Constraint& constraint, const Path& at) {
   check_side(constraint.j, *shape.j, at / "j");
   check_function(constraint.f, at / "f");
   check_function(constraint.angle, at / "angle");
-  if (constraint.type == ConstraintType::cd) check_direction(constraint.direction, at / "direction");
-  if (constraint.type == ConstraintType::distance && !(constraint.distance >= smallest_divisor))
+  if (shape.shape.find("direction")) check_direction(constraint.direction, at / "direction");
+  if (constraint.type == JointType::distance && !(constraint.distance >= smallest_divisor))
     fail(at / "distance", "found " + shortest(constraint.distance),
          fmt::format("a distance > 0 (at least {})", shortest(smallest_divisor)));
-  if (constraint.type == ConstraintType::d) {
+  if (shape.needs_positive_f) {
     const std::optional<double> f = constant_value(constraint.f);
     if (f && !(*f >= smallest_divisor))
-      fail(at / "f", fmt::format("the constant {} for a squared distance", shortest(*f)),
-           fmt::format("f > 0 (at least {})", shortest(smallest_divisor)));
+      fail(at / "f", fmt::format("found the constant {}", shortest(*f)),
+           fmt::format("f > 0 (at least {}): at 0 the row has no gradient", shortest(smallest_divisor)));
   }
 }
 

@@ -97,19 +97,19 @@ void check_continuous(const TimeFunction& f, const Path& at) {
 }
 
 /// The functions among what an effect shows.
-struct FunctionsOfEffect {
+struct FunctionsOfEffect : ValueVisitor<FunctionsOfEffect> {
   double t;
   const Path& at;
 
-  void body(std::string_view, int) const {}
-  void joint(std::string_view, int) const {}
-  void need(std::string_view key, const auto& value) const { check(value, at / key); }
-  void may(std::string_view key, const auto& value) const { check(value, at / key); }
+  FunctionsOfEffect(double time, const Path& place) : t(time), at(place) {}
 
- private:
-  void check(const auto&, const Path&) const {}
-  void check(const TimeFunction& f, const Path& place) const { check_finite(f, t, place); }
-  void check(const std::array<TimeFunction, 3>& functions, const Path& place) const {
+  void body(std::string_view, auto&) const {}
+  void point(std::string_view, auto&) const {}
+  void joint(std::string_view, auto&) const {}
+  void value(std::string_view, const auto&) const {}
+  void value(std::string_view key, const TimeFunction& f) const { check_finite(f, t, at / key); }
+  void value(std::string_view key, const std::array<TimeFunction, 3>& functions) const {
+    const Path place = at / key;
     for (std::size_t k = 0; k < functions.size(); ++k) check_finite(functions[k], t, place / k);
   }
 };
@@ -132,7 +132,7 @@ void check_functions(const Scene& scene, double t, const Path& root) {
   }
   for (std::size_t k = 0; k < scene.effects.size(); ++k) {
     const Path at = effects / k;
-    visit_keys(FunctionsOfEffect{t, at}, scene.effects[k]);
+    visit_keys(FunctionsOfEffect(t, at), scene.effects[k]);
   }
 }
 

@@ -65,6 +65,11 @@ inline void read_value(const Json& json, const Path& at, std::array<TimeFunction
   const Json::Array& items = read_items(json, at, "functions of time", 3);
   for (std::size_t k = 0; k < 3; ++k) read_value(items[k], at / k, out[k]);
 }
+inline void read_value(const Json& json, const Path& at, trivium::Vector3<double>& out) {
+  Vector3 stated{};
+  read_value(json, at, stated);
+  out = {stated[0], stated[1], stated[2]};
+}
 inline void read_value(const Json& json, const Path& at, std::optional<Vector3>& out) {
   read_value(json, at, out.emplace());
 }

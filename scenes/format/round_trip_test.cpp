@@ -97,9 +97,9 @@ TEST(Writer, RefusesWhatCouldNotBeReadAgain) {
     EXPECT_THROW(write_scene(scene), SceneError);
   };
   const auto force_on = [](int body, TimeFunction f) {
-    Force force;
+    Force<double> force;
     force.body = body;
-    force.force[0] = std::move(f);
+    force.components[0] = std::move(f);
     return force;
   };
   refuses([](Scene& s) { s.bodies.clear(); });
@@ -117,7 +117,7 @@ TEST(Writer, RefusesWhatCouldNotBeReadAgain) {
     for (int k = 0; k < 100; ++k) deep = TimeFunction::Sin{{deep}};
     s.effects.push_back(force_on(0, deep));
   });
-  refuses([](Scene& s) { s.effects.push_back(TorsionalSpringDamper{}); });
+  refuses([](Scene& s) { s.effects.push_back(TorsionalSpringDamper<double>{}); });
 }
 
 TEST(Writer, RefusesWhatItWouldLose) {

@@ -33,15 +33,15 @@ void check_body_index(int body, const Scene& scene, const Path& at) {
     fail(at / "body", fmt::format("body number {}", body), fmt::format("-1 to {}", scene.bodies.size() - 1));
 }
 
-void check_two_bodies(const Side& i, const Side& j, const Scene& scene, const Path& at) {
-  check_body_index(i.body, scene, at / "i");
-  check_body_index(j.body, scene, at / "j");
-  if (i.body == j.body)
-    fail(at, fmt::format("both sides on {}", in_quotes(scene.body_name(i.body))), "two different bodies");
+void check_two_bodies(int i, int j, const Scene& scene, const Path& at) {
+  check_body_index(i, scene, at / "i");
+  check_body_index(j, scene, at / "j");
+  if (i == j)
+    fail(at, fmt::format("both sides on {}", in_quotes(scene.body_name(i))), "two different bodies");
 }
 
 /// Checks what an effect shows: indices and functions. Numbers are finite since they were read or written.
-class EffectChecks {
+class EffectChecks : public ValueVisitor<EffectChecks> {
  public:
   EffectChecks(const Scene& scene, const Path& at) : scene_(scene), at_(at) {}
 
@@ -49,37 +49,32 @@ class EffectChecks {
     check_body_index(index, scene_, at_);
     if (index == ground) fail(at_ / key, "a load on the ground, which nothing moves", "a body of the scene");
   }
-  void joint(std::string_view key, int index) const {
-    if (index < 0 || static_cast<std::size_t>(index) >= scene_.constraints.size())
-      fail(at_ / key, fmt::format("constraint number {}", index), "the number of a joint of the scene");
-    const Constraint& joint = scene_.constraints[static_cast<std::size_t>(index)];
+  void point(std::string_view key, const BodyPoint<double>& end) {
+    if (other_ == nullptr)
+      check_body_index(end.body, scene_, at_ / key);
+    else
+      check_two_bodies(other_->body, end.body, scene_, at_);
+    other_ = &end;
+  }
+  void joint(std::string_view key, const JointAngle<double>& angle) const {
+    if (angle.joint < 0 || static_cast<std::size_t>(angle.joint) >= scene_.constraints.size())
+      fail(at_ / key, fmt::format("constraint number {}", angle.joint), "the number of a joint of the scene");
+    const Constraint& joint = scene_.constraints[static_cast<std::size_t>(angle.joint)];
     if (!has_an_angle(joint.type))
       fail(at_ / key, fmt::format("{}, which has no angle", in_quotes(joint.name)),
            "a revolute or cylindrical joint");
   }
-  void need(std::string_view key, const auto& value) { check(value, at_ / key); }
-  void may(std::string_view key, const auto& value) { check(value, at_ / key); }
-
- private:
-  void check(double, const Path&) const {}
-  void check(const Vector3&, const Path&) const {}
-  void check(Frame, const Path&) const {}
-  void check(const TimeFunction& f, const Path& at) const { check_function(f, at); }
-  void check(const std::array<TimeFunction, 3>& functions, const Path& at) const {
+  void value(std::string_view, const auto&) const {}
+  void value(std::string_view key, const TimeFunction& f) const { check_function(f, at_ / key); }
+  void value(std::string_view key, const std::array<TimeFunction, 3>& functions) const {
+    const Path at = at_ / key;
     for (std::size_t k = 0; k < 3; ++k) check_function(functions[k], at / k);
   }
-  void check(const Side& side, const Path& at) {
-    if (side.vector || side.axis || side.x) fail(at, "a direction", "a body and a point");
-    if (other_ == nullptr)
-      check_body_index(side.body, scene_, at);
-    else
-      check_two_bodies(*other_, side, scene_, at_);
-    other_ = &side;
-  }
 
+ private:
   const Scene& scene_;
   const Path& at_;
-  const Side* other_ = nullptr;  ///< of an effect between two bodies
+  const BodyPoint<double>* other_ = nullptr;  ///< of an effect between two bodies
 };
 
 }  // namespace
@@ -114,7 +109,7 @@ void check_scene(const Scene& scene, const Path& root) {
     const Path at = constraints / k;
     const Constraint& constraint = scene.constraints[k];
     constraint_names.add(constraint.name, at);
-    check_two_bodies(constraint.i, constraint.j, scene, at);
+    check_two_bodies(constraint.i.body, constraint.j.body, scene, at);
     check_constraint(constraint, at);
   }
   for (std::size_t k = 0; k < scene.effects.size(); ++k) {

@@ -42,7 +42,7 @@ std::variant<Vector3, Matrix3> with_inertia(std::string_view text) {
 TimeFunction function(std::string_view text) {
   const Scene scene =
       with_two_bodies("", fmt::format(R"({{"type": "force", "body": "a", "force": [{}, 0, 0]}})", text));
-  return std::get<Force>(scene.effects.at(0)).force[0];
+  return std::get<Force<double>>(scene.effects.at(0)).components[0];
 }
 
 SceneError error_of(const std::function<void()>& read) {
@@ -121,8 +121,8 @@ TEST(Reader, ResolvesNamesToIndices) {
       R"({"type": "torsional_spring_damper", "joint": "h"}, {"type": "force", "body": "b", "force": [0, 0, 0]})");
   EXPECT_EQ(scene.constraints.at(0).i.body, ground);
   EXPECT_EQ(scene.constraints.at(0).j.body, 1);
-  EXPECT_EQ(std::get<TorsionalSpringDamper>(scene.effects.at(0)).joint, 0);
-  EXPECT_EQ(std::get<Force>(scene.effects.at(1)).body, 1);
+  EXPECT_EQ(std::get<TorsionalSpringDamper<double>>(scene.effects.at(0)).angle.joint, 0);
+  EXPECT_EQ(std::get<Force<double>>(scene.effects.at(1)).body, 1);
 }
 
 /// A user copies the sides of the revolute, point and all; the driver's row has no use for the point.
@@ -158,8 +158,8 @@ TEST(Reader, AllowsNegativeStiffnessAndDamping) {
   const Scene scene = with_two_bodies(
       "",
       R"({"type": "spring_damper", "i": {"body": "a"}, "j": {"body": "b"}, "stiffness": -1, "damping": -2})");
-  EXPECT_EQ(std::get<SpringDamper>(scene.effects.at(0)).stiffness, -1);
-  EXPECT_EQ(std::get<SpringDamper>(scene.effects.at(0)).damping, -2);
+  EXPECT_EQ(std::get<SpringDamper<double>>(scene.effects.at(0)).stiffness, -1);
+  EXPECT_EQ(std::get<SpringDamper<double>>(scene.effects.at(0)).damping, -2);
 }
 
 TEST(Reader, AllowsASquaredDistanceThatStartsAtZero) {

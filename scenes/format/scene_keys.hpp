@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <initializer_list>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -82,60 +84,97 @@ struct ConstraintShape {
   ConstraintType type;
   Shape shape;
   const Shape *i, *j;
+  bool needs_positive_f = false;
 };
 
 namespace detail {
-constexpr ConstraintShape joint(ConstraintType type, std::string_view name, const Shape& i, const Shape& j) {
-  return {type, {name, {need("type"), need("name"), need("i"), need("j")}}, &i, &j};
-}
-constexpr ConstraintShape joint(ConstraintType type, std::string_view name, const Shape& i, const Shape& j,
-                                Key more) {
-  return {type, {name, {need("type"), need("name"), need("i"), need("j"), more}}, &i, &j};
-}
-constexpr ConstraintShape joint(ConstraintType type, std::string_view name, const Shape& i, const Shape& j,
-                                Key more, Key last) {
-  return {type, {name, {need("type"), need("name"), need("i"), need("j"), more, last}}, &i, &j};
-}
-}  // namespace detail
+/// Lists the keys that a basic constraint shows.
+struct ConstraintKeyList {
+  ConstraintShape& out;
 
-/// In the order of ConstraintType.
-inline constexpr std::array constraint_shapes{
-    detail::joint(ConstraintType::dp1, "dp1", vector_point_side, vector_point_side, may("f")),
-    detail::joint(ConstraintType::dp2, "dp2", vector_point_side, point_side, may("f")),
-    detail::joint(ConstraintType::d, "d", point_side, point_side, need("f")),
-    detail::joint(ConstraintType::cd, "cd", point_side, point_side, need("direction"), may("f")),
-    detail::joint(ConstraintType::spherical, "spherical", joint_side, joint_side),
-    detail::joint(ConstraintType::universal, "universal", axis_side, axis_side),
-    detail::joint(ConstraintType::revolute, "revolute", axis_side, axis_side),
-    detail::joint(ConstraintType::cylindrical, "cylindrical", axis_side, axis_side),
-    detail::joint(ConstraintType::translational, "translational", frame_side, frame_side),
-    detail::joint(ConstraintType::fixed, "fixed", frame_side, frame_side),
-    detail::joint(ConstraintType::planar, "planar", axis_side, axis_side),
-    detail::joint(ConstraintType::in_line, "in_line", axis_side, joint_side),
-    detail::joint(ConstraintType::in_plane, "in_plane", axis_side, joint_side),
-    detail::joint(ConstraintType::distance, "distance", joint_side, joint_side, need("distance")),
-    detail::joint(ConstraintType::rotation_driver, "rotation_driver", frame_side, frame_side, need("angle")),
+  void vector_i(auto&) const { out.i = &vector_point_side; }
+  void vector_j(auto&) const { out.j = &vector_point_side; }
+  void point_i(auto&) const {}  // every side may name one
+  void point_j(auto&) const {}
+  void need(std::string_view key, auto& value) const { add(scenes::need(key), value); }
+  void may(std::string_view key, auto& value) const { add(scenes::may(key), value); }
+
+ private:
+  void add(const Key& key, const TimeFunction&) const { add(key, "f"); }
+  void add(const Key& key, const trivium::Vector3<double>&) const { add(key, "direction"); }
+  void add(const Key& key, std::string_view member) const {
+    if (key.name != member)
+      throw std::logic_error("no member of scenes::Constraint for the key " + std::string(key.name));
+    out.shape.add(key);
+  }
 };
-static_assert([] {
-  for (std::size_t k = 0; k < constraint_shapes.size(); ++k)
-    if (constraint_shapes[k].type != static_cast<ConstraintType>(k)) return false;
-  return constraint_shapes.back().type == ConstraintType::rotation_driver;
-}());
-constexpr const ConstraintShape& shape_of(ConstraintType type) {
-  return constraint_shapes[static_cast<std::size_t>(type)];
-}
 
-namespace detail {
 /// Lists the keys that an effect shows.
-struct KeyList {
+struct EffectKeyList {
   Shape& shape;
 
-  void body(std::string_view key, int) { shape.add(scenes::need(key)); }
-  void joint(std::string_view key, int) { shape.add(scenes::need(key)); }
-  void need(std::string_view key, const auto&) { shape.add(scenes::need(key)); }
-  void may(std::string_view key, const auto&) { shape.add(scenes::may(key)); }
+  void body(std::string_view key, auto&) const { shape.add(scenes::need(key)); }
+  void point(std::string_view key, auto&) const { shape.add(scenes::need(key)); }
+  void joint(std::string_view key, auto&) const { shape.add(scenes::need(key)); }
+  void need(std::string_view key, auto&) const { shape.add(scenes::need(key)); }
+  void may(std::string_view key, auto&) const { shape.add(scenes::may(key)); }
+  void place(std::string_view key, auto&) const { shape.add(scenes::may(key)); }
+  void angle(std::string_view key, auto&) const { shape.add(scenes::may(key)); }
 };
+
+inline ConstraintShape joint_shape(JointType type, std::string_view name, const Shape& i, const Shape& j,
+                                   std::initializer_list<Key> more = {}) {
+  ConstraintShape joint{type, {name, {need("type"), need("name"), need("i"), need("j")}}, &i, &j};
+  for (const Key& key : more) joint.shape.add(key);
+  return joint;
+}
+
+/// Adds those of the basic constraints that files name.
+inline void append_basic_shapes(std::vector<ConstraintShape>& shapes) {
+  using Any = BasicConstraint<double>;
+  for (int place = 0; place < static_cast<int>(std::variant_size_v<Any>); ++place) {
+    const auto append = [&]<class One>(const One& one) {
+      if constexpr (requires { One::type; }) {
+        const Shape shape{One::type, {need("type"), need("name"), need("i"), need("j")}};
+        shapes.push_back({{JointType::basic, place}, shape, &point_side, &point_side});
+        One::keys(ConstraintKeyList{shapes.back()}, one);
+        shapes.back().needs_positive_f = requires { requires One::needs_positive_f; };
+      }
+    };
+    std::visit(append, emplaced<Any>(place));
+  }
+}
 }  // namespace detail
+
+/// Of every type that files name: basic constraints in the order of their list, then joints.
+inline const std::vector<ConstraintShape>& constraint_shapes() {
+  using detail::joint_shape;
+  static const std::vector<ConstraintShape> all = [] {
+    std::vector<ConstraintShape> shapes;
+    detail::append_basic_shapes(shapes);
+    shapes.insert(shapes.end(),
+                  {joint_shape(JointType::spherical, "spherical", joint_side, joint_side),
+                   joint_shape(JointType::universal, "universal", axis_side, axis_side),
+                   joint_shape(JointType::revolute, "revolute", axis_side, axis_side),
+                   joint_shape(JointType::cylindrical, "cylindrical", axis_side, axis_side),
+                   joint_shape(JointType::translational, "translational", frame_side, frame_side),
+                   joint_shape(JointType::fixed, "fixed", frame_side, frame_side),
+                   joint_shape(JointType::planar, "planar", axis_side, axis_side),
+                   joint_shape(JointType::in_line, "in_line", axis_side, joint_side),
+                   joint_shape(JointType::in_plane, "in_plane", axis_side, joint_side),
+                   joint_shape(JointType::distance, "distance", joint_side, joint_side, {need("distance")}),
+                   joint_shape(JointType::rotation_driver, "rotation_driver", frame_side, frame_side,
+                               {need("angle")})});
+    return shapes;
+  }();
+  return all;
+}
+/// Throws a std::logic_error for a type that has no name in files.
+inline const ConstraintShape& shape_of(ConstraintType type) {
+  for (const ConstraintShape& known : constraint_shapes())
+    if (known.type == type) return known;
+  throw std::logic_error("a type of constraint that scene files have no name for");
+}
 
 /// Of every effect, in the order of the list.
 inline const std::vector<Shape>& effect_shapes() {
@@ -145,7 +184,7 @@ inline const std::vector<Shape>& effect_shapes() {
       const Effect effect = emplaced<Effect>(k);
       Shape& shape = shapes.emplace_back(std::visit([](const auto& one) { return one.type; }, effect),
                                          std::initializer_list<Key>{need("type"), may("name")});
-      visit_keys(detail::KeyList{shape}, effect);
+      visit_keys(detail::EffectKeyList{shape}, effect);
     }
     return shapes;
   }();
@@ -153,6 +192,6 @@ inline const std::vector<Shape>& effect_shapes() {
 }
 static_assert(function_shapes.size() + 1 == std::variant_size_v<TimeFunction::Kind>);
 
-inline constexpr std::array<std::string_view, 2> frame_names{"global", "body"};  ///< in the order of Frame
+inline constexpr std::array<std::string_view, 2> frame_names{"global", "body"};  ///< of ComponentFrame
 
 }  // namespace trivium::scenes

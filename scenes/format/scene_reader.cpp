@@ -116,8 +116,8 @@ Side read_side(const Json& json, const Path& at, const Shape& shape, const Names
 
 void read_value(const Json& json, const Path& at, Constraint& out, const Names& bodies) {
   std::vector<std::string_view> types;
-  for (const ConstraintShape& known : constraint_shapes) types.push_back(known.shape.name());
-  const ConstraintShape& shape = constraint_shapes[read_tag(json, at, "type", "constraint type", types)];
+  for (const ConstraintShape& known : constraint_shapes()) types.push_back(known.shape.name());
+  const ConstraintShape& shape = constraint_shapes()[read_tag(json, at, "type", "constraint type", types)];
   const ObjectReader object(json, at, shape.shape);
   out.type = shape.type;
   object.read("name", out.name);
@@ -130,21 +130,29 @@ void read_value(const Json& json, const Path& at, Constraint& out, const Names& 
 }
 
 /// Reads what an effect shows.
-struct EffectReader {
+struct EffectReader : ValueVisitor<EffectReader> {
   const ObjectReader& object;
   const Path& at;
   const Names &bodies, &joints;
 
+  EffectReader(const ObjectReader& from, const Path& place, const Names& of_bodies, const Names& of_joints)
+      : object(from), at(place), bodies(of_bodies), joints(of_joints) {}
+
   void body(std::string_view key, int& index) const { index = bodies.find(*object.find(key), at / key); }
-  void joint(std::string_view key, int& index) const { index = joints.find(*object.find(key), at / key); }
-  void need(std::string_view key, auto& value) const { object.read(key, value); }
-  void need(std::string_view key, Side& side) const {
-    side = read_side(*object.find(key), at / key, point_side, bodies);
+  void point(std::string_view key, BodyPoint<double>& end) const {
+    const Path place = at / key;
+    const ObjectReader side(*object.find(key), place, point_side);
+    end.body = bodies.find(*side.find("body"), place / "body");
+    side.read("point", end.s_bar);
   }
-  void may(std::string_view key, auto& value) const { object.read(key, value); }
-  void may(std::string_view key, Frame& frame) const {
+  void joint(std::string_view key, JointAngle<double>& angle) const {
+    angle.joint = joints.find(*object.find(key), at / key);
+  }
+  void value(std::string_view key, auto& value) const { object.read(key, value); }
+  void value(std::string_view key, ComponentFrame& frame) const {
     if (const Json* json = object.find(key))
-      frame = static_cast<Frame>(read_choice(*json, at / key, key, {frame_names.begin(), frame_names.end()}));
+      frame = static_cast<ComponentFrame>(
+          read_choice(*json, at / key, key, {frame_names.begin(), frame_names.end()}));
   }
 };
 
@@ -152,7 +160,7 @@ void read_value(const Json& json, const Path& at, Effect& out, const Names& bodi
   const std::size_t type = read_tag(json, at, "type", "effect type", names_of(effect_shapes()));
   const ObjectReader object(json, at, effect_shapes()[type]);
   out = emplaced<Effect>(type);
-  visit_keys(EffectReader{object, at, bodies, joints}, out);
+  visit_keys(EffectReader(object, at, bodies, joints), out);
   std::visit([&](auto& effect) { object.read("name", effect.name); }, out);
   if (const Json* name = object.find("name"); name && name->text()->empty())
     fail(at / "name", "an empty name", "a name, or no key \"name\"");

@@ -16,8 +16,9 @@ Json to_json(const std::array<T, n>& items);
 template <class T>
 Json to_json(const std::vector<T>& items);
 Json to_json(double number) { return number; }
+Json to_json(const trivium::Vector3<double>& v) { return Json::Array{v[0], v[1], v[2]}; }
 Json to_json(const std::string& text) { return text; }
-Json to_json(Frame frame) { return frame_names[static_cast<std::size_t>(frame)]; }
+Json to_json(ComponentFrame frame) { return frame_names[static_cast<std::size_t>(frame)]; }
 
 template <class T, std::size_t n>
 Json to_json(const std::array<T, n>& items) {
@@ -50,9 +51,15 @@ struct OrientationWriter {
 // A default is left out only if the very bits come back: -0 is not the default 0.
 bool is_default(double number) { return number == 0 && !std::signbit(number); }
 bool is_default(const Vector3& v) { return is_default(v[0]) && is_default(v[1]) && is_default(v[2]); }
+bool is_default(const trivium::Vector3<double>& v) {
+  return is_default(v[0]) && is_default(v[1]) && is_default(v[2]);
+}
 bool is_default(const TimeFunction& f) { return f.is_number() && is_default(std::get<double>(f.kind())); }
+bool is_default(const std::array<TimeFunction, 3>& f) {
+  return is_default(f[0]) && is_default(f[1]) && is_default(f[2]);
+}
 bool is_default(const std::string& text) { return text.empty(); }
-bool is_default(Frame frame) { return frame == Frame::global; }
+bool is_default(ComponentFrame frame) { return frame == ComponentFrame::global; }
 
 class ObjectWriter {
  public:
@@ -107,17 +114,21 @@ Json to_json(const Constraint& constraint, const Scene& scene) {
 }
 
 /// Writes what an effect shows.
-struct EffectWriter {
+struct EffectWriter : ValueVisitor<EffectWriter> {
   const Scene& scene;
   ObjectWriter& object;
 
-  void body(std::string_view key, int index) { object.set(key, scene.body_name(index)); }
-  void joint(std::string_view key, int index) {
-    object.set(key, scene.constraints[static_cast<std::size_t>(index)].name);
+  EffectWriter(const Scene& of, ObjectWriter& to) : scene(of), object(to) {}
+
+  void body(std::string_view key, int index) const { object.set(key, scene.body_name(index)); }
+  void point(std::string_view key, const BodyPoint<double>& end) const {
+    ObjectWriter side(point_side);
+    object.set(key, side.add("body", scene.body_name(end.body)).add("point", end.s_bar).done());
   }
-  void need(std::string_view key, const auto& value) { object.set(key, to_json(value)); }
-  void need(std::string_view key, const Side& side) { object.set(key, to_json(side, point_side, scene)); }
-  void may(std::string_view key, const auto& value) { object.add(key, value); }
+  void joint(std::string_view key, const JointAngle<double>& angle) const {
+    object.set(key, scene.constraints[static_cast<std::size_t>(angle.joint)].name);
+  }
+  void value(std::string_view key, const auto& value) const { object.add(key, value); }
 };
 
 Json to_json(const Effect& effect, const Scene& scene) {
@@ -125,7 +136,7 @@ Json to_json(const Effect& effect, const Scene& scene) {
   ObjectWriter object(shape);
   object.set("type", shape.name());
   std::visit([&](const auto& one) { object.add("name", one.name); }, effect);
-  visit_keys(EffectWriter{scene, object}, effect);
+  visit_keys(EffectWriter(scene, object), effect);
   return object.done();
 }
 

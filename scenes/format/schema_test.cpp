@@ -22,7 +22,7 @@ std::vector<Shape> shapes() {
   std::vector<Shape> all{body_shape,        orientation_shape, axis_angle_shape, joint_side,
                          vector_point_side, point_side,        axis_side,        frame_side};
   all.insert(all.end(), function_shapes.begin(), function_shapes.end());
-  for (const ConstraintShape& constraint : constraint_shapes) all.push_back(constraint.shape);
+  for (const ConstraintShape& constraint : constraint_shapes()) all.push_back(constraint.shape);
   all.insert(all.end(), effect_shapes().begin(), effect_shapes().end());
   return all;
 }
@@ -69,7 +69,7 @@ TEST(Schema, HasTheTypesOfTheReader) {
   const json definitions = schema()["definitions"];
   std::set<std::string> functions{"number"}, constraints, effects;
   for (const Shape& shape : function_shapes) functions.emplace(shape.name());
-  for (const ConstraintShape& constraint : constraint_shapes) constraints.emplace(constraint.shape.name());
+  for (const ConstraintShape& constraint : constraint_shapes()) constraints.emplace(constraint.shape.name());
   for (const Shape& shape : effect_shapes()) effects.emplace(shape.name());
   EXPECT_EQ(references(definitions["function"]["oneOf"]), functions);
   EXPECT_EQ(references(definitions["constraint"]["oneOf"]), constraints);
@@ -82,7 +82,7 @@ TEST(Schema, HasTheTypesOfTheReader) {
 
 TEST(Schema, HasTheSidesOfTheReader) {
   const json definitions = schema()["definitions"];
-  for (const ConstraintShape& constraint : constraint_shapes) {
+  for (const ConstraintShape& constraint : constraint_shapes()) {
     const json& properties = definitions[std::string(constraint.shape.name())]["properties"];
     EXPECT_EQ(properties["i"]["$ref"], "#/definitions/" + std::string(constraint.i->name()));
     EXPECT_EQ(properties["j"]["$ref"], "#/definitions/" + std::string(constraint.j->name()));

@@ -141,8 +141,8 @@ Side arbitrary_side(Random& random, int body, const Shape& shape) {
 }
 
 Constraint arbitrary_constraint(Random& random, int index, int bodies) {
-  const ConstraintShape& shape =
-      constraint_shapes[static_cast<std::size_t>(random.below(static_cast<int>(constraint_shapes.size())))];
+  const ConstraintShape& shape = constraint_shapes()[static_cast<std::size_t>(
+      random.below(static_cast<int>(constraint_shapes().size())))];
   Constraint constraint;
   constraint.type = shape.type;
   constraint.name = fmt::format("c{}", index);
@@ -151,7 +151,7 @@ Constraint arbitrary_constraint(Random& random, int index, int bodies) {
   constraint.i = arbitrary_side(random, i, *shape.i);
   constraint.j = arbitrary_side(random, j == i ? ground : j, *shape.j);
   if (shape.shape.find("f")) constraint.f = arbitrary_function(random);
-  if (shape.type == ConstraintType::d) constraint.f = random.positive();
+  if (shape.needs_positive_f) constraint.f = random.positive();
   if (shape.shape.find("direction")) constraint.direction = random.direction();
   if (shape.shape.find("distance")) constraint.distance = random.positive();
   if (shape.shape.find("angle")) constraint.angle = arbitrary_function(random);
@@ -159,40 +159,54 @@ Constraint arbitrary_constraint(Random& random, int index, int bodies) {
 }
 
 /// Draws what an effect shows.
-struct ArbitraryEffect {
+struct ArbitraryEffect : ValueVisitor<ArbitraryEffect> {
   Random& random;
   const Scene& scene;
-  bool is_first = true;  ///< of two sides
+  bool is_first = true;  ///< of two points
+
+  ArbitraryEffect(Random& from, const Scene& of) : random(from), scene(of) {}
 
   void body(std::string_view, int& index) { index = random.below(static_cast<int>(scene.bodies.size())); }
-  void joint(std::string_view, int& index) {
+  void point(std::string_view key, BodyPoint<double>& end) {
+    int index = 0;
+    body(key, index);
+    end.body = std::exchange(is_first, false) ? index : ground;
+    if (random.flip()) value(key, end.s_bar);
+  }
+  void joint(std::string_view, JointAngle<double>& angle) {
     for (std::size_t k = 0; k < scene.constraints.size(); ++k)
-      if (has_an_angle(scene.constraints[k].type)) index = static_cast<int>(k);
+      if (has_an_angle(scene.constraints[k].type)) angle.joint = static_cast<int>(k);
   }
-  void need(std::string_view, auto& value) { draw(value); }
-  void may(std::string_view, auto& value) { draw(value); }
+  void value(std::string_view, double& number) { number = random.number(); }
+  void value(std::string_view, trivium::Vector3<double>& v) {
+    const Vector3 drawn = random.vector();
+    v = {drawn[0], drawn[1], drawn[2]};
+  }
+  void value(std::string_view, ComponentFrame& frame) {
+    frame = random.flip() ? ComponentFrame::global : ComponentFrame::body;
+  }
+  void value(std::string_view, TimeFunction& f) { f = arbitrary_function(random); }
+  void value(std::string_view, std::array<TimeFunction, 3>& f) {
+    f = {arbitrary_function(random), random.number(), random.number()};
+  }
+};
 
- private:
-  void draw(double& value) { value = random.number(); }
-  void draw(Vector3& value) { value = random.vector(); }
-  void draw(Frame& value) { value = random.flip() ? Frame::global : Frame::body; }
-  void draw(TimeFunction& value) { value = arbitrary_function(random); }
-  void draw(std::array<TimeFunction, 3>& value) {
-    value = {arbitrary_function(random), random.number(), random.number()};
-  }
-  void draw(Side& value) {
-    const int body = random.below(static_cast<int>(scene.bodies.size()));
-    value = arbitrary_side(random, std::exchange(is_first, false) ? body : ground, point_side);
-  }
+/// Whether an effect needs a joint with an angle.
+struct NeedsAJoint : KeyVisitor {
+  bool& found;
+  explicit NeedsAJoint(bool& out) : found(out) {}
+  void joint(std::string_view, auto&) const { found = true; }
 };
 
 Effect arbitrary_effect(Random& random, int index, const Scene& scene) {
   const bool has_angle = std::any_of(scene.constraints.begin(), scene.constraints.end(),
                                      [](const Constraint& c) { return has_an_angle(c.type); });
   Effect effect = emplaced<Effect>(random.below(static_cast<int>(std::variant_size_v<Effect>)));
-  if (std::holds_alternative<TorsionalSpringDamper>(effect) && !has_angle) effect = Gravity{};
+  bool needs_a_joint = false;
+  visit_keys(NeedsAJoint(needs_a_joint), effect);
+  if (needs_a_joint && !has_angle) effect = Gravity<double>{};
   if (random.flip()) std::visit([&](auto& one) { one.name = fmt::format("e{}", index); }, effect);
-  visit_keys(ArbitraryEffect{random, scene}, effect);
+  visit_keys(ArbitraryEffect(random, scene), effect);
   return effect;
 }
 

@@ -44,17 +44,17 @@ inline scenes::Scene sprung_wheel(double inertia, double speed, double stiffness
   scene.name = "sprung wheel";
   scene.bodies.push_back(body("wheel", 1, {inertia, inertia, inertia}));
   scene.bodies[0].angular_velocity = {0, 0, speed};
-  scene.constraints.push_back(joint(ConstraintType::revolute, "axle",
+  scene.constraints.push_back(joint(JointType::revolute, "axle",
                                     side(scenes::ground, {}, {{0, 0, 1}}, {{1, 0, 0}}),
                                     side(0, {}, {{0, 0, 1}}, {{1, 0, 0}})));
-  scenes::TorsionalSpringDamper spring;
-  spring.joint = 0;
+  TorsionalSpringDamper<double> spring;
+  spring.angle.joint = 0;
   spring.stiffness = stiffness;
   spring.damping = damping;
   scene.effects.emplace_back(spring);
   return scene;
 }
 
-inline scenes::Effect gravity(double g = 9.81) { return scenes::Gravity{"", {0, 0, -g}}; }
+inline scenes::Effect gravity(double g = 9.81) { return Gravity<double>{"", {0, 0, -g}}; }
 
 }  // namespace trivium::test

@@ -102,29 +102,31 @@ void require_sound(const Side& i, const Side& j, const Scene& scene) {
 }
 
 /// What an effect shows is sound.
-struct EffectLaws {
+struct EffectLaws : ValueVisitor<EffectLaws> {
   const Scene& scene;
-  const Side* other = nullptr;
+  const BodyPoint<double>* other = nullptr;
+
+  explicit EffectLaws(const Scene& of) : scene(of) {}
 
   void body(std::string_view, int index) const { require(is_body(index, scene), "a load on a body"); }
-  void joint(std::string_view, int index) const {
-    require(has_an_angle(scene.constraints.at(static_cast<std::size_t>(index)).type),
+  void point(std::string_view, const BodyPoint<double>& end) {
+    require(end.body == ground || is_body(end.body, scene), "a known body");
+    require(end.s_bar.allFinite(), "a finite point");
+    require(other == nullptr || other->body != end.body, "two bodies");
+    other = &end;
+  }
+  void joint(std::string_view, const JointAngle<double>& angle) const {
+    require(has_an_angle(scene.constraints.at(static_cast<std::size_t>(angle.joint)).type),
             "a joint with an angle");
   }
-  void need(std::string_view, const auto& value) { check(value); }
-  void may(std::string_view, const auto& value) { check(value); }
-
- private:
-  void check(double value) const { require_finite({value}); }
-  void check(Frame) const {}
-  void check(const Vector3& value) const { require_finite(value); }
-  void check(const TimeFunction& value) const { require_finite(value); }
-  void check(const std::array<TimeFunction, 3>& value) const {
-    for (const TimeFunction& f : value) require_finite(f);
+  void value(std::string_view, double x) const { require_finite({x}); }
+  void value(std::string_view, ComponentFrame) const {}
+  void value(std::string_view, const trivium::Vector3<double>& v) const {
+    require(v.allFinite(), "a finite vector");
   }
-  void check(const Side& side) {
-    if (other != nullptr) require_sound(*other, side, scene);
-    other = &side;
+  void value(std::string_view, const TimeFunction& f) const { require_finite(f); }
+  void value(std::string_view, const std::array<TimeFunction, 3>& functions) const {
+    for (const TimeFunction& f : functions) require_finite(f);
   }
 };
 
@@ -147,7 +149,7 @@ void require_sound(const Scene& scene) {
     require_finite(constraint.direction);
     require_finite({constraint.distance});
   }
-  for (const Effect& effect : scene.effects) visit_keys(EffectLaws{scene}, effect);
+  for (const Effect& effect : scene.effects) visit_keys(EffectLaws(scene), effect);
 }
 
 void require_readable(const std::string& message) {

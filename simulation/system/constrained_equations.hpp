@@ -42,7 +42,7 @@ class ConstrainedEquations {
   using Layout = StateLayout<F>;
   using Evaluation = trivium::Evaluation<F>;
   using Factors = NewtonFactors<F>;
-  using RowViolation = integrators::RowViolation<S>;
+  using Violation = integrators::Violation<S>;
 
   /// Throws a ModelError that names the body whose chart is singular.
   ConstrainedEquations(const MechanismOf<F>& mechanism, const MechanismState<S>& start,
@@ -71,18 +71,24 @@ class ConstrainedEquations {
   void derivative(const S& t, const StateVector& y, StateVector& y_dot) {
     first_order_.derivative(t, y, y_dot);
   }
-  S position_violation(const S& t, const StateVector& y) { return first_order_.position_violation(t, y); }
-  S velocity_violation(const S& t, const StateVector& y) { return first_order_.velocity_violation(t, y); }
-  const S& relative_violation() const { return first_order_.relative_violation(); }
+  Violation position_violation(const S& t, const StateVector& y) {
+    return first_order_.position_violation(t, y);
+  }
+  Violation velocity_violation(const S& t, const StateVector& y) {
+    return first_order_.velocity_violation(t, y);
+  }
   bool projection_is_too_large(const StateVector& before, const StateVector& stepped,
                                const StateVector& projected) {
     return first_order_.projection_is_too_large(before, stepped, projected);
   }
   S longest_step(const S& t, const StateVector& y) { return first_order_.longest_step(t, y); }
-  void correct_positions(StateVector& y, bool factor) { first_order_.correct_positions(y, factor); }
-  void correct_velocities(StateVector& y, bool factor) { first_order_.correct_velocities(y, factor); }
+  void correct_positions(const S& t, StateVector& y, bool factor) {
+    first_order_.correct_positions(t, y, factor);
+  }
+  void correct_velocities(const S& t, StateVector& y, bool factor) {
+    first_order_.correct_velocities(t, y, factor);
+  }
   void normalise(StateVector& y) const { first_order_.normalise(y); }
-  const std::string& worst_row() const { return first_order_.worst_row(); }
   bool accept_state(const S& t, StateVector& y) { return first_order_.accept_state(t, y); }
   bool pass_discontinuity(const S& before, const S& t, StateVector& y) {
     return first_order_.pass_discontinuity(before, t, y);
@@ -158,15 +164,15 @@ class ConstrainedEquations {
     return balance_.measure(*at, wrenches_, force, lambda, left);
   }
   /// Phi, and Phi' = Phi_q q' - nu, by the numbers of rows.
-  RowViolation position_rows(const Evaluation& at, StateVector& phi) {
+  Violation position_rows(const Evaluation& at, StateVector& phi) {
     at->assembly.positions(at->t, given_);
-    at->violation.measure_positions(given_);
-    return taken(at->violation, phi);
+    matrix_.take_rows(given_, phi);
+    return at->violation.measure_positions(given_);
   }
-  RowViolation velocity_rows(const Evaluation& at, StateVector& phi_dot) {
+  Violation velocity_rows(const Evaluation& at, StateVector& phi_dot) {
     at->assembly.velocities(at->t, given_);
-    at->violation.measure_velocities(given_);
-    return taken(at->violation, phi_dot);
+    matrix_.take_rows(given_, phi_dot);
+    return at->violation.measure_velocities(given_);
   }
   const std::string& row_name(int row) const { return violation_.row_name(row); }
   /// The rate of the work [W].
@@ -240,10 +246,6 @@ class ConstrainedEquations {
     if (std::exchange(model.is_assembled, true)) return;
     if (springs() > 0) springs_.evaluate(model.assembly, view(model), model.spring_sizes);
     matrix_.assemble(model.assembly, model.t);
-  }
-  RowViolation taken(const ConstraintViolation<S>& violation, StateVector& rows) const {
-    matrix_.take_rows(given_, rows);
-    return {violation.relative(), violation.worst()};
   }
   void give(const StateVector& left, const StateVector& rows) {
     matrix_.put_reduced(left, given_);

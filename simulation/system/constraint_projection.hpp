@@ -41,21 +41,21 @@ class ConstraintProjection {
   }
 
   /// The largest |Phi_k| and |Phi_k'|, in metres or radians (per second) whatever a row's scale.
-  S measure_positions() {
+  integrators::Violation<S> measure_positions() {
     solver_.assembly().positions(t_, violation_);
     return measure_.measure_positions(violation_);
   }
-  S measure_velocities() {
+  integrators::Violation<S> measure_velocities() {
     solver_.assembly().velocities(t_, violation_);
     return measure_.measure_velocities(violation_);
   }
   /// How far Phi_q q' - nu at the state's time is from what it was at a time just before, in the place of the
   /// velocities' violation: what jumps of nu leave.
-  void measure_jump(const S& before) {
+  integrators::Violation<S> measure_jump(const S& before) {
     solver_.assembly().velocities(before, change_);
     solver_.assembly().velocities(t_, violation_);
     for (std::size_t e = 0; e < violation_.edge.size(); ++e) violation_.edge[e] -= change_.edge[e];
-    measure_.measure_velocities(violation_);
+    return measure_.measure_velocities(violation_);
   }
   const ConstraintViolation<S>& measure() const { return measure_; }
 

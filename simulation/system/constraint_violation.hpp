@@ -14,6 +14,7 @@
 
 #include "formulations/structured/connected_bodies.hpp"
 #include "formulations/structured/graph_solver.hpp"
+#include "integrators/contract/first_order_system.hpp"
 
 namespace trivium {
 
@@ -69,23 +70,17 @@ class ConstraintViolation {
   }
 
   /// The largest |Phi_k| or |Phi_k'| of values as assembled.
-  S measure_positions(const GraphVector<S>& phi) {
+  integrators::Violation<S> measure_positions(const GraphVector<S>& phi) const {
     return largest(phi, [](const Extent& of, bool is_turn) { return is_turn ? S(1) : of.length; });
   }
-  S measure_velocities(const GraphVector<S>& phi_dot) {
+  integrators::Violation<S> measure_velocities(const GraphVector<S>& phi_dot) const {
     return largest(phi_dot, [](const Extent& of, bool is_turn) { return is_turn ? of.spin : of.speed; });
   }
-  /// Of the last measure, the largest beside the lengths, turns or speeds of the row's own component.
-  const S& relative() const { return relative_; }
-  /// The row of the last measure; "none" where there are none.
-  const std::string& worst_row() const { return row_name(worst()); }
+  /// "none" where there are none.
   const std::string& row_name(int row) const {
     static const std::string none = "none";
     return row < 0 ? none : row_names_[row];
   }
-
-  /// Its number; -1 where there are none.
-  int worst() const { return row_names_.empty() ? -1 : graph_.edges[worst_.edge].rows[worst_.k]; }
 
   /// Bodies that rows connect, not through the ground, have the same number, below nb.
   int component_of(int body) const { return component_[body]; }
@@ -114,23 +109,23 @@ class ConstraintViolation {
   }
 
   template <class Size>
-  S largest(const GraphVector<S>& values, const Size& size_of) {
+  integrators::Violation<S> largest(const GraphVector<S>& values, const Size& size_of) const {
     using std::abs;
-    S largest(0);
-    relative_ = S(0);
+    integrators::Violation<S> most;
     for (std::size_t e = 0; e < values.edge.size(); ++e) {
       const GraphEdge& edge = graph_.edges[e];
       if (edge.is_soft) continue;
       const Extent& extent = extent_[component_[edge.i == nb_ ? edge.j : edge.i]];
       for (int k = 0; k < edge.size(); ++k) {
         const S size = abs(values.edge[e][k]) / scale_[e][k], made_of = size_of(extent, turns_[e][k]);
-        if (!(size <= relative_ * made_of)) relative_ = made_of > S(0) ? S(size / made_of) : size;
-        if (size <= largest || largest != largest) continue;  // a NaN goes in and stays
-        largest = size;
-        worst_ = {static_cast<int>(e), k};
+        if (!(size <= most.relative * made_of)) most.relative = made_of > S(0) ? S(size / made_of) : size;
+        if (most.row < 0) most.row = edge.rows[k];
+        if (size <= most.size || most.size != most.size) continue;  // a NaN goes in and stays
+        most.size = size;
+        most.row = edge.rows[k];
       }
     }
-    return largest;
+    return most;
   }
 
   const int nb_;
@@ -140,8 +135,6 @@ class ConstraintViolation {
   std::vector<std::array<bool, 6>> turns_;  ///< whether the row is an angle's
   std::vector<int> component_;              ///< by body, the ground last
   std::vector<Extent> extent_;
-  S relative_{0};
-  EdgeRow worst_{0, 0};
 };
 
 }  // namespace trivium

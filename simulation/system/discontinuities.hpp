@@ -29,8 +29,7 @@ std::optional<Impulse<typename F::Scalar>> pass_discontinuity(
     const typename F::Scalar& t, VectorX<typename F::Scalar>& y) {
   using S = typename F::Scalar;
   projection.move(state, t);
-  projection.measure_jump(before);
-  if (!(projection.measure().relative() > S(smallest_jump))) return {};
+  if (!(projection.measure_jump(before).relative > S(smallest_jump))) return {};
   projection.correct_velocities(layout, state, y, true);
   Impulse<S> impulse{static_cast<double>(t), VectorX<S>(solver.mechanism().nc())};
   projection.copy_multipliers(impulse.lambda);

@@ -96,18 +96,14 @@ class FirstOrderEquations {
   }
 
   // the constraints: how far y is from them, and one step of the way back
-  S position_violation(const S& t, const StateVector& y) {
-    load(y);
-    projection_.move(state_, t);
+  integrators::Violation<S> position_violation(const S& t, const StateVector& y) {
+    move_to(t, y, Rows::positions);
     return projection_.measure_positions();
   }
-  S velocity_violation(const S& t, const StateVector& y) {
-    load(y);
-    projection_.move(state_, t);
+  integrators::Violation<S> velocity_violation(const S& t, const StateVector& y) {
+    move_to(t, y, Rows::velocities);
     return projection_.measure_velocities();
   }
-  /// Of the violation measured last, beside the lengths or speeds of what moves together.
-  const S& relative_violation() const { return projection_.measure().relative(); }
   /// Whether a projection went so far that it may have left the branch of the motion (branch_check.hpp).
   bool projection_is_too_large(const StateVector& before, const StateVector& stepped,
                                const StateVector& projected) {
@@ -121,12 +117,14 @@ class FirstOrderEquations {
     take_motion();
     return mechanism_.effects.longest_step(view(t));
   }
-  const std::string& worst_row() const { return projection_.measure().worst_row(); }
-  /// Of what was measured last; the matrix is factored where asked, else it is that of before.
-  void correct_positions(StateVector& y, bool factor) {
+  const std::string& row_name(int row) const { return projection_.measure().row_name(row); }
+  /// One step back; the matrix is factored where asked, else it is that of before.
+  void correct_positions(const S& t, StateVector& y, bool factor) {
+    if (!is_measured(t, y, Rows::positions)) position_violation(t, y);
     projection_.correct_positions(layout_, state_, y, factor);
   }
-  void correct_velocities(StateVector& y, bool factor) {
+  void correct_velocities(const S& t, StateVector& y, bool factor) {
+    if (!is_measured(t, y, Rows::velocities)) velocity_violation(t, y);
     projection_.correct_velocities(layout_, state_, y, factor);
   }
   /// The same for the rows that a formulation has of its own: normalisation.
@@ -220,10 +218,24 @@ class FirstOrderEquations {
   /// Moves the bodies to y.
   void load(const StateVector& y) {
     if (accepted_t_ && accepted_ != y) accepted_t_.reset();  // its bodies move on
+    measured_ = Rows::none;
     layout_.load(y, state_);
   }
 
  private:
+  enum class Rows { none, positions, velocities };
+
+  /// To measure rows there; a correction of the same state then has nothing to measure.
+  void move_to(const S& t, const StateVector& y, Rows rows) {
+    load(y);
+    projection_.move(state_, t);
+    measured_ = rows;
+    measured_t_ = t;
+    measured_y_ = y;
+  }
+  bool is_measured(const S& t, const StateVector& y, Rows rows) const {
+    return measured_ == rows && measured_t_ == t && measured_y_ == y;
+  }
   bool is_accepted(const S& t, const StateVector& y) const {
     return accepted_t_ && *accepted_t_ == t && accepted_ == y;
   }
@@ -269,6 +281,10 @@ class FirstOrderEquations {
   std::optional<S> accepted_t_;
   StateVector accepted_;
   bool refines_ = false;
+  // whose rows the projection has, and where
+  Rows measured_ = Rows::none;
+  S measured_t_{0};
+  StateVector measured_y_;
   DependentRows detection_ = DependentRows::detect;  ///< how dependent rows are found at accepted states
   long factorisations_ = 0;
 };

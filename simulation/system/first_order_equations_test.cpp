@@ -121,8 +121,8 @@ TYPED_TEST(FirstOrder, MeasuresTheViolationsOfItsRows) {
     auto form = form_of<TypeParam>(test::varied_scene(seed));
     const StateVector y = moved(form, 0.1, seed);
     const ByRows rows(form, y);
-    EXPECT_NEAR(form.position_violation(0, y), rows.largest(form, rows.phi), 1e-13);
-    EXPECT_NEAR(form.velocity_violation(0, y), rows.largest(form, rows.phi_dot), 1e-12);
+    EXPECT_NEAR(form.position_violation(0, y).size, rows.largest(form, rows.phi), 1e-13);
+    EXPECT_NEAR(form.velocity_violation(0, y).size, rows.largest(form, rows.phi_dot), 1e-12);
   }
 }
 
@@ -130,15 +130,14 @@ TYPED_TEST(FirstOrder, CorrectsPositionsAndVelocitiesToTheirRows) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     auto form = form_of<TypeParam>(test::varied_scene(seed));
     StateVector y = moved(form, 1e-5, seed);
-    const double before = form.position_violation(0, y);
-    form.correct_positions(y, true);
-    EXPECT_LE(form.position_violation(0, y), 1e-8 + 1e4 * before * before) << seed;
-    form.correct_positions(y, false);
-    EXPECT_LE(form.position_violation(0, y), 1e-11) << seed;
+    const double before = form.position_violation(0, y).size;
+    form.correct_positions(0, y, true);
+    EXPECT_LE(form.position_violation(0, y).size, 1e-8 + 1e4 * before * before) << seed;
+    form.correct_positions(0, y, false);
+    EXPECT_LE(form.position_violation(0, y).size, 1e-11) << seed;
     form.normalise(y);
-    form.velocity_violation(0, y);
-    form.correct_velocities(y, true);
-    EXPECT_LE(form.velocity_violation(0, y), 1e-11) << seed;
+    form.correct_velocities(0, y, true);
+    EXPECT_LE(form.velocity_violation(0, y).size, 1e-11) << seed;
   }
 }
 
@@ -159,8 +158,7 @@ TYPED_TEST(FirstOrder, CorrectsByTheLeastChangeInTheMassMetric) {
       y[k] += random.uniform();
     form.normalise(y);
     const auto before = form.to_mechanism_state(0, y);
-    form.velocity_violation(0, y);
-    form.correct_velocities(y, true);
+    form.correct_velocities(0, y, true);
     const auto after = form.to_mechanism_state(0, y);
     VectorX<double> momentum(6 * form.nb());
     for (int b = 0; b < form.nb(); ++b)

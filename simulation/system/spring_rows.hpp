@@ -29,7 +29,8 @@ template <class S, class Types>
 BodyJointGraph graph_with_springs(const Mechanism<S, Types>& mechanism) {
   BodyJointGraph graph = body_joint_graph(mechanism);
   for_each_resisting_spring(mechanism.effects, [&](const auto& spring) {
-    graph.edges.push_back({{spring.i, spring.j}, {-1}, false, true, true});
+    const auto [i, j] = spring.bodies();
+    graph.edges.push_back({{i, j}, {-1}, false, true, true});
   });
   return graph;
 }
@@ -78,10 +79,11 @@ class SpringRows {
         column.r.col(0) = padded<S>(on.F);
         column.x.col(0) = padded<S>(F::reduced(body, F::applied_force(body, on.n_bar)));
       };
-      put(rows.C_i, spring.i, gradient.first);
-      put(rows.C_j, spring.j, gradient.second);
-      const S size = made_of(spring, view);
-      for (const auto& [b, on] : {std::pair(spring.i, &gradient.first), {spring.j, &gradient.second}}) {
+      const auto [i, j] = spring.bodies();
+      put(rows.C_i, i, gradient.first);
+      put(rows.C_j, j, gradient.second);
+      const S size = spring.tension_scale(view);
+      for (const auto& [b, on] : {std::pair(i, &gradient.first), std::pair(j, &gradient.second)}) {
         sizes[b].force += size * on->F.norm();
         sizes[b].moment += size * on->n_bar.norm();
       }
@@ -117,20 +119,6 @@ class SpringRows {
   }
 
  private:
-  /// The size of the numbers [N, N m] that a spring's tension is the difference of.
-  template <class Spring>
-  static S made_of(const Spring& spring, const EffectView<S>& view) {
-    const auto &i = view.motion[spring.i], &j = view.motion[spring.j];
-    if constexpr (requires { spring.s_bar_i; }) {
-      const S s_i = spring.s_bar_i.norm(), s_j = spring.s_bar_j.norm();
-      return spring.stiffness * (i.r.norm() + s_i + j.r.norm() + s_j + spring.free_length) +
-             spring.damping *
-                 (i.r_dot.norm() + i.omega_bar.norm() * s_i + j.r_dot.norm() + j.omega_bar.norm() * s_j);
-    } else {
-      return spring.stiffness * S(10) + spring.damping * (i.omega_bar.norm() + j.omega_bar.norm());
-    }
-  }
-
   const MechanismOf<F>& mechanism_;
   const EliminationPlan& plan_;
   std::vector<int> soft_;  ///< edges of springs, in the effects' order

@@ -15,7 +15,7 @@ namespace {
 
 std::string joint_summary(const scenes::Scene& scene) {
   std::string out;
-  for (const scenes::ConstraintShape& known : scenes::constraint_shapes) {
+  for (const scenes::ConstraintShape& known : scenes::constraint_shapes()) {
     const auto count = std::count_if(scene.constraints.begin(), scene.constraints.end(),
                                      [&](const scenes::Constraint& c) { return c.type == known.type; });
     if (count > 0) out += fmt::format("{}{} {}", out.empty() ? "" : ", ", count, known.shape.name());

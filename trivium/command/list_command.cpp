@@ -21,7 +21,7 @@ namespace {
 
 std::vector<std::string> constraint_types() {
   std::vector<std::string> names;
-  for (const scenes::ConstraintShape& known : scenes::constraint_shapes)
+  for (const scenes::ConstraintShape& known : scenes::constraint_shapes())
     names.emplace_back(known.shape.name());
   return names;
 }

@@ -32,7 +32,7 @@ constexpr int checked_states = 16;
 scenes::Scene arm_under_gravity() {
   scenes::Scene arm = load_scene("open_arm_7", 0);
   std::erase_if(arm.effects,
-                [](const scenes::Effect& e) { return !std::holds_alternative<scenes::Gravity>(e); });
+                [](const scenes::Effect& e) { return !std::holds_alternative<Gravity<double>>(e); });
   return arm;
 }
 

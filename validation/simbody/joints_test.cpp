@@ -46,7 +46,7 @@ scenes::Scene on_joint(const JointCase& joint) {
   body.angular_velocity = plain(A.transpose() * omega);
   body.velocity = plain(slide + omega.cross(r - ground_frame.point));
 
-  const bool universal = joint.type == ConstraintType::universal;
+  const bool universal = joint.type == JointType::universal;
   const Vector3<double> z = A.transpose() * (universal ? ground_frame.u : ground_frame.z);
   const Vector3<double> x = A.transpose() * (universal ? ground_frame.v : ground_frame.u);
   const scenes::Side on_ground =
@@ -54,20 +54,19 @@ scenes::Scene on_joint(const JointCase& joint) {
   const scenes::Side on_body = hinge(plain(A.transpose() * (ground_frame.point - r)), plain(z), plain(x));
   scenes::Constraint& c = hold(scene, joint.type, on_ground, on_body);
   if (joint.ground_is_j) std::swap(c.i, c.j);
-  scenes::Torque twist = torque(0.7, -1.3, 2.1);
-  twist.frame = scenes::Frame::body;
+  Torque<double> twist = torque(0.7, -1.3, 2.1);
+  twist.frame = ComponentFrame::body;
   scene.effects.push_back(twist);
-  scenes::SpringDamper spring;
-  spring.i = at({1, 1, 1});
-  spring.j = at({0.2, 0.1, 0});
-  spring.j.body = 0;
+  SpringDamper<double> spring;
+  spring.i = {scenes::ground, {1, 1, 1}};
+  spring.j = {0, {0.2, 0.1, 0}};
   spring.stiffness = 30;
   spring.damping = 2;
   spring.free_length = 0.4;
   spring.actuator = 5;
   scene.effects.push_back(spring);
-  if (joint.type == ConstraintType::revolute || joint.type == ConstraintType::cylindrical)
-    scene.effects.push_back(scenes::TorsionalSpringDamper{"", 0, 4, 0.5, 0.3, 0.2});
+  if (joint.type == JointType::revolute || joint.type == JointType::cylindrical)
+    scene.effects.push_back(TorsionalSpringDamper<double>{"", {0}, 4, 0.5, 0.3, 0.2});
   return scene;
 }
 
@@ -86,13 +85,13 @@ TEST_P(EveryJoint, AgreesInEveryWay) {
 std::vector<JointCase> joint_cases() {
   std::vector<JointCase> cases;
   for (const bool swapped : {false, true}) {
-    cases.push_back({ConstraintType::revolute, {0, 0, 0}, {0, 0, 1.3}, swapped});
-    cases.push_back({ConstraintType::universal, {0, 0, 0}, {0.8, 0, -1.1}, swapped});
-    cases.push_back({ConstraintType::spherical, {0, 0, 0}, {0.8, -0.4, -1.1}, swapped});
-    cases.push_back({ConstraintType::cylindrical, {0, 0, 0.9}, {0, 0, 1.3}, swapped});
-    cases.push_back({ConstraintType::translational, {0, 0, 0.9}, {0, 0, 0}, swapped});
-    cases.push_back({ConstraintType::planar, {0.5, -0.7, 0}, {0, 0, 1.3}, swapped});
-    cases.push_back({ConstraintType::fixed, {0, 0, 0}, {0, 0, 0}, swapped});
+    cases.push_back({JointType::revolute, {0, 0, 0}, {0, 0, 1.3}, swapped});
+    cases.push_back({JointType::universal, {0, 0, 0}, {0.8, 0, -1.1}, swapped});
+    cases.push_back({JointType::spherical, {0, 0, 0}, {0.8, -0.4, -1.1}, swapped});
+    cases.push_back({JointType::cylindrical, {0, 0, 0.9}, {0, 0, 1.3}, swapped});
+    cases.push_back({JointType::translational, {0, 0, 0.9}, {0, 0, 0}, swapped});
+    cases.push_back({JointType::planar, {0.5, -0.7, 0}, {0, 0, 1.3}, swapped});
+    cases.push_back({JointType::fixed, {0, 0, 0}, {0, 0, 0}, swapped});
   }
   return cases;
 }

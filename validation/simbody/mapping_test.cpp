@@ -29,7 +29,7 @@ void expect_lambda(const scenes::Scene& scene, const std::vector<double>& lambda
 
 TEST(SimbodyMapping, BallHoldsTheWeight) {
   scenes::Scene scene = scene_at_rest();
-  hold(scene, ConstraintType::spherical, {}, {});
+  hold(scene, JointType::spherical, {}, {});
   expect_lambda(scene, {0, 0, -m * g});
 }
 
@@ -37,19 +37,19 @@ TEST(SimbodyMapping, RodIsDividedByTwiceItsLength) {
   const double length = 0.7;
   scenes::Scene scene = scene_at_rest();
   scene.bodies[0].position = {0, 0, -length};
-  hold(scene, ConstraintType::distance, {}, {}).distance = length;
+  hold(scene, JointType::distance, {}, {}).distance = length;
   expect_lambda(scene, {m * g / (2 * length)});  // 2 d lambda = F with d = (0, 0, -length)
 }
 
 TEST(SimbodyMapping, PointInPlaneIsDividedByTheNormal) {
   scenes::Scene scene = scene_at_rest();
-  hold(scene, ConstraintType::dp2, along({0, 0, 4}), {});
+  hold(scene, basic_type<DP2>, along({0, 0, 4}), {});
   expect_lambda(scene, {-m * g / 4});
 }
 
 TEST(SimbodyMapping, GlobalDirectionIsAPlaneOnGround) {
   scenes::Scene scene = scene_at_rest();
-  scenes::Constraint& cd = hold(scene, ConstraintType::cd, at({0.1, 0.2, -0.5}), {});
+  scenes::Constraint& cd = hold(scene, basic_type<CD>, at({0.1, 0.2, -0.5}), {});
   cd.direction = {0, 0, 3};
   cd.f = 1.5;
   expect_lambda(scene, {-m * g / 3});
@@ -58,22 +58,22 @@ TEST(SimbodyMapping, GlobalDirectionIsAPlaneOnGround) {
 TEST(SimbodyMapping, ConstantAngleIsDividedByBothVectors) {
   scenes::Scene scene = scene_at_rest();
   scene.effects.push_back(torque(0, 0, 7));
-  hold(scene, ConstraintType::dp1, along({2, 0, 0}), along({0, 3, 0}));
+  hold(scene, basic_type<DP1>, along({2, 0, 0}), along({0, 3, 0}));
   expect_lambda(scene, {-7.0 / 6});  // a_i . (theta x a_j) = -6 theta_z
 }
 
 TEST(SimbodyMapping, WeldRowsCarryTheTorque) {
   scenes::Scene scene = scene_at_rest();
   scene.effects.push_back(torque(3, 5, 7));
-  hold(scene, ConstraintType::fixed, upright, upright);
+  hold(scene, JointType::fixed, upright, upright);
   expect_lambda(scene, {0, 0, -m * g, 5, -3, -7});
 }
 
 TEST(SimbodyMapping, ConstantOrientationRowsCarryTheTorque) {
   scenes::Scene scene = scene_at_rest();
   scene.effects.push_back(torque(3, 5, 7));
-  scene.effects.push_back(scenes::Force{"", 0, {}, {11, 13, 0}});
-  hold(scene, ConstraintType::translational, upright, upright);
+  scene.effects.push_back(Force<double>{"", 0, Vector3<double>::Zero(), {11, 13, 0}});
+  hold(scene, JointType::translational, upright, upright);
   expect_lambda(scene, {5, -3, 11, 13, -7});
 }
 
@@ -81,8 +81,8 @@ TEST(SimbodyMapping, ConstantOrientationRowsCarryTheTorque) {
 TEST(SimbodyMapping, DriverTorqueIsMinusLambda) {
   scenes::Scene scene = scene_at_rest();
   scene.effects.push_back(torque(0, 0, 7));
-  hold(scene, ConstraintType::revolute, upright, upright);
-  hold(scene, ConstraintType::rotation_driver, upright, upright).angle =
+  hold(scene, JointType::revolute, upright, upright);
+  hold(scene, JointType::rotation_driver, upright, upright).angle =
       TimeFunction::Polynomial{{0, 0, 2}};  // alpha'' = 4
   expect_lambda(scene, {0, 0, -m * g, 0, 0, 7 - 0.5 * 4});
 }
@@ -97,7 +97,7 @@ TEST(SimbodyMapping, PendulumReactionByHand) {
   scene.bodies[0].orientation = scenes::AxisAngle{{0, 1, 0}, theta};
   scene.bodies[0].velocity = {-L * c * rate, 0, L * s * rate};
   scene.bodies[0].angular_velocity = {0, rate, 0};
-  hold(scene, ConstraintType::revolute, hinge({0, 0, 0}, {0, 1, 0}, {0, 0, 1}),
+  hold(scene, JointType::revolute, hinge({0, 0, 0}, {0, 1, 0}, {0, 0, 1}),
        hinge({0, 0, L}, {0, 1, 0}, {0, 0, 1}));
 
   const double theta_ddot = -m * g * L * s / (0.4 + m * L * L);
@@ -123,7 +123,7 @@ TEST(SimbodyMapping, PendulumReactionByHand) {
 /// offset's. With i the body, the force c lambda on it passes through its centre of mass.
 TEST(SimbodyMapping, DirectedRowActsAtThePointOfEachBody) {
   scenes::Scene scene = scene_at_rest();
-  scenes::Constraint& cd = hold(scene, ConstraintType::cd, at({1, 2, 3}), {});
+  scenes::Constraint& cd = hold(scene, basic_type<CD>, at({1, 2, 3}), {});
   cd.direction = {0, 0, 2};
   cd.f = 6;
   std::swap(cd.i, cd.j);
@@ -143,8 +143,8 @@ TEST(SimbodyMapping, DirectedRowActsAtThePointOfEachBody) {
 TEST(SimbodyMapping, IdleRowsAreDisabled) {
   scenes::Scene scene = scene_at_rest();
   scene.bodies[0].position = {0.4, 0, 0.1};
-  hold(scene, ConstraintType::revolute, upright, hinge({-0.4, 0, -0.1}, {0, 0, 1}, {1, 0, 0}));
-  hold(scene, ConstraintType::revolute, hinge({0, 0, 1}, {0, 0, 1}, {1, 0, 0}),
+  hold(scene, JointType::revolute, upright, hinge({-0.4, 0, -0.1}, {0, 0, 1}, {1, 0, 0}));
+  hold(scene, JointType::revolute, hinge({0, 0, 1}, {0, 0, 1}, {1, 0, 0}),
        hinge({-0.4, 0, 0.9}, {0, 0, 1}, {1, 0, 0}));
   scene.effects.push_back(torque(1, 2, 3));
   const simbody::Answer answer = simbody::solve(to_simbody(scene, 0), Way::mobilizers);
@@ -155,7 +155,7 @@ TEST(SimbodyMapping, IdleRowsAreDisabled) {
 
 TEST(SimbodyModel, RefusesAnUnphysicalInertiaAndComparesTheTwin) {
   scenes::Scene scene = scene_at_rest();
-  hold(scene, ConstraintType::fixed, upright, upright);
+  hold(scene, JointType::fixed, upright, upright);
   for (const scenes::Vector3 inertia : {scenes::Vector3{0.1, 0.1, 0.9}, scenes::Vector3{0, 0, 0.9}}) {
     scene.bodies[0].inertia = inertia;
     for (const SimbodyComparison& c : compare_with_simbody({scene.name, scene, 0.0})) {
@@ -170,10 +170,10 @@ TEST(SimbodyModel, RefusesAnUnphysicalInertiaAndComparesTheTwin) {
 /// The bodies would be free, as in the next way.
 TEST(SimbodyComparison, IsNotPossibleWithMobilizersWhereNoJointBecomesOne) {
   scenes::Scene scene = scene_at_rest();
-  scenes::Constraint& cd = hold(scene, ConstraintType::cd, at({0, 0, 0}), {});
+  scenes::Constraint& cd = hold(scene, basic_type<CD>, at({0, 0, 0}), {});
   cd.direction = {0, 0, 1};
   for (const bool hinged : {false, true}) {
-    if (hinged) hold(scene, ConstraintType::spherical, {}, {});
+    if (hinged) hold(scene, JointType::spherical, {}, {});
     for (const SimbodyComparison& c : compare_with_simbody({scene.name, scene, 0.0})) {
       SCOPED_TRACE(name_of(c.way));
       const bool possible = hinged || c.way != Way::mobilizers;
@@ -191,11 +191,11 @@ TEST(SimbodyComparison, ReactionsOfADirectedRowAgreeOnEitherEnd) {
   for (const bool swapped : {false, true}) {
     SCOPED_TRACE(swapped);
     scenes::Scene scene = scene_at_rest();
-    scenes::Constraint& cd = hold(scene, ConstraintType::cd, at({1, 2, 3}), {});
+    scenes::Constraint& cd = hold(scene, basic_type<CD>, at({1, 2, 3}), {});
     cd.direction = {1, 0.5, 0.2};
     cd.f = swapped ? 2.6 : -2.6;
     if (swapped) std::swap(cd.i, cd.j);
-    hold(scene, ConstraintType::fixed, upright, upright);
+    hold(scene, JointType::fixed, upright, upright);
     for (const SimbodyComparison& c : compare_with_simbody({scene.name, scene, 0.0})) {
       EXPECT_TRUE(c.agrees()) << name_of(c.way);
       EXPECT_LT(c.worst().reaction, 1e-13) << name_of(c.way);

@@ -37,8 +37,8 @@ scenes::Scene rod() {
 /// The rod's end on the ground, and a row between its spin and the ground.
 scenes::Scene spherical_rod_with_its_spin_held() {
   scenes::Scene scene = rod();
-  hold(scene, ConstraintType::spherical, {}, at({0, 0, -0.6}));
-  hold(scene, ConstraintType::dp1, along(global({0.8, 0, 0.6})), along({0, 1, 0}));
+  hold(scene, JointType::spherical, {}, at({0, 0, -0.6}));
+  hold(scene, basic_type<DP1>, along(global({0.8, 0, 0.6})), along({0, 1, 0}));
   return scene;
 }
 
@@ -47,7 +47,7 @@ scenes::Scene rod_on_pin_about(const Vector3<double>& axis, const scenes::Vector
   const Vector3<double> x = axis.unitOrthogonal();
   const scenes::Vector3 in_ground =
       global(Vector3<double>(0, 0, 0.6) + Vector3<double>(point[0], point[1], point[2]));
-  hold(scene, ConstraintType::revolute, hinge(in_ground, global(axis), global(x)),
+  hold(scene, JointType::revolute, hinge(in_ground, global(axis), global(x)),
        hinge(point, {axis[0], axis[1], axis[2]}, {x[0], x[1], x[2]}));
   return scene;
 }
@@ -90,15 +90,15 @@ TEST(MasslessMotion, APinAlongTheRodLeavesItsSpin) {
 
 TEST(MasslessMotion, ABodyOutboardOfARodResistsItsSpin) {
   scenes::Scene scene = rod();
-  hold(scene, ConstraintType::spherical, {}, at({0, 0, -0.6}));
+  hold(scene, JointType::spherical, {}, at({0, 0, -0.6}));
   scenes::Body& block = scene.bodies.emplace_back();
   block.name = "block";
   block.mass = 1;
   block.inertia = scenes::Vector3{0.1, 0.2, 0.25};
   block.position = global({0, 0, 1.2});
   for (const bool spins : {false, true}) {
-    scenes::Constraint& c = hold(scene, spins ? ConstraintType::spherical : ConstraintType::universal,
-                                 at({0, 0, 0}), hinge({0, 0, 0.6}, {0, 1, 0}, {1, 0, 0}));
+    scenes::Constraint& c = hold(scene, spins ? JointType::spherical : JointType::universal, at({0, 0, 0}),
+                                 hinge({0, 0, 0.6}, {0, 1, 0}, {1, 0, 0}));
     c.i.body = 1;
     c.i.axis = global({1, 0, 0});
     EXPECT_EQ(massless_motion(scene, Way::mobilizers).has_value(), spins);
@@ -112,13 +112,13 @@ TEST(MasslessMotion, RodsInLineSpinTogether) {
   scenes::Body& second = scene.bodies.emplace_back(scene.bodies[0]);
   second.name = "second";
   second.position = global({0, 0, 1.8});
-  scenes::Constraint& c = hold(scene, ConstraintType::revolute, hinge({0, 0, -0.6}, {0, 1, 0}, {1, 0, 0}),
+  scenes::Constraint& c = hold(scene, JointType::revolute, hinge({0, 0, -0.6}, {0, 1, 0}, {1, 0, 0}),
                                hinge({0, 0, 0.6}, {0, 1, 0}, {1, 0, 0}));
   c.i.body = 1;
-  hold(scene, ConstraintType::spherical, {}, at({0, 0, -0.6}));
+  hold(scene, JointType::spherical, {}, at({0, 0, -0.6}));
   EXPECT_TRUE(massless_motion(scene, Way::mobilizers));
   scene.constraints.pop_back();
-  hold(scene, ConstraintType::revolute, hinge({0, 0, 0}, global({1, 0, 0}), global({0, 1, 0})),
+  hold(scene, JointType::revolute, hinge({0, 0, 0}, global({1, 0, 0}), global({0, 1, 0})),
        hinge({0, 0, -0.6}, {1, 0, 0}, {0, 1, 0}));
   EXPECT_FALSE(massless_motion(scene, Way::mobilizers));
 }

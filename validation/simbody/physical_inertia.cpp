@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "bodies/inertia.hpp"
 #include "scenes/make_mechanism.hpp"
@@ -10,15 +11,26 @@ namespace trivium {
 
 namespace {
 
+/// The farthest of a body's points that constraints and effects act between.
+struct Reach : KeyVisitor {
+  int of;
+  double& reach;
+
+  Reach(int body_index, double& out) : of(body_index), reach(out) {}
+
+  void take(int on, const Vector3<double>& s_bar) const {
+    if (on == of) reach = std::max(reach, std::hypot(s_bar[0], s_bar[1], s_bar[2]));
+  }
+  void point(std::string_view, const BodyPoint<double>& end) const { take(end.body, end.s_bar); }
+};
+
 double reach_of(const scenes::Scene& scene, int body) {
   double reach = 0;
-  const auto take = [&](const scenes::Side& side) {
-    if (side.body == body && side.point)
-      reach = std::max(reach, std::hypot((*side.point)[0], (*side.point)[1], (*side.point)[2]));
-  };
-  for (const scenes::Constraint& c : scene.constraints) take(c.i), take(c.j);
-  for (const scenes::Effect& effect : scene.effects)
-    if (const auto* spring = std::get_if<scenes::SpringDamper>(&effect)) take(spring->i), take(spring->j);
+  const Reach visitor(body, reach);
+  for (const scenes::Constraint& c : scene.constraints)
+    for (const scenes::Side& side : {c.i, c.j})
+      if (side.point) visitor.take(side.body, Vector3<double>(side.point->data()));
+  for (const scenes::Effect& effect : scene.effects) scenes::visit_keys(visitor, effect);
   return reach;
 }
 

@@ -11,8 +11,6 @@ namespace {
 
 simbody::Vector3 plain(const Vector3<double>& v) { return {v[0], v[1], v[2]}; }
 
-simbody::Vector3 plain(const std::optional<scenes::Vector3>& v) { return v.value_or(scenes::Vector3{}); }
-
 simbody::TimeFunction plain(const TimeFunction& f) {
   const auto value = [f](double t) {
     const Jet<double> jet = f(t);
@@ -36,29 +34,26 @@ simbody::BodyPair plain(const BodyPair& pair, int nb) {
 }
 
 simbody::JointType plain(ConstraintType type) {
-  switch (type) {
-    case ConstraintType::revolute:
+  switch (type.joint) {
+    case JointType::revolute:
       return simbody::JointType::revolute;
-    case ConstraintType::universal:
+    case JointType::universal:
       return simbody::JointType::universal;
-    case ConstraintType::spherical:
+    case JointType::spherical:
       return simbody::JointType::spherical;
-    case ConstraintType::cylindrical:
+    case JointType::cylindrical:
       return simbody::JointType::cylindrical;
-    case ConstraintType::translational:
+    case JointType::translational:
       return simbody::JointType::translational;
-    case ConstraintType::planar:
+    case JointType::planar:
       return simbody::JointType::planar;
-    case ConstraintType::fixed:
+    case JointType::fixed:
       return simbody::JointType::fixed;
-    case ConstraintType::dp1:
-    case ConstraintType::dp2:
-    case ConstraintType::d:
-    case ConstraintType::cd:
-    case ConstraintType::in_line:
-    case ConstraintType::in_plane:
-    case ConstraintType::distance:
-    case ConstraintType::rotation_driver:
+    case JointType::basic:
+    case JointType::in_line:
+    case JointType::in_plane:
+    case JointType::distance:
+    case JointType::rotation_driver:
       return simbody::JointType::other;
   }
   return simbody::JointType::other;
@@ -115,27 +110,28 @@ struct RowTranslation {
 struct EffectTranslation {
   simbody::Model& model;
 
-  void operator()(const scenes::Gravity& e) const { model.gravity.push_back(e.acceleration); }
-  void operator()(const scenes::Force& e) const {
-    model.forces.push_back({e.body, e.point, plain(e.force), e.frame == scenes::Frame::body});
+  void operator()(const Gravity<double>& e) const { model.gravity.push_back(plain(e.acceleration)); }
+  void operator()(const Force<double>& e) const {
+    model.forces.push_back({e.body, plain(e.s_bar), plain(e.components), e.frame == ComponentFrame::body});
   }
-  void operator()(const scenes::Torque& e) const {
-    model.torques.push_back({e.body, plain(e.torque), e.frame == scenes::Frame::body});
+  void operator()(const Torque<double>& e) const {
+    model.torques.push_back({e.body, plain(e.components), e.frame == ComponentFrame::body});
   }
-  void operator()(const scenes::SpringDamper& e) const {
+  void operator()(const SpringDamper<double>& e) const {
     simbody::SpringDamper spring;
     spring.i = e.i.body;
     spring.j = e.j.body;
-    spring.point_i = plain(e.i.point);
-    spring.point_j = plain(e.j.point);
+    spring.point_i = plain(e.i.s_bar);
+    spring.point_j = plain(e.j.s_bar);
     spring.stiffness = e.stiffness;
     spring.damping = e.damping;
     spring.free_length = e.free_length;
     spring.actuator = plain(e.actuator);
     model.springs.push_back(spring);
   }
-  void operator()(const scenes::TorsionalSpringDamper& e) const {
-    model.torsional_springs.push_back({e.joint, e.stiffness, e.damping, e.free_angle, plain(e.actuator)});
+  void operator()(const TorsionalSpringDamper<double>& e) const {
+    model.torsional_springs.push_back(
+        {e.angle.joint, e.stiffness, e.damping, e.free_angle, plain(e.actuator)});
   }
   /// One that Simbody's model has no counterpart of yet.
   template <class Other>

@@ -24,7 +24,7 @@ inline constexpr scenes::Vector3 slope{0.6, 0, 0.8}, level{0, 1, 0};
 inline scenes::Scene pendulum() {
   scenes::Scene scene;
   scene.bodies = {body("rod", 1, {1, 1.1, 1.2})};
-  scene.constraints = {joint(ConstraintType::revolute, "hinge", side(scenes::ground, point, axis, across),
+  scene.constraints = {joint(JointType::revolute, "hinge", side(scenes::ground, point, axis, across),
                              side(0, point, axis, across))};
   scene.effects = {gravity()};
   return scene;
@@ -32,13 +32,13 @@ inline scenes::Scene pendulum() {
 inline scenes::Constraint driver(const std::string& name, const scenes::Vector3& about,
                                  const scenes::Vector3& x, const TimeFunction& angle) {
   scenes::Constraint c =
-      joint(ConstraintType::rotation_driver, name, side(scenes::ground, {}, about, x), side(0, {}, about, x));
+      joint(JointType::rotation_driver, name, side(scenes::ground, {}, about, x), side(0, {}, about, x));
   c.angle = angle;
   return c;
 }
 inline scenes::Constraint cd(const std::string& name, int i, const scenes::Vector3& s_i, int j,
                              const scenes::Vector3& s_j, const TimeFunction& f = 0) {
-  scenes::Constraint c = joint(ConstraintType::cd, name, side(i, s_i), side(j, s_j));
+  scenes::Constraint c = joint(basic_type<CD>, name, side(i, s_i), side(j, s_j));
   c.direction = {0.6, 0, 0.8};
   c.f = f;
   return c;
@@ -79,13 +79,14 @@ inline scenes::Scene block_on_rows(const std::vector<double>& beside, double mom
   scenes::Scene scene;
   scene.bodies = {body("block", 1, {moment, moment, moment})};
   for (const double x : beside) {
-    scene.constraints.push_back(joint(ConstraintType::cd, "row " + std::to_string(scene.constraints.size()),
+    scene.constraints.push_back(joint(basic_type<CD>, "row " + std::to_string(scene.constraints.size()),
                                       side(scenes::ground, scenes::Vector3{x, 0, 0}),
                                       side(0, scenes::Vector3{x, 0, 0})));
     scene.constraints.back().direction = {0, 0, 1};
   }
-  scene.effects = {scenes::Force{"push", 0, {}, {0, 0, 3}, scenes::Frame::global},
-                   scenes::Torque{"turn", 0, {0, 0.7, 0}, scenes::Frame::global}};
+  scene.effects = {
+      Force<double>{"push", 0, trivium::Vector3<double>::Zero(), {0, 0, 3}, ComponentFrame::global},
+      Torque<double>{"turn", 0, {0, 0.7, 0}, ComponentFrame::global}};
   return scene;
 }
 

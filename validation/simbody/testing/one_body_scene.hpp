@@ -17,7 +17,7 @@ inline scenes::Scene scene_at_rest() {
   body.name = "body";
   body.mass = m;
   body.inertia = scenes::Vector3{0.3, 0.4, 0.5};
-  scene.effects.push_back(scenes::Gravity{"", {0, 0, -g}});
+  scene.effects.push_back(Gravity<double>{"", {0, 0, -g}});
   return scene;
 }
 
@@ -52,6 +52,6 @@ inline scenes::Constraint& hold(scenes::Scene& scene, ConstraintType type, const
   return c;
 }
 
-inline scenes::Torque torque(double x, double y, double z) { return {"", 0, {x, y, z}}; }
+inline Torque<double> torque(double x, double y, double z) { return {"", 0, {x, y, z}}; }
 
 }  // namespace trivium::one_body

@@ -1,6 +1,6 @@
 #pragma once
-/// The three components of a force or a torque as functions of time, and the frame that they are meant in.
-/// Forces and torques share them.
+/// What effects are made of besides numbers: a point of a body, the three components of a force or a torque
+/// as functions of time, and the frame that they are meant in. A joint's angle is in joint_angle.hpp.
 
 #include <array>
 #include <vector>
@@ -9,6 +9,13 @@
 #include "bodies/numbers/vectors.hpp"
 
 namespace trivium {
+
+template <class Scalar>
+struct BodyPoint {
+  int body = 0;
+  Vector3<Scalar> s_bar = Vector3<Scalar>::Zero();  ///< [m, body frame]
+  bool operator==(const BodyPoint&) const = default;
+};
 
 /// The frame that given components are meant in.
 enum class ComponentFrame { global, body };

@@ -1,0 +1,83 @@
+#pragma once
+/// The laws of a basic constraint, for whoever writes one: the second half of the concept
+/// DotProductConstraint. `broken_laws` tries them where its two bodies move and names those that do not hold.
+
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "base/broken_law.hpp"
+#include "bodies/rotations/so3.hpp"
+#include "constraints/constraint_keys.hpp"
+#include "constraints/constraint_row.hpp"
+#include "constraints/plain_body.hpp"
+
+namespace trivium {
+
+namespace detail {
+
+template <class C, class S>
+class ConstraintLaws {
+ public:
+  ConstraintLaws(const C& constraint, const PlainBody<S>& i, const PlainBody<S>& j, const S& t)
+      : c_(constraint), i_(i), j_(j), t_(t) {}
+
+  std::vector<BrokenLaw> broken() {
+    using std::cbrt;
+    const S u = std::numeric_limits<S>::epsilon(), h(cbrt(u));
+    const auto row = evaluate_row(c_, i_, j_, t_);
+    const S along =
+        row.r_i.dot(i_.r_dot) + row.rot_i.dot(i_.omega) + row.r_j.dot(j_.r_dot) + row.rot_j.dot(j_.omega);
+    const S scale = c_.scale(t_);
+    require("the scale is not negative", scale >= S(0));
+    if (C::is_of_angle) require("a row of an angle sees no place", (row.r_i - row.r_j).norm() == S(0));
+    // both bodies a little on, and a little back, at constant r' and omega
+    size_ = 1 + scale + phi(h) + phi(-h);
+    const double coarse = 1e4 * static_cast<double>(h) * static_cast<double>(h);
+    equal("Phi' = Phi_q q' - nu is the derivative of Phi", along - row.nu, S((phi(h) - phi(-h)) / (2 * h)),
+          coarse);
+    equal("-gamma is the derivative of Phi' where nothing accelerates", -row.gamma,
+          S((phi_dot(h) - phi_dot(-h)) / (2 * h)), coarse);
+    C copy;
+    show_constraint_parts([](const auto& from, auto& to) { to = from; }, c_, copy);
+    equal("keys show every part", evaluate_row(copy, i_, j_, t_).phi, row.phi, 0);
+    return broken_;
+  }
+
+ private:
+  static PlainBody<S> moved(PlainBody<S> body, const S& by) {
+    body.r += by * body.r_dot;
+    body.A = (rotation_matrix(exponential_parameters<S>(by * body.omega)) * body.A).eval();
+    return body;
+  }
+  S phi(const S& by) const { return row_position(c_, moved(i_, by), moved(j_, by), S(t_ + by)); }
+  S phi_dot(const S& by) const { return row_velocity(c_, moved(i_, by), moved(j_, by), S(t_ + by)); }
+
+  void require(const char* law, bool holds) {
+    if (!holds) broken_.push_back({law, 1, 0});
+  }
+  void equal(const char* law, const S& a, const S& b, double bound) {
+    using std::abs;
+    const double off = static_cast<double>(S(abs(S(a - b)) / (abs(size_) + abs(a) + abs(b))));
+    if (!(off <= bound)) broken_.push_back({law, off, bound});
+  }
+
+  const C& c_;
+  const PlainBody<S>&i_, &j_;
+  const S& t_;
+  S size_{1};
+  std::vector<BrokenLaw> broken_;
+};
+
+}  // namespace detail
+
+/// i and j are its bodies, in any motion: no distance 0, no vector that its row has no use for.
+template <class C, class S>
+std::vector<BrokenLaw> broken_laws(const C& constraint, const PlainBody<S>& i, const PlainBody<S>& j,
+                                   const S& t) {
+  static_assert(DotProductConstraint<C, S>);
+  return detail::ConstraintLaws<C, S>(constraint, i, j, t).broken();
+}
+
+}  // namespace trivium

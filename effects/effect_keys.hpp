@@ -1,0 +1,43 @@
+#pragma once
+/// How an effect shows its parts, each with the key that a scene file has for it: of one effect, or of
+/// several of one type side by side. Casts and batches, reader, writer, checks and random scenes go by this
+/// alone. A visitor has
+///
+///   body(key, index...)    the body that a load acts on
+///   point(key, point...)   a point of a body (BodyPoint): an object with `body` and `point`
+///   joint(key, angle...)   a joint with an angle (JointAngle)
+///   need(key, value...), may(key, value...)
+///                          a number, vector, function of time, three of these, or a frame; what `may` shows
+///                          has a default
+///   place(key, s_bar...), angle(key, angle...)
+///                          a vector or number that may be left out, and whose size alone says nothing: near
+///                          zero it counts as zero
+
+#include <string_view>
+
+namespace trivium {
+
+/// Does nothing: what is common to visitors.
+struct KeyVisitor {
+  void body(std::string_view, auto&...) const {}
+  void point(std::string_view, auto&...) const {}
+  void joint(std::string_view, auto&...) const {}
+  void need(std::string_view, auto&...) const {}
+  void may(std::string_view, auto&...) const {}
+  void place(std::string_view, auto&...) const {}
+  void angle(std::string_view, auto&...) const {}
+};
+
+/// For a visitor to whom all values are alike: visitor.value(key, value...).
+template <class Visitor>
+struct ValueVisitor {
+  void need(std::string_view key, auto&... value) { visitor().value(key, value...); }
+  void may(std::string_view key, auto&... value) { visitor().value(key, value...); }
+  void place(std::string_view key, auto&... value) { visitor().value(key, value...); }
+  void angle(std::string_view key, auto&... value) { visitor().value(key, value...); }
+
+ private:
+  Visitor& visitor() { return static_cast<Visitor&>(*this); }
+};
+
+}  // namespace trivium

@@ -1,0 +1,68 @@
+#pragma once
+/// Bodies and constraints added in C++, beside what a scene has. The ground keeps the last index: whoever
+/// names it is moved on with it.
+
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "mechanism/model.hpp"
+
+namespace trivium {
+
+namespace detail {
+
+/// Gives the ground of an effect another index.
+struct MoveGround : ValueVisitor<MoveGround> {
+  int from, to;
+
+  MoveGround(int before, int after) : from(before), to(after) {}
+
+  void move(int& body) const { body = body == from ? to : body; }
+  void body(std::string_view, int& index) const { move(index); }
+  void point(std::string_view, auto& end) const { move(end.body); }
+  void joint(std::string_view, auto& angle) const { move(angle.i), move(angle.j); }
+  void value(std::string_view, auto&) const {}
+};
+
+}  // namespace detail
+
+/// Adds a free body, whose index it returns: that of the ground until now, which moves on by one. `r`, `p`
+/// and the velocities are those of its state.
+template <class S, class Types>
+int add_body(Model<S, Types>& model, std::string name, const RigidBody<S>& body, const Pose<S>& pose,
+             const Twist<S>& twist) {
+  Mechanism<S, Types>& m = model.mechanism;
+  const int index = m.ground();
+  const detail::MoveGround ground(index, index + 1);
+  const auto move_both = [&](BodyPair& pair) { ground.move(pair.i), ground.move(pair.j); };
+  for (auto& row : m.rows) std::visit(move_both, row);
+  for (auto& joint : m.joints) move_both(joint);
+  const auto move_effects = [&](auto& list) {
+    for (auto& effect : list) effect.keys(detail::MoveGround(ground), effect);
+  };
+  std::apply([&](auto&... lists) { (move_effects(lists), ...); }, m.effects.lists());
+  m.bodies.push_back(body);
+  m.body_names.insert(m.body_names.end() - 1, std::move(name));
+  model.state.pose.push_back(pose);
+  model.state.twist.push_back(twist);
+  return index;
+}
+
+/// Adds a constraint of one row, any of the mechanism's list, as a scene's basic constraints are: with its
+/// name, and as a joint, so that solvers plan with it and reactions are told of it.
+template <class Scalar, class Types>
+void add_constraint(Mechanism<Scalar, Types>& mechanism, std::string name,
+                    typename Mechanism<Scalar, Types>::Row row) {
+  Joint<Scalar> joint;
+  static_cast<BodyPair&>(joint) = bodies_of(row);
+  joint.name = name;
+  joint.type = {JointType::basic, static_cast<int>(row.index())};
+  joint.first_row = mechanism.nc();
+  joint.rows = 1;
+  mechanism.joints.push_back(std::move(joint));
+  mechanism.rows.push_back(std::move(row));
+  mechanism.row_names.push_back(std::move(name));
+}
+
+}  // namespace trivium
