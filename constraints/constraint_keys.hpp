@@ -11,6 +11,7 @@
 /// One that files name has at most one vector and one point on a side, and no other keys.
 
 #include <string_view>
+#include <type_traits>
 
 #include "constraints/basic_constraint_parts.hpp"
 
@@ -33,7 +34,7 @@ struct ConstraintParts {
 template <class C, class... Others>
 void show_constraint_parts(const auto& use, C& constraint, Others&... others) {
   BodyPair::show_parts(use, constraint, others...);
-  C::keys(ConstraintParts{use}, constraint, others...);
+  C::keys(ConstraintParts<std::remove_cvref_t<decltype(use)>>{use}, constraint, others...);
 }
 
 }  // namespace trivium

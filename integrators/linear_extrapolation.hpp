@@ -2,8 +2,6 @@
 /// What an implicit step begins its iteration with: the line through a quantity's last two values. It only
 /// shortens the iteration; the step's solution does not depend on it.
 
-#include <utility>
-
 #include "integrators/contract/state_vector.hpp"
 
 namespace trivium::integrators {
@@ -18,8 +16,11 @@ class LinearExtrapolation {
   }
   const StateVector<S>& now() const { return now_; }
   /// So many of the last step's lengths ahead.
-  StateVector<S> ahead(const S& steps) const { return now_ + steps * (now_ - before_); }
-  void push(StateVector<S> value) { before_ = std::exchange(now_, std::move(value)); }
+  void ahead(const S& steps, StateVector<S>& value) const { value = now_ + steps * (now_ - before_); }
+  void push(const StateVector<S>& value) {
+    before_.swap(now_);
+    now_ = value;
+  }
 
  private:
   StateVector<S> now_, before_;

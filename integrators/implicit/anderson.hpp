@@ -25,17 +25,17 @@ class Anderson {
     if (kept_ > 0) {
       // the last step and what became of its change
       const int at = (kept_ - 1) % depth;
-      steps_[at] = step_;
+      steps_[at].swap(step_);
       turns_[at] = change - before_;
+      for (int a = 0; a < std::min(kept_, depth); ++a)
+        products_(a, at) = products_(at, a) = turns_[a].head(measured).dot(turns_[at].head(measured));
     }
     step_ = change;
     if (const int n = std::min(kept_, depth); n > 0) {
-      Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic, 0, depth, depth> products(n, n);
+      Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic, 0, depth, depth> products =
+          products_.topLeftCorner(n, n);
       Eigen::Matrix<S, Eigen::Dynamic, 1, 0, depth, 1> sides(n);
-      for (int a = 0; a < n; ++a) {
-        sides[a] = turns_[a].head(measured).dot(change.head(measured));
-        for (int b = 0; b < n; ++b) products(a, b) = turns_[a].head(measured).dot(turns_[b].head(measured));
-      }
+      for (int a = 0; a < n; ++a) sides[a] = turns_[a].head(measured).dot(change.head(measured));
       // what is rounding beside the largest says nothing
       products.diagonal().array() +=
           products.diagonal().maxCoeff() * S(1e-13) + std::numeric_limits<S>::min();
@@ -51,6 +51,8 @@ class Anderson {
   static constexpr int depth = 3;
   StateVector<S> before_, step_;
   std::array<StateVector<S>, depth> steps_, turns_;
+  Eigen::Matrix<S, depth, depth> products_ =
+      Eigen::Matrix<S, depth, depth>::Zero();  ///< of turns with each other
   int kept_ = 0;
 };
 

@@ -43,22 +43,23 @@ class GeneralizedAlpha {
     const S per_a = (1 - alpha_f_) / (1 - alpha_m_);
     const Shares<S> shares{h * h * beta_ * per_a, h * gamma_ * per_a};
     const int nq = system.position_size(), nv = system.velocity_size();
-    const StateVector<S> v = y.segment(nq, nv), from = y;
-    const StateVector<S> known = (alpha_f_ * v_dot_.now() - alpha_m_ * a_) / (1 - alpha_m_);
+    v_ = y.segment(nq, nv);
+    from_ = y;
+    known_ = (alpha_f_ * v_dot_.now() - alpha_m_ * a_) / (1 - alpha_m_);
     const auto place = [&](const StepUnknowns<S>& x, StateVector<S>& to) {
-      next_a_ = known + per_a * x.v_dot;
-      displacement_ = h * v + h * h * ((S(0.5) - beta_) * a_ + beta_ * next_a_);
+      next_a_ = known_ + per_a * x.v_dot;
+      displacement_ = h * v_ + h * h * ((S(0.5) - beta_) * a_ + beta_ * next_a_);
       if (is_stabilised_) displacement_ += x.shift;
-      system.displace(from, displacement_, to);
-      to.segment(nq, nv) = v + h * ((1 - gamma_) * a_ + gamma_ * next_a_);
+      system.displace(from_, displacement_, to);
+      to.segment(nq, nv) = v_ + h * ((1 - gamma_) * a_ + gamma_ * next_a_);
     };
-    const S ahead = h / *last_h_;
-    StepUnknowns<S> x{v_dot_.ahead(ahead), lambda_.ahead(ahead),
-                      StateVector<S>::Zero(is_stabilised_ ? nv : 0)};
-    newton_(system, stop, shares, place, y, x, counters_);
-    work_.add(system, newton_.at(), x.lambda, h, y);
-    v_dot_.push(x.v_dot);
-    lambda_.push(x.lambda);
+    v_dot_.ahead(h / *last_h_, x_.v_dot);
+    lambda_.ahead(h / *last_h_, x_.lambda);
+    x_.shift.setZero(is_stabilised_ ? nv : 0);
+    newton_(system, stop, shares, place, y, x_, counters_);
+    work_.add(system, newton_.at(), x_.lambda, h, y);
+    v_dot_.push(x_.v_dot);
+    lambda_.push(x_.lambda);
     a_ = next_a_;
     last_h_ = h;
     t = stop;
@@ -86,7 +87,8 @@ class GeneralizedAlpha {
   const S alpha_m_, alpha_f_, gamma_, beta_;
   Newton<System> newton_;
   LinearExtrapolation<S> v_dot_, lambda_;
-  StateVector<S> a_, next_a_, displacement_;
+  StateVector<S> a_, next_a_, displacement_, v_, from_, known_;
+  StepUnknowns<S> x_;
   WorkQuadrature<S> work_;
   std::optional<S> last_h_;
   Counters counters_;

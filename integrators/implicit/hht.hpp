@@ -31,26 +31,30 @@ class HHT {
     const S h = stop - t;
     if (!last_h_) begin(system, t, y, h);
     const int nq = system.position_size(), nv = system.velocity_size();
-    const StateVector<S> v = y.segment(nq, nv), from = y, a = a_.now();
+    v_ = y.segment(nq, nv);
+    from_ = y;
+    const StateVector<S>& a = a_.now();
     // Newton's unknown is a_n+1 / (1 + alpha), with which M stands alone
     const S per_x = 1 + alpha_;
     const auto place = [&](const StepUnknowns<S>& x, StateVector<S>& to) {
-      displacement_ = h * v + h * h * ((S(0.5) - beta_) * a + beta_ * per_x * x.v_dot);
-      system.displace(from, displacement_, to);
-      to.segment(nq, nv) = v + h * ((1 - gamma_) * a + gamma_ * per_x * x.v_dot);
+      displacement_ = h * v_ + h * h * ((S(0.5) - beta_) * a + beta_ * per_x * x.v_dot);
+      system.displace(from_, displacement_, to);
+      to.segment(nq, nv) = v_ + h * ((1 - gamma_) * a + gamma_ * per_x * x.v_dot);
     };
     const auto force = [&](const typename System::Evaluation& at, const StateVector<S>& x,
                            StateVector<S>& total) {
       system.inertia_force(at, x, inertia_);
       total = inertia_ - alpha_ / per_x * g_;
     };
-    const S ahead = h / *last_h_;
-    StepUnknowns<S> x{a_.ahead(ahead) / per_x, lambda_.ahead(ahead), {}};
-    newton_(system, stop, {h * h * beta_ * per_x, h * gamma_ * per_x}, place, y, x, counters_, force);
-    work_.add(system, newton_.at(), x.lambda, h, y);
+    a_.ahead(h / *last_h_, x_.v_dot);
+    x_.v_dot /= per_x;
+    lambda_.ahead(h / *last_h_, x_.lambda);
+    newton_(system, stop, {h * h * beta_ * per_x, h * gamma_ * per_x}, place, y, x_, counters_, force);
+    work_.add(system, newton_.at(), x_.lambda, h, y);
     g_ = alpha_ / per_x * g_ - inertia_;
-    a_.push(per_x * x.v_dot);
-    lambda_.push(x.lambda);
+    x_.v_dot *= per_x;
+    a_.push(x_.v_dot);
+    lambda_.push(x_.lambda);
     last_h_ = h;
     t = stop;
     ++counters_.steps;
@@ -79,7 +83,8 @@ class HHT {
   const S alpha_, gamma_, beta_;
   Newton<System> newton_;
   LinearExtrapolation<S> a_, lambda_;
-  StateVector<S> g_, displacement_, inertia_;
+  StateVector<S> g_, displacement_, inertia_, v_, from_;
+  StepUnknowns<S> x_;
   WorkQuadrature<S> work_;
   std::optional<S> last_h_;
   Counters counters_;

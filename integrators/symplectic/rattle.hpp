@@ -82,42 +82,46 @@ class Rattle {
   void advance(System& system, const S& t, const S& t_next, StateVector<S>& y) {
     const S h = t_next - t;
     const int nq = system.position_size(), nv = system.velocity_size();
-    const StateVector<S> from = y, v = y.segment(nq, nv);
+    from_ = y;
+    v_ = y.segment(nq, nv);
     system.evaluate(t, y, at_);
     system.applied_force(at_, force_);
-    system.inertia_force(at_, v, momentum_);
-    StateVector<S> known = h * momentum_ + h * h / 2 * (force_ + held_), theta = h * v;
+    system.inertia_force(at_, v_, momentum_);
+    known_ = h * momentum_ + h * h / 2 * (force_ + held_);
+    theta_ = h * v_;
     mu_.setZero(system.multipliers());
     approach(
-        system, t_next, known,
+        system, t_next, known_,
         [&] {
-          system.displace(from, theta, y);
+          system.displace(from_, theta_, y);
           system.evaluate(t_next, y, at_);
-          system.inertia_force(at_, theta, momentum_);
-          system.displacement_rate(theta, momentum_, rate_);
-          left_ = known - rate_;
+          system.inertia_force(at_, theta_, momentum_);
+          system.displacement_rate(theta_, momentum_, rate_);
+          left_ = known_ - rate_;
           return system.position_rows(at_, rows_);
         },
         [&] {
-          theta += change_;
-          known += momentum_of(system, change_) - left_;  // by what constraints do
+          theta_ += change_;
+          known_ += momentum_of(system, change_) - left_;  // by what constraints do
         });
     // lambda_n and mu_n are off by as much to either side, in proportion to the step after and before
-    const StateVector<S> off = h / (h + last_h_) * 2 / (h * h) * mu_;
-    system.inertia_force(at_, theta, momentum_);
-    system.displacement_rate(-theta, momentum_, rate_);
-    const StateVector<S> arriving = rate_ / h;
-    y.segment(nq, nv) = theta / h;
+    off_ = h / (h + last_h_) * 2 / (h * h) * mu_;
+    system.inertia_force(at_, theta_, momentum_);
+    y.segment(nq, nv) = theta_ / h;
+    theta_ = -theta_;
+    system.displacement_rate(theta_, momentum_, rate_);
+    arriving_ = rate_ / h;
     system.evaluate(t_next, y, at_);
     factor(system);
     held_.setZero(nv);
     mu_.setZero();
     approach(
-        system, t_next, arriving,
+        system, t_next, arriving_,
         [&] {
           system.evaluate(t_next, y, at_);
           system.applied_force(at_, force_);
-          left_ = arriving + h / 2 * (force_ + held_) - momentum_of(system, y.segment(nq, nv));
+          v_ = y.segment(nq, nv);
+          left_ = arriving_ + h / 2 * (force_ + held_) - momentum_of(system, v_);
           return system.velocity_rows(at_, rows_);
         },
         [&] {
@@ -126,7 +130,7 @@ class Rattle {
         });
     last_mu_ = 2 / h * mu_;
     last_h_ = h;
-    lambda_ = last_mu_ + off;
+    lambda_ = last_mu_ + off_;
     if (y.size() == nq + nv) return;
     system.derivative(t_next, y, y_dot_);
     ++counters_.right_sides;
@@ -163,10 +167,9 @@ class Rattle {
     system.factor(at_, {}, factors_);
     ++counters_.right_sides;
   }
-  StateVector<S> momentum_of(System& system, const StateVector<S>& v) {
-    StateVector<S> momentum;
-    system.inertia_force(at_, v, momentum);
-    return momentum;
+  const StateVector<S>& momentum_of(System& system, const StateVector<S>& v) {
+    system.inertia_force(at_, v, momentum_);
+    return momentum_;
   }
 
   const bool is_composed_;
@@ -174,7 +177,8 @@ class Rattle {
   typename System::Evaluation at_;
   typename System::Factors factors_;
   StateVector<S> lambda_, mu_, rows_, reduced_, force_, momentum_, rate_, left_, change_, none_, y_dot_;
-  StateVector<S> held_, last_mu_;  ///< what constraints do at the last state
+  StateVector<S> from_, v_, theta_, known_, arriving_, off_;  ///< of a step
+  StateVector<S> held_, last_mu_;                             ///< what constraints do at the last state
   S last_h_{0};
   WorkQuadrature<S> work_;
   Counters counters_;
