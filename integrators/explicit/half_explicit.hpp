@@ -103,7 +103,8 @@ class HalfExplicit {
     for (int i = 0; i < stages; ++i) {
       Stage& stage = stage_[i];
       next_ = y;
-      system.position_rate(at_, at_.segment(nq_, nv_), stage.q_dot);
+      v_ = at_.segment(nq_, nv_);
+      system.position_rate(at_, v_, stage.q_dot);
       for (int j = 0; j <= i; ++j) {
         next_.head(nq_) += h * of_.a[i + 1][j] * stage_[j].q_dot;
         if (j < i) next_.segment(nq_, nv_) += h * of_.a[i + 1][j] * stage_[j].v_dot;
@@ -119,10 +120,10 @@ class HalfExplicit {
     }
   }
   void accept(const S& h, StateVector<S>& y) {
-    const StateVector<S> before = y;
+    const S work = y.size() > nq_ + nv_ ? y[nq_ + nv_] : S(0);
     y = reached_;
     if (y.size() > nq_ + nv_) {
-      y[nq_ + nv_] = before[nq_ + nv_];
+      y[nq_ + nv_] = work;
       for (int j = 0; j < end; ++j) y[nq_ + nv_] += h * of_.a[end][j] * stage_[j].work_rate;
     }
     if constexpr (first_is_known) {
@@ -134,19 +135,19 @@ class HalfExplicit {
     ++counters_.steps;
   }
   /// In tolerances.
-  S error_of(const S& h, const StateVector<S>& y) const {
+  S error_of(const S& h, const StateVector<S>& y) {
     if constexpr (requires { of_.embedded; }) {
-      StateVector<S> off = StateVector<S>::Zero(nq_ + nv_);
+      off_.setZero(nq_ + nv_);
       for (int j = 0; j < stages; ++j) {
         const S share = h * (of_.a[end][j] - of_.embedded[j]);
-        off.head(nq_) += share * stage_[j].q_dot;
-        off.tail(nv_) += share * stage_[j].v_dot;
+        off_.head(nq_) += share * stage_[j].q_dot;
+        off_.tail(nv_) += share * stage_[j].v_dot;
       }
       using std::sqrt;
       const auto allowed =
           (S(tolerances_->atol) + S(tolerances_->rtol) * y.cwiseAbs().cwiseMax(reached_.cwiseAbs()).array())
               .head(nq_ + nv_);
-      return sqrt(S((off.array() / allowed).square().sum() / S(nq_ + nv_)));
+      return sqrt(S((off_.array() / allowed).square().sum() / S(nq_ + nv_)));
     } else {
       return S(0);
     }
@@ -179,7 +180,8 @@ class HalfExplicit {
       }
       before = violation;
       change_.setZero(nv_);
-      system.solve(factors_, stage_at_, left_, rows_ / -share, change_, lambda_);
+      rows_ /= -share;
+      system.solve(factors_, stage_at_, left_, rows_, change_, lambda_);
       left_.setZero();
       v_dot += change_;
       next_.segment(nq_, nv_) += share * change_;
@@ -197,7 +199,7 @@ class HalfExplicit {
   std::array<Stage, stages> stage_;
   typename System::Evaluation stage_at_, next_at_;  ///< of this stage and of the next
   typename System::Factors factors_;
-  StateVector<S> at_, next_, reached_, lambda_, last_lambda_, left_, rows_, change_;
+  StateVector<S> at_, next_, reached_, lambda_, last_lambda_, left_, rows_, change_, v_, off_;
   int nq_ = 0, nv_ = 0;
   bool has_begun_ = false, has_stepped_ = false;
   Counters counters_;

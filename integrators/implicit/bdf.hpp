@@ -8,9 +8,10 @@
 /// that of a chart about q_n, and keeps its order. The first steps, and those after a restart, are Radau's:
 /// of order 5 as none here is above, and stiff ones are no shorter.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
+#include <vector>
 
 #include "integrators/implicit/newton.hpp"
 #include "integrators/implicit/radau.hpp"
@@ -76,14 +77,17 @@ class BDF {
   }
   /// A state that index 1 tells all of.
   void remember(System& system, const S& t, const StateVector<S>& y) {
-    Point point{y, {}, {}};
-    system.accelerations(t, y, point.v_dot, point.lambda);
+    system.accelerations(t, y, x_.v_dot, x_.lambda);
     ++counters_.right_sides;
-    push(std::move(point));
+    push(y, x_.v_dot, x_.lambda);
   }
-  void push(Point point) {
-    past_.push_front(std::move(point));
-    if (static_cast<int>(past_.size()) > order_) past_.pop_back();
+  /// In the place of the oldest, where there are enough.
+  void push(const StateVector<S>& y, const StateVector<S>& v_dot, const StateVector<S>& lambda) {
+    if (static_cast<int>(past_.size()) < order_) past_.emplace_back();
+    std::rotate(past_.begin(), past_.end() - 1, past_.end());
+    past_.front().y = y;
+    past_.front().v_dot = v_dot;
+    past_.front().lambda = lambda;
   }
 
   void start(System& system, S& t, StateVector<S>& y, const S& stop) {
@@ -97,58 +101,59 @@ class BDF {
     const int nq = system.position_size(), nv = system.velocity_size();
     const S b = S(formula_.b) * h_ / formula_.divisor;
     // what is known of theta, v and the work: theta about q_n
-    StateVector<S> theta_known = StateVector<S>::Zero(nv), known = StateVector<S>::Zero(y.size() - nq);
+    theta_known_.setZero(nv);
+    known_.setZero(y.size() - nq);
     for (int j = 0; j < order_; ++j) {
       const S c = S(formula_.c[j]) / formula_.divisor;
-      known += c * past_[j].y.tail(y.size() - nq);
+      known_ += c * past_[j].y.tail(y.size() - nq);
       if (j == 0) continue;
       system.displacement(past_[0].y, past_[j].y, theta_);
-      theta_known += c * theta_;
+      theta_known_ += c * theta_;
     }
-    const StateVector<S> v_known = known.head(nv);
     const auto place = [&](const StepUnknowns<S>& x, StateVector<S>& to) {
-      v_ = v_known + b * x.v_dot;
-      displace(system, theta_known, b);
+      v_ = known_.head(nv) + b * x.v_dot;
+      displace(system, b);
       system.displace(past_[0].y, theta_, to);
       to.segment(nq, nv) = v_;
     };
-    StepUnknowns<S> x{predicted(&Point::v_dot), predicted(&Point::lambda), {}};
-    newton_(system, t, {b * b, b}, place, y, x, counters_);
-    if (y.size() > nq + nv) y[nq + nv] = known[nv] + b * system.work_rate(newton_.at(), x.lambda);
-    push({y, x.v_dot, x.lambda});
+    predict(&Point::v_dot, x_.v_dot);
+    predict(&Point::lambda, x_.lambda);
+    newton_(system, t, {b * b, b}, place, y, x_, counters_);
+    if (y.size() > nq + nv) y[nq + nv] = known_[nv] + b * system.work_rate(newton_.at(), x_.lambda);
+    push(y, x_.v_dot, x_.lambda);
   }
   /// theta = theta_known + b rate(theta, v), by iteration: what a body turns in a step is a small angle.
-  void displace(System& system, const StateVector<S>& theta_known, const S& b) {
-    theta_ = theta_known + b * v_;
+  void displace(System& system, const S& b) {
+    theta_ = theta_known_ + b * v_;
     S before = std::numeric_limits<S>::max();
     for (int k = 0; k < 50; ++k) {
       system.displacement_rate(theta_, v_, rate_);
-      const StateVector<S> next = theta_known + b * rate_;
-      const S moved = (next - theta_).norm();
-      theta_ = next;
+      next_ = theta_known_ + b * rate_;
+      const S moved = (next_ - theta_).norm();
+      theta_.swap(next_);
       if (moved == S(0) || !(moved < before)) return;
       before = moved;
     }
   }
   /// On from the points remembered, by the polynomial through them.
-  StateVector<S> predicted(StateVector<S> Point::*of) const {
-    StateVector<S> sum = StateVector<S>::Zero((past_[0].*of).size());
+  void predict(StateVector<S> Point::*of, StateVector<S>& sum) const {
+    sum.setZero((past_[0].*of).size());
     const int n = static_cast<int>(past_.size());
     S weight(1);
     for (int j = 0; j < n; ++j) {
       weight *= S(n - j) / (j + 1);  // the binomial n over j + 1
       sum += (j % 2 == 0 ? weight : S(-weight)) * (past_[j].*of);
     }
-    return sum;
   }
 
   const int order_;
   const BackwardFormula formula_;
   Newton<System> newton_;
   Radau5<System> start_;
-  std::deque<Point> past_;  ///< the latest first
+  std::vector<Point> past_;  ///< the latest first
   S h_{0};
-  StateVector<S> theta_, rate_, v_;
+  StateVector<S> theta_, theta_known_, known_, rate_, next_, v_;
+  StepUnknowns<S> x_;
   Counters counters_;
 };
 

@@ -137,7 +137,7 @@ class Radau {
 
   /// From the stages as predicted; whether they came to solve their equations.
   bool solve_stages(System& system, const S& t, const S& h, const StateVector<S>& y) {
-    const StateVector<S> v = y.segment(nq_, nv_);
+    v_ = y.segment(nq_, nv_);
     anderson_.clear();
     S before = std::numeric_limits<S>::max(), moved_before = before, moved_earlier = before;
     const S enough = std::max(S(newton_.tolerance), rounding<S>()),
@@ -148,8 +148,8 @@ class Radau {
       if (!std::exchange(at_each, true)) anderson_.clear();
     };
     for (int k = 0, rises = 0; k < 40 && rises < 5; ++k) {
-      stages_.place(system, h, y, v);
-      stages_.normalise(system, h, y, v);
+      stages_.place(system, h, y, v_);
+      stages_.normalise(system, h, y, v_);
       S imbalance(0);
       violation_ = {};
       for (int i = 0; i < s; ++i) {
@@ -187,8 +187,8 @@ class Radau {
           k == 0 ? S(1) : std::max(S(moved / moved_before), k == 1 ? S(0) : S(sqrt(moved / moved_earlier)));
       if (k > 0 &&
           (moved == S(0) || (moved <= S(1) && moved * share <= iteration_tolerance_ * (1 - share)))) {
-        stages_.place(system, h, y, v);
-        stages_.normalise(system, h, y, v);
+        stages_.place(system, h, y, v_);
+        stages_.normalise(system, h, y, v_);
         return true;
       }
       if (moved > moved_before / 2) refresh();
@@ -213,7 +213,8 @@ class Radau {
         [&](int i) -> const StateVector<S>& {
           // what of the shift is along the rows goes, springs too being in the way
           system.inertia_force(stages_[i].factors, stages_[i].shift, force_);
-          system.reduce(stages_[i].factors, -force_, along_);
+          force_ = -force_;
+          system.reduce(stages_[i].factors, force_, along_);
           return along_;
         },
         [&](int i, const StateVector<S>& x, const StateVector<S>&) {
@@ -259,7 +260,7 @@ class Radau {
   RowProjection<System> row_projection_;
   Violation<S> violation_;  ///< of the last iterate
   std::array<S, s> stage_work_;
-  StateVector<S> force_, along_, change_;
+  StateVector<S> v_, force_, along_, change_;
   int nq_ = 0, nv_ = 0, nc_ = 0;
   bool has_begun_ = false, has_matrix_ = false;
   Counters counters_;

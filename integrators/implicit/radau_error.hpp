@@ -47,20 +47,20 @@ class RadauError {
   /// damp is no error.
   S of_step(System& system, const Stages& stages, const S& h, const StateVector<S>& y) {
     const auto& coefficients = stages.coefficients();
-    const StateVector<S> v = y.segment(stages.nq(), stages.nv());
+    const auto v = y.segment(stages.nq(), stages.nv());
     const auto& e = coefficients.error;
     const S& gamma = coefficients.gamma;
-    StateVector<S> off_v = gamma * h * stages.known().v_dot;
-    for (int i = 0; i < s; ++i) off_v += e[i] * (stages[i].v - v);
-    const StateVector<S> off_q = gamma * h * v + stages.mixed(e, &Stages::Stage::theta);
+    off_v_ = gamma * h * stages.known().v_dot;
+    for (int i = 0; i < s; ++i) off_v_ += e[i] * (stages[i].v - v);
+    of_q_ = gamma * h * v + stages.mixed(e, &Stages::Stage::theta);
     const auto& last = stages.last();
-    system.inertia_force(at_start_, off_v, force_);
+    system.inertia_force(at_start_, off_v_, force_);
     system.reduce(last.factors, force_, left_);
     of_v_.setZero(stages.nv());
     mu_.setZero(stages.nc());
     no_rows_.setZero(stages.nc());
     system.solve(last.factors, last.at, left_, no_rows_, of_v_, mu_);
-    return in_tolerances(stages, y, off_q, of_v_);
+    return in_tolerances(stages, y, of_q_, of_v_);
   }
 
  private:
@@ -82,7 +82,7 @@ class RadauError {
   Tolerances tolerances_;
   StateVector<S> sizes_;  ///< of what displacements move
   typename System::Evaluation at_start_;
-  StateVector<S> of_q_, of_v_, force_, left_, mu_, no_rows_;
+  StateVector<S> of_q_, of_v_, off_v_, force_, left_, mu_, no_rows_;
 };
 
 }  // namespace trivium::integrators

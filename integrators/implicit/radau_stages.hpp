@@ -176,7 +176,7 @@ class RadauStages {
   }
 
  private:
-  void begin_stage(int i, const StateVector<S>& v_dot, const StateVector<S>& lambda) {
+  void begin_stage(int i, const auto& v_dot, const auto& lambda) {
     stage_[i].v_dot = v_dot;
     stage_[i].lambda = lambda;
     stage_[i].shift.setZero(nv_);

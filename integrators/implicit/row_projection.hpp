@@ -31,8 +31,8 @@ class RowProjection {
           return system.position_rows(at_, rows_);
         },
         [&] {
-          const StateVector<S> from = y;
-          system.displace(from, x_, y);
+          from_ = y;
+          system.displace(from_, x_, y);
           system.normalise_step(S(1), y, x_);
         });
     x_.setZero(nv);
@@ -57,14 +57,16 @@ class RowProjection {
       before = now.relative;
       x_.setZero(system.velocity_size());
       mu_.setZero(system.multipliers());
-      system.solve(factors, at_, StateVector<S>::Zero(x_.size()), -rows_, x_, mu_);
+      no_force_.setZero(x_.size());
+      rows_ = -rows_;
+      system.solve(factors, at_, no_force_, rows_, x_, mu_);
       move();
     }
     if (!(now.relative <= 1000 * rounding<S>())) throw_not_converged(system, t, now);
   }
 
   typename System::Evaluation at_;
-  StateVector<S> rows_, x_, mu_;
+  StateVector<S> from_, no_force_, rows_, x_, mu_;
 };
 
 }  // namespace trivium::integrators
