@@ -20,7 +20,10 @@ namespace trivium::analytic {
 namespace {
 
 std::string text(const std::vector<Check>& checks) {
-  Table table({"problem", "quantity", "r-omega", "r-p", "r-epsilon", "omega-first", "bound", "verdict"});
+  std::vector<std::string> header{"problem", "quantity"};
+  for (const std::string& name : formulation_names()) header.push_back(name);
+  header.insert(header.end(), {"bound", "verdict"});
+  Table table(header);
   const std::size_t n = formulation_names().size();
   for (std::size_t first = 0; first < checks.size(); first += n) {
     std::vector<std::string> row{checks[first].problem, checks[first].quantity};

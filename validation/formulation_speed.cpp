@@ -14,6 +14,7 @@
 #include "simulation/simulate.hpp"
 #include "validation/harness/interleaved_timing.hpp"
 #include "validation/harness/program.hpp"
+#include "validation/harness/timed_formulations.hpp"
 
 namespace trivium {
 
@@ -34,7 +35,7 @@ const std::vector<Method>& methods() {
 }
 
 const std::vector<std::string>& formulations() {
-  static const std::vector<std::string> all{"r-omega", "r-p", "r-epsilon"};
+  static const std::vector<std::string> all = TimedFormulations::names();
   return all;
 }
 
@@ -97,7 +98,10 @@ std::vector<Run> measure(const NamedScene& named, const Options& options, Progre
 }
 
 std::string text(const std::vector<Run>& runs) {
-  Table table({"scene", "method", "r-omega us/step", "r-p", "r-epsilon", "iterations/step"});
+  std::vector<std::string> header{"scene", "method", formulations().front() + " us/step"};
+  header.insert(header.end(), formulations().begin() + 1, formulations().end());
+  header.emplace_back("iterations/step");
+  Table table(header);
   ErrorLines errors;
   for (std::size_t n = 0; n < runs.size(); n += formulations().size()) {
     const Run* r = &runs[n];
@@ -107,10 +111,15 @@ std::string text(const std::vector<Run>& runs) {
     const auto iterations = [&](const Run& run) {
       return run.solved() ? fmt::format("{:.2f}", run.per_step(run.iterations)) : "-";
     };
-    table.add({r->scene, r->method->label,
-               r->solved() ? fmt::format("{:.2f}", r->microseconds_per_step()) : "-", ratio(r[1]),
-               ratio(r[2]),
-               fmt::format("{} / {} / {}", iterations(r[0]), iterations(r[1]), iterations(r[2]))});
+    std::vector<std::string> row{r->scene, r->method->label,
+                                 r->solved() ? fmt::format("{:.2f}", r->microseconds_per_step()) : "-"};
+    std::string all_iterations = iterations(r[0]);
+    for (std::size_t k = 1; k < formulations().size(); ++k) {
+      row.push_back(ratio(r[k]));
+      all_iterations += " / " + iterations(r[k]);
+    }
+    row.push_back(all_iterations);
+    table.add(row);
     for (std::size_t k = 0; k < formulations().size(); ++k)
       if (!r[k].solved()) errors.add(r[k].failure, r[k].formulation + ", " + r[k].method->label);
   }

@@ -17,6 +17,7 @@
 #include "scenes/generators.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "validation/harness/program.hpp"
+#include "validation/harness/timed_formulations.hpp"
 
 namespace trivium {
 
@@ -107,9 +108,8 @@ std::string json_of(const std::vector<Answer>& answers) {
 int run(const Program& program) {
   std::vector<Workload> workloads;
   for (const auto& [scene, n] : {std::pair("chain", 10), std::pair("chain", 100), std::pair("ladder", 40)})
-    for (const auto formulation : {ROmega<double>::name, RP<double>::name, REpsilon<double>::name})
-      for (const bool refined : {false, true})
-        workloads.push_back({scene, std::string(formulation), n, refined});
+    for (const std::string& formulation : TimedFormulations::names())
+      for (const bool refined : {false, true}) workloads.push_back({scene, formulation, n, refined});
   Progress progress("instruction_counts", workloads.size());
   std::vector<Answer> answers;
   for (const Workload& w : workloads) {

@@ -16,6 +16,7 @@
 #include "validation/cost/peer_translation.hpp"
 #include "validation/cost/quad_solution.hpp"
 #include "validation/cost/state_sweep.hpp"
+#include "validation/harness/timed_formulations.hpp"
 #ifdef TRIVIUM_COST_MUJOCO
 #include "validation/cost/mujoco_engine.hpp"
 #endif
@@ -180,10 +181,10 @@ std::vector<Sweep> sweeps(const Ensemble& ensemble, int states) {
   std::vector<Sweep> all;
   const Mechanism<double>& mechanism = ensemble.arm.mechanism;
   for (const Refined refined : {Refined::no, Refined::yes}) {
-    for (const char* formulation : formulations)
+    for (const std::string& formulation : TimedFormulations::names())
       all.push_back(
           our_sweep(of_ours(row, formulation, refined), one_by_one(mechanism, formulation, refined)));
-    for (const char* formulation : formulations) {
+    for (const std::string& formulation : TimedFormulations::names()) {
       Measurement batches = of_ours(row, formulation, refined);
       batches.engine += fmt::format(", {} lanes", register_lanes);
       all.push_back(our_sweep(batches, in_batches(mechanism, formulation, refined)));

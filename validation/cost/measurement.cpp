@@ -11,6 +11,7 @@
 #include "validation/cost/peers.hpp"
 #include "validation/cost/quad_solution.hpp"
 #include "validation/cost/sparse.hpp"
+#include "validation/harness/timed_formulations.hpp"
 
 namespace trivium::cost {
 
@@ -32,7 +33,7 @@ std::vector<Entrant> entrants(const TimedScene& timed, const PeerScene& peer_sce
   row.n = timed.n;
   row.bodies = static_cast<int>(timed.scene.bodies.size());
   std::vector<Entrant> all;
-  for (const char* formulation : formulations)
+  for (const std::string& formulation : TimedFormulations::names())
     for (const Refined refined : {Refined::no, Refined::yes})
       all.push_back({of_ours(row, formulation, refined), [&timed, formulation, refined] {
                        return trivium_engine(timed.scene, formulation, refined);

@@ -5,15 +5,12 @@
 
 #include "base/error.hpp"
 #include "formulations/equations_of_motion_impl.hpp"
-#include "formulations/formulation_list.hpp"
-#include "formulations/r_epsilon.hpp"
-#include "formulations/r_omega.hpp"
-#include "formulations/r_p.hpp"
 #include "formulations/structured/acceleration_solver_impl.hpp"
 #include "formulations/structured/graph_solver_impl.hpp"
 #include "mechanism/mechanism_cast.hpp"
 #include "mechanism/state_batch.hpp"
 #include "validation/cost/trivium_engine.hpp"
+#include "validation/harness/timed_formulations.hpp"
 
 namespace trivium::cost {
 
@@ -77,16 +74,11 @@ class Sweep {
 
 template <class S>
 StateSweep sweep_in(const Mechanism<double>& mechanism, const std::string& formulation, Refined refined) {
-  const auto in = [&]<class F>(std::type_identity<F>) {
+  return with_formulation<S, TimedFormulations>(formulation, [&]<class F>() {
     const auto sweep = std::make_shared<Sweep<F>>(mechanism, refinement_of(refined));
     return StateSweep{[sweep](const States& states) { sweep->take(states); }, [sweep] { sweep->all(); },
                       [sweep](int n) { return sweep->r_ddot(n); }};
-  };
-  if (formulation == ROmega<double>::name) return in(std::type_identity<ROmega<S>>{});
-  if (formulation == RP<double>::name) return in(std::type_identity<RP<S>>{});
-  if (formulation == REpsilon<double>::name) return in(std::type_identity<REpsilon<S>>{});
-  throw ModelError("no sweep over states in formulation \"" + formulation +
-                   "\"; accepted: r-omega, r-p, r-epsilon");
+  });
 }
 
 }  // namespace

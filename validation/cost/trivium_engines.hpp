@@ -1,7 +1,6 @@
 #pragma once
-/// The structured solver as an engine, in the formulation of a name. Decides which formulations are timed.
+/// The structured solver as an engine, in the formulation of a name.
 
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,9 +11,6 @@
 namespace trivium::cost {
 
 enum class Refined { no, yes };
-
-/// The formulations that are timed.
-inline constexpr std::array formulations{"r-omega", "r-p", "r-epsilon"};
 
 /// Throws a ModelError, also where there is no such formulation.
 std::unique_ptr<Engine> trivium_engine(const scenes::Scene& scene, const std::string& formulation,

@@ -12,6 +12,7 @@
 #include "scenes/make_mechanism.hpp"
 #include "simulation/simulate.hpp"
 #include "validation/harness/interleaved_timing.hpp"
+#include "validation/harness/timed_formulations.hpp"
 
 namespace trivium::precision {
 
@@ -121,7 +122,7 @@ std::vector<double> tolerances(bool quick) {
 std::vector<RunSettings> all_settings(bool quick) {
   std::vector<RunSettings> all;
   const auto steps = quick ? std::vector<double>{200} : std::vector<double>{200, 800, 3200};
-  for (const char* formulation : {"r-omega", "r-p", "r-epsilon"}) {
+  for (const std::string& formulation : TimedFormulations::names()) {
     for (const char* method : {"dopri5", "rkf78", "bulirsch-stoer", "abm", "cvode-adams", "cvode-bdf",
                                "arkode-erk", "arkode-dirk", "ida", "radau5", "radau9", "hedop5"})
       for (const double rtol : tolerances(quick)) all.push_back({"trivium", formulation, method, rtol, {}});
