@@ -17,6 +17,7 @@
 #include "constraints/d.hpp"
 #include "constraints/dp1.hpp"
 #include "constraints/dp2.hpp"
+#include "constraints/plain_body.hpp"
 #include "constraints/turning_dp1.hpp"
 
 namespace trivium {
@@ -30,7 +31,7 @@ namespace trivium {
 ///                  vectors
 ///   function       f(t), or what else moves the row by itself
 ///   with_features  from (on_i, on_j, t, use): use(x, y, f) of its two features and f, with Phi = x . y - f;
-///                  over all kinds of bodies, so that its first use asks for it
+///                  over all kinds of bodies (BodyKinematics)
 ///
 /// It may have
 ///
@@ -48,6 +49,7 @@ concept DotProductConstraint = std::derived_from<C, BodyPair> && requires(const 
   { c.scale(t) } -> std::convertible_to<Scalar>;
   { c.function() } -> std::convertible_to<const TimeFunction&>;
   show_constraint_parts([](const auto&...) {}, c);
+  c.with_features(PlainBody<Scalar>(), PlainBody<Scalar>(), t, [](const auto&...) {});
 };
 
 /// A list of basic constraints, over any Scalar.

@@ -79,6 +79,12 @@ struct SecretiveDP1 : DP1<S> {
   }
 };
 
+/// Says that it does not see its bodies turn together.
+template <class S>
+struct BlindCD : CD<S> {
+  static constexpr bool sees_relative_motion = true;
+};
+
 TYPED_TEST(BasicConstraints, KeepTheirLawsAndLawsFindOneThatBreaksThem) {
   using S = TypeParam;
   Random random(24);
@@ -95,6 +101,7 @@ TYPED_TEST(BasicConstraints, KeepTheirLawsAndLawsFindOneThatBreaksThem) {
     const TimeFunction alpha = TimeFunction::Polynomial{{0.3, 2}};
     EXPECT_FALSE(broken_laws(HastyDP1<S>{{pair, a, b, c, alpha}}, i, j, t).empty());
     EXPECT_FALSE(broken_laws(SecretiveDP1<S>{{pair, a, b, alpha}}, i, j, t).empty());
+    EXPECT_FALSE(broken_laws(BlindCD<S>{{pair, a, b, c, alpha}}, i, j, t).empty());
   }
 }
 

@@ -24,15 +24,16 @@ struct EffectView {
 /// which the effect does work on the bodies, `potential_energy` [J] its stored energy, 0 for an effect that
 /// has none, and `nonconservative_power` what of the power is not taken from there; it is conservative if
 /// that is always zero. `type` is what a scene file calls it, `name` what a scene calls this one, and `keys`
-/// shows every part with its key in a scene file (effect_keys.hpp).
+/// shows every part with its key in a scene file (effect_keys.hpp). Those of the library are compared by
+/// `==`, too, as scenes are.
 ///
 /// One that counts turns has `follow`, called at every state that a motion has reached, and `longest_step`
 /// [s] after which it would lose count, one with functions of time `append_kinks`. One whose wrenches are
 /// sums of parts that may cancel has `add_load_bounds`, which adds these by magnitude. One that looks at no
 /// motion says `sees_motion = false`.
 template <class E, class Scalar>
-concept Effect = requires(const E& effect, const EffectView<Scalar>& view,
-                          std::span<Wrench<Scalar>> wrenches) {
+concept Effect = std::default_initializable<E> &&
+    requires(const E& effect, const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) {
   effect.apply(view, wrenches);
   { effect.power(view) } -> std::convertible_to<Scalar>;
   { effect.potential_energy(view) } -> std::convertible_to<Scalar>;

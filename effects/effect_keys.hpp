@@ -4,14 +4,15 @@
 /// alone. A visitor has
 ///
 ///   body(key, index...)    the body that a load acts on
-///   point(key, point...)   a point of a body (BodyPoint): an object with `body` and `point`
+///   point(key, point...)   a body and a point of it (BodyPoint): an object with `body` and `point`
 ///   joint(key, angle...)   a joint with an angle (JointAngle)
 ///   need(key, value...), may(key, value...)
-///                          a number, vector, function of time, three of these, or a frame; what `may` shows
-///                          has a default
+///                          a number, vector, function of time, three of these, or a frame
 ///   place(key, s_bar...), angle(key, angle...)
-///                          a vector or number that may be left out, and whose size alone says nothing: near
-///                          zero it counts as zero
+///                          a vector or number whose size alone says nothing: near zero it counts as zero
+///
+/// What `may`, `place` and `angle` show is 0, or the global frame, where a file says nothing: so must the
+/// members begin.
 
 #include <string_view>
 

@@ -2,6 +2,7 @@
 /// The laws of an effect, for whoever writes one: the second half of the concept Effect. `broken_laws` tries
 /// them where bodies are in some motion and names those that do not hold.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -22,6 +23,32 @@ struct CopyOfParts : ValueVisitor<CopyOfParts> {
   void joint(std::string_view, const auto& from, auto& to) const { to = from; }
   void value(std::string_view, const auto& from, auto& to) const { to = from; }
 };
+
+/// What a damper of 1 adds to the wrenches is its gradient, as fast as the coordinate grows.
+template <class E, class S, class Equal>
+void spring_laws(E effect, const EffectView<S>& view, const Equal& equal) {
+  static_assert(Spring<E, S>);
+  std::vector<Wrench<S>> with(view.motion.size()), without = with;
+  effect.damping = S(0);
+  effect.apply(view, without);
+  effect.damping = S(1);
+  effect.apply(view, with);
+  const auto [i, j] = effect.bodies();
+  const auto [on_i, on_j] = effect.gradient(view);
+  const auto along = [&](const Wrench<S>& on, int b) {
+    return S(on.F.dot(view.motion[b].r_dot) + on.n_bar.dot(view.motion[b].omega_bar));
+  };
+  const S rate = along(on_i, i) + along(on_j, j);
+  const auto compare = [&](int b, const Wrench<S>& on) {
+    const S off = (with[b].F - without[b].F + rate * on.F).norm() +
+                  (with[b].n_bar - without[b].n_bar + rate * on.n_bar).norm();
+    const S size = with[b].F.norm() + without[b].F.norm() + with[b].n_bar.norm() + without[b].n_bar.norm();
+    equal("a damper resists along the gradient", off, S(0), size,
+          1e6 * static_cast<double>(std::numeric_limits<S>::epsilon()));
+  };
+  compare(i, on_i);
+  compare(j, on_j);
+}
 
 }  // namespace detail
 
@@ -76,6 +103,32 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
     }
     return S(effect.potential_energy(EffectView<S>{bodies, moved, t}));
   };
+  if constexpr (requires { effect.gradient(view); }) detail::spring_laws(effect, view, equal);
+  if constexpr (requires { E::sees_motion; })
+    if (!E::sees_motion) {
+      std::vector<BodyMotion<S>> elsewhere = motion;
+      for (std::size_t b = 0; b < bodies.size(); ++b) elsewhere[b].r += elsewhere[b].r_dot;
+      std::vector<Wrench<S>> there(motion.size());
+      effect.apply(EffectView<S>{bodies, elsewhere, t}, there);
+      for (std::size_t b = 0; b < there.size(); ++b)
+        equal("an effect that sees no motion acts the same everywhere", (there[b].F - wrenches[b].F).norm(),
+              S(0), once, 1e4 * u);
+    }
+  if constexpr (requires { effect.longest_step(view); })
+    equal("the longest step is none back", std::min(S(0), S(effect.longest_step(view))), S(0), S(1), 0);
+  const auto no_bound = [](int, const Vector3<S>&, const Vector3<S>&) {};
+  if constexpr (requires { effect.add_load_bounds(view, no_bound); }) {
+    std::vector<Vector3<S>> F(motion.size(), Vector3<S>::Zero()), n_bar = F;
+    effect.add_load_bounds(view, [&](int body, const Vector3<S>& on_F, const Vector3<S>& on_n_bar) {
+      F[body] += on_F;
+      n_bar[body] += on_n_bar;
+    });
+    for (std::size_t b = 0; b < motion.size(); ++b) {
+      const S beyond = std::max(S((wrenches[b].F.cwiseAbs() - F[b]).maxCoeff()),
+                                S((wrenches[b].n_bar.cwiseAbs() - n_bar[b]).maxCoeff()));
+      equal("no wrench is beyond its bound", std::max(beyond, S(0)), S(0), once, 1e4 * u);
+    }
+  }
   const S behind = stored(-h), ahead = stored(h);
   equal("power is taken from stored energy, but for the part that is not conservative",
         S(effect.power(view) - effect.nonconservative_power(view)), S((behind - ahead) / (2 * h)),

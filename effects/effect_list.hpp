@@ -4,6 +4,7 @@
 /// `With`.
 
 #include <algorithm>
+#include <concepts>
 #include <limits>
 #include <span>
 #include <tuple>
@@ -35,6 +36,7 @@ struct EffectTypes {
 
 /// The list of the library.
 using StandardEffects = EffectTypes<Gravity, Force, Torque, SpringDamper, TorsionalSpringDamper>;
+static_assert(std::equality_comparable<StandardEffects::OneOf<double>>, "an effect without operator==");
 
 template <class Scalar, class List = StandardEffects>
 class Effects {

@@ -139,6 +139,18 @@ struct ForgetfulSpring : SpringDamper<S> {
   S nonconservative_power(const EffectView<S>&) const { return S(0); }
 };
 
+/// Its gradient is that of a spring that is turned round.
+struct TurnedSpring : SpringDamper<S> {
+  std::pair<Wrench<S>, Wrench<S>> gradient(const EffectView<S>& view) const {
+    const auto [on_i, on_j] = SpringDamper<S>::gradient(view);
+    return {on_j, on_i};
+  }
+};
+/// Acts by where its body is, and says that it sees no motion.
+struct BlindSpring : SpringDamper<S> {
+  static constexpr bool sees_motion = false;
+};
+
 /// Shows all but its stiffness.
 struct SecretiveSpring : SpringDamper<S> {
   static void keys(auto&& show, auto&... e) {
@@ -157,7 +169,7 @@ struct DrawnParts : ValueVisitor<DrawnParts> {
   DrawnParts(Random& from, const JointAngle<S>& angle) : random(from), joined(angle) {}
 
   void body(std::string_view, int& index) const { index = 1; }
-  void point(std::string_view, BodyPoint<S>& end) { end = {next++, random.vector<S, 3>()}; }
+  void point(std::string_view, BodyPoint<S>& end) { end = {next++ % 2, random.vector<S, 3>()}; }
   void joint(std::string_view, JointAngle<S>& angle) const { angle = joined; }
   void value(std::string_view, S& x) const { x = S(random.uniform(0.5, 3)); }
   void value(std::string_view, Vec& v) const { v = random.vector<S, 3>(); }
@@ -189,6 +201,8 @@ TEST(EffectLaws, HoldForEveryEffectOfTheListAndFindOneThatBreaksThem) {
     }
     EXPECT_FALSE(broken(ForgetfulSpring{spring(S(3), TF(1.25))}).empty());
     EXPECT_FALSE(broken(SecretiveSpring{spring(S(3), TF(1.25))}).empty());
+    EXPECT_FALSE(broken(TurnedSpring{spring(S(3), TF(1.25))}).empty());
+    EXPECT_FALSE(broken(BlindSpring{spring(S(3), TF(1.25))}).empty());
   }
 }
 

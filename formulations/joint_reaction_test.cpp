@@ -159,7 +159,7 @@ TEST(Reaction, InAnotherFrameHasTheComponentsOfThatFrame) {
 
 TEST(SideBySide, ReportsReactionsOnBodyJAboutTheJointsPoint) {
   const auto result = test::solve_scene<double>(held_at_origin(JointType::fixed, {L, 0, 0}));
-  ASSERT_EQ(result.formulations.size(), 4u);
+  ASSERT_EQ(result.formulations.size(), formulation_names().size());
   for (const auto& formulation : result.formulations) {
     expect_vector(formulation.reactions[0].force, {0, 0, m * g});
     expect_vector(formulation.reactions[0].torque, {0, -m * g * L, 0});

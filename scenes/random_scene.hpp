@@ -22,7 +22,7 @@ struct RandomOptions {
   bool redundant = true;  ///< now and then a joint that repeats what another does
 };
 
-/// The scene of a seed; the same for ever.
+/// The scene of a seed; the same everywhere, and for ever unless a basic constraint is added to the list.
 RandomScene random_scene(std::uint64_t seed, const RandomOptions& options = {});
 
 }  // namespace trivium::scenes

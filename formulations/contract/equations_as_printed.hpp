@@ -13,6 +13,7 @@
 #include <concepts>
 #include <string_view>
 
+#include "bodies/rigid_body.hpp"
 #include "constraints/body_kinematics.hpp"
 #include "formulations/contract/chart_options.hpp"
 
@@ -20,6 +21,7 @@ namespace trivium {
 
 template <class F>
 concept EquationsAsPrinted = BodyKinematics<typename F::Kinematics> &&
+    std::derived_from<typename F::Kinematics, BodyMotion<typename F::Scalar>> &&
     requires(const typename F::Chart& chart, const ChartOptions& options,
              const Vector4<typename F::Scalar>& p, const Vector3<typename F::Scalar>& v,
              const Matrix3<typename F::Scalar>& J_bar, const typename F::Coordinates& q,

@@ -32,7 +32,7 @@ class ObjectReader {
  private:
   const Path& at_;
   const Shape& shape_;
-  std::array<const Json*, 8> found_{};
+  std::array<const Json*, most_keys> found_{};
 };
 
 /// Which of `names` the text says; `noun` is what they are names of.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scenes/format/scene_file.hpp"
+#include "scenes/format/scene_keys.hpp"
 
 namespace trivium::scenes {
 namespace {
@@ -18,6 +19,18 @@ namespace fs = std::filesystem;
 
 const fs::path folder = fs::path(TRIVIUM_TEST_SCENES_DIR) / "malformed";
 
+/// {constraint types} and {effect types} stand for the names of all.
+std::string with_types(std::string text) {
+  std::vector<std::string_view> constraints, effects;
+  for (const ConstraintShape& known : constraint_shapes()) constraints.push_back(known.shape.name());
+  for (const Shape& known : effect_shapes()) effects.push_back(known.name());
+  for (const auto& [word, names] :
+       {std::pair<std::string, std::string>{"{constraint types}", list_of(constraints)},
+        {"{effect types}", list_of(effects)}})
+    if (const std::size_t at = text.find(word); at != std::string::npos) text.replace(at, word.size(), names);
+  return text;
+}
+
 /// The lines `name | text` of messages.txt: what the message about each file contains.
 std::map<std::string, std::vector<std::string>> expected_messages() {
   std::map<std::string, std::vector<std::string>> messages;
@@ -25,7 +38,7 @@ std::map<std::string, std::vector<std::string>> expected_messages() {
   for (std::string line; std::getline(file, line);) {
     const std::size_t bar = line.find(" | ");
     if (line.starts_with('#') || bar == std::string::npos) continue;
-    messages[line.substr(0, bar)].push_back(line.substr(bar + 3));
+    messages[line.substr(0, bar)].push_back(with_types(line.substr(bar + 3)));
   }
   return messages;
 }

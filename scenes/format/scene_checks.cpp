@@ -30,12 +30,15 @@ class UniqueNames {
 
 void check_body_index(int body, const Scene& scene, const Path& at) {
   if (body != ground && (body < 0 || static_cast<std::size_t>(body) >= scene.bodies.size()))
-    fail(at / "body", fmt::format("body number {}", body), fmt::format("-1 to {}", scene.bodies.size() - 1));
+    fail(at, fmt::format("body number {}", body), fmt::format("-1 to {}", scene.bodies.size() - 1));
+}
+void check_side(int body, const Scene& scene, const Path& side) {
+  check_body_index(body, scene, side / "body");
 }
 
 void check_two_bodies(int i, int j, const Scene& scene, const Path& at) {
-  check_body_index(i, scene, at / "i");
-  check_body_index(j, scene, at / "j");
+  check_side(i, scene, at / "i");
+  check_side(j, scene, at / "j");
   if (i == j)
     fail(at, fmt::format("both sides on {}", in_quotes(scene.body_name(i))), "two different bodies");
 }
@@ -46,14 +49,14 @@ class EffectChecks : public ValueVisitor<EffectChecks> {
   EffectChecks(const Scene& scene, const Path& at) : scene_(scene), at_(at) {}
 
   void body(std::string_view key, int index) const {
-    check_body_index(index, scene_, at_);
+    check_body_index(index, scene_, at_ / key);
     if (index == ground) fail(at_ / key, "a load on the ground, which nothing moves", "a body of the scene");
   }
   void point(std::string_view key, const BodyPoint<double>& end) {
-    if (other_ == nullptr)
-      check_body_index(end.body, scene_, at_ / key);
-    else
-      check_two_bodies(other_->body, end.body, scene_, at_);
+    check_side(end.body, scene_, at_ / key);
+    if (other_ != nullptr && other_->body == end.body)
+      fail(at_, fmt::format("both ends on {}", in_quotes(scene_.body_name(end.body))),
+           "two different bodies");
     other_ = &end;
   }
   void joint(std::string_view key, const JointAngle<double>& angle) const {

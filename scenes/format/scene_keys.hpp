@@ -21,6 +21,7 @@ struct Key {
   bool required = false;
 };
 constexpr Key need(std::string_view name) { return {name, true}; }
+inline constexpr std::size_t most_keys = 16;  ///< of one object
 constexpr Key may(std::string_view name) { return {name, false}; }
 
 /// The keys of one kind of object, in the order in which they are written.
@@ -42,7 +43,7 @@ class Shape {
 
  private:
   std::string_view name_;
-  std::array<Key, 8> keys_{};
+  std::array<Key, most_keys> keys_{};
   std::size_t size_;
 };
 
@@ -92,14 +93,18 @@ namespace detail {
 struct ConstraintKeyList {
   ConstraintShape& out;
 
-  void vector_i(auto&) const { out.i = &vector_point_side; }
-  void vector_j(auto&) const { out.j = &vector_point_side; }
+  void vector_i(auto&) const { take_vector(out.i); }
+  void vector_j(auto&) const { take_vector(out.j); }
   void point_i(auto&) const {}  // every side may name one
   void point_j(auto&) const {}
   void need(std::string_view key, auto& value) const { add(scenes::need(key), value); }
   void may(std::string_view key, auto& value) const { add(scenes::may(key), value); }
 
  private:
+  static void take_vector(const Shape*& side) {
+    if (side == &vector_point_side) throw std::logic_error("a side in a scene file has one vector");
+    side = &vector_point_side;
+  }
   void add(const Key& key, const TimeFunction&) const { add(key, "f"); }
   void add(const Key& key, const trivium::Vector3<double>&) const { add(key, "direction"); }
   void add(const Key& key, std::string_view member) const {

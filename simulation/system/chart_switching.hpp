@@ -28,8 +28,9 @@ class ChartSwitching {
   int changes() const { return changes_; }
 
   /// Changes the charts of bodies that are near their singularity. The bodies' states are y's. Returns
-  /// whether y is in other coordinates now.
-  bool change(const StateLayout<F>& layout, std::vector<BodyState<F>>& state, StateVector& y) {
+  /// whether y is in other coordinates now. Throws a ModelError where there is no chart.
+  bool change(const MechanismOf<F>& mechanism, const S& t, const StateLayout<F>& layout,
+              std::vector<BodyState<F>>& state, StateVector& y) {
     if constexpr (std::same_as<typename F::Chart, NoChart>) return false;
     bool changed = false;
     for (int b = 0; b < layout.nb(); ++b) {
@@ -37,7 +38,12 @@ class ChartSwitching {
       if (!(F::chart_distance(body.chart, body.q) < S(reframing_distance))) continue;
       const Vector4<S> p = F::to_euler_parameters(body.chart, body.q);
       const Vector3<S> omega_bar = kinematics_of(body).omega_bar;
-      body.chart = F::choose_chart(options_, p);
+      try {
+        body.chart = F::choose_chart(options_, p);
+      } catch (const ModelError& error) {
+        throw ModelError(fmt::format("body \"{}\" at t = {}: {}", mechanism.body_names[b],
+                                     static_cast<double>(t), error.what()));
+      }
       body.q = F::from_pose(body.chart, p, omega_bar);
       layout.place(y, b).tail(F::orientation_size) = F::orientation_of(body.chart, p);
       layout.rate(y, b).tail(F::rotational_unknowns) = F::velocity_of(body.chart, body.q);

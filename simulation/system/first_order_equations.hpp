@@ -143,7 +143,7 @@ class FirstOrderEquations {
   /// a ModelError.
   bool accept_state(const S& t, StateVector& y) {
     accepted_t_.reset();
-    const bool reframed = charts_.is_on() && reframe(y);
+    const bool reframed = charts_.is_on() && reframe(t, y);
     solve_as(t, y, Refinement::as_needed, detection_);
     log_.note_dependent_rows(t, solver_.factors().dependent_row_count());
     refines_ = !(solver_.corrections().acceleration <= small_correction);
@@ -250,9 +250,9 @@ class FirstOrderEquations {
     solver_.solve(state_, t, refinement, how);
   }
 
-  bool reframe(StateVector& y) {
+  bool reframe(const S& t, StateVector& y) {
     load(y);
-    return charts_.change(layout_, state_, y);
+    return charts_.change(mechanism_, t, layout_, state_, y);
   }
 
   /// Of the bodies as they were moved last.
