@@ -1,7 +1,5 @@
 /// `trivium list` as a user meets it.
 
-#include "formulations/formulation_list.hpp"
-#include "scenes/format/scene_keys.hpp"
 #include "trivium/command/testing/run_program.hpp"
 
 namespace trivium::test {
@@ -12,9 +10,10 @@ TEST(List, NamesScenesFormulationsJointsAndEffects) {
   ASSERT_EQ(r.exit_code, 0) << r.err;
   const json l = json::parse(r.out);
   EXPECT_GE(l["scenes"].size(), 30u);
-  EXPECT_EQ(l["formulations"], json(formulation_names()));
-  EXPECT_EQ(l["constraints"].size(), scenes::constraint_shapes().size());
-  EXPECT_EQ(l["effects"].size(), scenes::effect_shapes().size());
+  // and those that are added
+  EXPECT_GE(l["formulations"].size(), 4u);
+  EXPECT_GE(l["constraints"].size(), 15u);
+  EXPECT_GE(l["effects"].size(), 5u);
 }
 
 TEST(List, CountsBodiesInWords) {
