@@ -105,6 +105,19 @@ TYPED_TEST(BasicConstraints, KeepTheirLawsAndLawsFindOneThatBreaksThem) {
   }
 }
 
+TYPED_TEST(BasicConstraints, KeepTheirLawsAtRestAndWhenSmall) {
+  using S = TypeParam;
+  const PlainBody<S> at_rest;
+  const Vector3<S> x = Vector3<S>::UnitX(), tiny = S(1e-9) * Vector3<S>(S(1), S(2), S(-1));
+  const Vector3<S> across = S(1e-9) * Vector3<S>(S(1), S(0), S(1));
+  EXPECT_TRUE(broken_laws(DP1<S>{{0, 1}, x, x, 2.0}, at_rest, at_rest, S(0)).empty());
+  Random random(25);
+  const auto i = test::random_plain_body<S>(random).now, j = test::random_plain_body<S>(random).now;
+  const TimeFunction alpha = TimeFunction::Polynomial{{0.3, 2}};
+  EXPECT_TRUE(broken_laws(TurningDP1<S>{{0, 1}, tiny, across, tiny, alpha}, i, j, S(0.1)).empty());
+  EXPECT_FALSE(broken_laws(HastyDP1<S>{{{0, 1}, tiny, across, tiny, alpha}}, i, j, S(0.1)).empty());
+}
+
 TYPED_TEST(BasicConstraints, NuIsZeroWhereNothingIsPrescribed) {
   using S = TypeParam;
   Random random(23);

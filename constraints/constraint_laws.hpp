@@ -30,6 +30,8 @@ class ConstraintLaws {
     const S along =
         row.r_i.dot(i_.r_dot) + row.rot_i.dot(i_.omega) + row.r_j.dot(j_.r_dot) + row.rot_j.dot(j_.omega);
     const S scale = c_.scale(t_);
+    size_ = scale + row.r_i.norm() * i_.r_dot.norm() + row.r_j.norm() * j_.r_dot.norm() +
+            row.rot_i.norm() * i_.omega.norm() + row.rot_j.norm() * j_.omega.norm();
     require("the scale is not negative", scale >= S(0));
     if (C::is_of_angle) require("a row of an angle sees no place", (row.r_i - row.r_j).norm() == S(0));
     if constexpr (requires { C::sees_relative_motion; })
@@ -41,12 +43,10 @@ class ConstraintLaws {
           body.A = (A * body.A).eval();
           return body;
         };
-        size_ = 1 + scale + phi(S(0));
         equal("bodies that move together leave Phi as it is", row_position(c_, carried(i_), carried(j_), t_),
               row.phi, 1e4 * static_cast<double>(u));
       }
     // both bodies a little on, and a little back, at constant r' and omega
-    size_ = 1 + scale + phi(h) + phi(-h);
     const double coarse = 1e4 * static_cast<double>(h) * static_cast<double>(h);
     equal("Phi' = Phi_q q' - nu is the derivative of Phi", along - row.nu, S((phi(h) - phi(-h)) / (2 * h)),
           coarse);
@@ -72,7 +72,8 @@ class ConstraintLaws {
   }
   void equal(const char* law, const S& a, const S& b, double bound) {
     using std::abs;
-    const double off = static_cast<double>(S(abs(S(a - b)) / (abs(size_) + abs(a) + abs(b))));
+    const S apart = abs(S(a - b)), size = size_ + abs(a) + abs(b);
+    const double off = static_cast<double>(size > S(0) ? S(apart / size) : apart);
     if (!(off <= bound)) broken_.push_back({law, off, bound});
   }
 

@@ -151,6 +151,11 @@ struct BlindSpring : SpringDamper<S> {
   static constexpr bool sees_motion = false;
 };
 
+/// Its global torque turns with no body, and it says that it sees none.
+struct BlindTorque : Torque<S> {
+  static constexpr bool sees_motion = false;
+};
+
 /// Shows all but its stiffness.
 struct SecretiveSpring : SpringDamper<S> {
   static void keys(auto&& show, auto&... e) {
@@ -203,6 +208,7 @@ TEST(EffectLaws, HoldForEveryEffectOfTheListAndFindOneThatBreaksThem) {
     EXPECT_FALSE(broken(SecretiveSpring{spring(S(3), TF(1.25))}).empty());
     EXPECT_FALSE(broken(TurnedSpring{spring(S(3), TF(1.25))}).empty());
     EXPECT_FALSE(broken(BlindSpring{spring(S(3), TF(1.25))}).empty());
+    EXPECT_FALSE(broken(BlindTorque{{"", 1, numbers(), ComponentFrame::global}}).empty());
   }
 }
 

@@ -25,10 +25,22 @@ struct MoveGround : ValueVisitor<MoveGround> {
   void value(std::string_view, auto&) const {}
 };
 
+/// The points of a basic constraint, where reactions are taken.
+template <class Scalar>
+struct PointsOf {
+  JointFrame<Scalar>&i, &j;
+
+  void vector_i(const auto&) const {}
+  void vector_j(const auto&) const {}
+  void point_i(const Vector3<Scalar>& s_bar) const { i.point = s_bar; }
+  void point_j(const Vector3<Scalar>& s_bar) const { j.point = s_bar; }
+  void need(std::string_view, const auto&) const {}
+  void may(std::string_view, const auto&) const {}
+};
+
 }  // namespace detail
 
-/// Adds a free body, whose index it returns: that of the ground until now, which moves on by one. `r`, `p`
-/// and the velocities are those of its state.
+/// Adds a free body, whose index it returns: that of the ground until now, which moves on by one.
 template <class S, class Types>
 int add_body(Model<S, Types>& model, std::string name, const RigidBody<S>& body, const Pose<S>& pose,
              const Twist<S>& twist) {
@@ -43,6 +55,7 @@ int add_body(Model<S, Types>& model, std::string name, const RigidBody<S>& body,
   };
   std::apply([&](auto&... lists) { (move_effects(lists), ...); }, m.effects.lists());
   m.bodies.push_back(body);
+  if (m.body_names.empty()) m.body_names.emplace_back("ground");
   m.body_names.insert(m.body_names.end() - 1, std::move(name));
   model.state.pose.push_back(pose);
   model.state.twist.push_back(twist);
@@ -60,6 +73,8 @@ void add_constraint(Mechanism<Scalar, Types>& mechanism, std::string name,
   joint.type = {JointType::basic, static_cast<int>(row.index())};
   joint.first_row = mechanism.nc();
   joint.rows = 1;
+  const detail::PointsOf<Scalar> points{joint.frame_i, joint.frame_j};
+  std::visit([&](const auto& one) { one.keys(points, one); }, row);
   mechanism.joints.push_back(std::move(joint));
   mechanism.rows.push_back(std::move(row));
   mechanism.row_names.push_back(std::move(name));

@@ -1,4 +1,5 @@
 #include "scenes/make_mechanism.hpp"
+#include "mechanism/additions.hpp"
 
 #include <array>
 
@@ -62,6 +63,43 @@ TEST(Mechanism, RowsStandInFileOrderUnderTheNamesOfTheirJoints) {
   EXPECT_EQ(mechanism.row_names[4], "c4.cd(e_x)");
   EXPECT_EQ(mechanism.row_names[mechanism.joints[6].first_row + 4], "c6.dp1(v_i, z_j)");
   EXPECT_EQ(mechanism.row_names.back(), "c14.dp1(w_i, u_j)");
+}
+
+TEST(Mechanism, ABodyAndAConstraintAddedInCppAreThoseOfAScene) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("a", 1), test::body("b", 2, {1, 2, 3}, {1, 0, 0})};
+  scene.constraints = {
+      test::joint(JointType::revolute, "hinge", test::side(scenes::ground, {}, {{0, 0, 1}}),
+                  test::side(0, {}, {{0, 0, 1}})),
+      test::joint(basic_type<D>, "rope", test::side(scenes::ground, scenes::Vector3{0, 0, 1}),
+                  test::side(1, scenes::Vector3{0.1, 0.2, 0.3}))};
+  scene.constraints[1].f = 4;
+  SpringDamper<double> spring;
+  spring.i = {scenes::ground, {1, 2, 3}};
+  spring.j = {0, {4, 5, 6}};
+  scene.effects = {spring};
+  const auto whole = make_model<double>(scene);
+
+  scenes::Scene less = scene;
+  less.bodies.pop_back();
+  less.constraints.pop_back();
+  auto model = make_model<double>(less);
+  const int b = add_body(model, "b", whole.mechanism.bodies[1], whole.state.pose[1], whole.state.twist[1]);
+  add_constraint<double, StandardTypes>(
+      model.mechanism, "rope", D<double>{{model.mechanism.ground(), b}, {0, 0, 1}, {0.1, 0.2, 0.3}, 4.0});
+  const Mechanism<double>&added = model.mechanism, &stated = whole.mechanism;
+  EXPECT_EQ(added.body_names, stated.body_names);
+  EXPECT_EQ(added.row_names, stated.row_names);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(added.joints[k].type, stated.joints[k].type);
+    EXPECT_EQ(added.joints[k].i, stated.joints[k].i);
+    EXPECT_EQ(added.joints[k].j, stated.joints[k].j);
+    EXPECT_EQ(added.joints[k].frame_i.point, stated.joints[k].frame_i.point);
+    EXPECT_EQ(added.joints[k].frame_j.point, stated.joints[k].frame_j.point);
+  }
+  for (int k = 0; k < added.nc(); ++k) EXPECT_EQ(bodies_of(added.rows[k]).i, bodies_of(stated.rows[k]).i);
+  const auto& moved = added.effects.all<SpringDamper<double>>()[0];
+  EXPECT_EQ(moved.bodies(), std::pair(2, 0));
 }
 
 TEST(Mechanism, JointFramesComeFromTheScenesAxes) {

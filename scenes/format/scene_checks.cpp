@@ -55,7 +55,7 @@ class EffectChecks : public ValueVisitor<EffectChecks> {
   void point(std::string_view key, const BodyPoint<double>& end) {
     check_side(end.body, scene_, at_ / key);
     if (other_ != nullptr && other_->body == end.body)
-      fail(at_, fmt::format("both ends on {}", in_quotes(scene_.body_name(end.body))),
+      fail(at_, fmt::format("both sides on {}", in_quotes(scene_.body_name(end.body))),
            "two different bodies");
     other_ = &end;
   }

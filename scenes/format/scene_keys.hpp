@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/variants.hpp"
@@ -92,22 +93,32 @@ namespace detail {
 /// Lists the keys that a basic constraint shows.
 struct ConstraintKeyList {
   ConstraintShape& out;
+  bool has_point_i = false, has_point_j = false;  // every side may name one
 
-  void vector_i(auto&) const { take_vector(out.i); }
-  void vector_j(auto&) const { take_vector(out.j); }
-  void point_i(auto&) const {}  // every side may name one
-  void point_j(auto&) const {}
-  void need(std::string_view key, auto& value) const { add(scenes::need(key), value); }
-  void may(std::string_view key, auto& value) const { add(scenes::may(key), value); }
+  void vector_i(auto&) { take_vector(out.i); }
+  void vector_j(auto&) { take_vector(out.j); }
+  void point_i(auto&) { take_once(has_point_i); }
+  void point_j(auto&) { take_once(has_point_j); }
+  void need(std::string_view key, auto& value) { add(scenes::need(key), value); }
+  void may(std::string_view key, auto& value) { add(scenes::may(key), value); }
 
  private:
   static void take_vector(const Shape*& side) {
-    if (side == &vector_point_side) throw std::logic_error("a side in a scene file has one vector");
+    bool is_taken = side == &vector_point_side;
+    take_once(is_taken);
     side = &vector_point_side;
   }
-  void add(const Key& key, const TimeFunction&) const { add(key, "f"); }
-  void add(const Key& key, const trivium::Vector3<double>&) const { add(key, "direction"); }
-  void add(const Key& key, std::string_view member) const {
+  static void take_once(bool& is_taken) {
+    if (std::exchange(is_taken, true))
+      throw std::logic_error("a side in a scene file has one vector and one point");
+  }
+  void add(const Key& key, const TimeFunction&) { add(key, "f"); }
+  void add(const Key& key, const trivium::Vector3<double>&) {
+    if (!key.required) throw std::logic_error("a direction has no default");
+    add(key, "direction");
+  }
+  void add(const Key& key, std::string_view member) {
+    if (out.shape.find(key.name)) throw std::logic_error("one key twice: " + std::string(key.name));
     if (key.name != member)
       throw std::logic_error("no member of scenes::Constraint for the key " + std::string(key.name));
     out.shape.add(key);

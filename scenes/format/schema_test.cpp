@@ -94,9 +94,11 @@ TEST(Schema, HasTheNamesOfSequencesAndFrames) {
   const auto strings = [](const auto& names) { return std::set<std::string>(names.begin(), names.end()); };
   EXPECT_EQ(definitions["orientation"]["properties"]["sequence"]["enum"].get<std::set<std::string>>(),
             strings(euler_sequence_names));
-  for (const char* effect : {"force", "torque"})
-    EXPECT_EQ(definitions[effect]["properties"]["frame"]["enum"].get<std::set<std::string>>(),
-              strings(frame_names));
+  for (const Shape& effect : effect_shapes()) {
+    if (!effect.find("frame")) continue;
+    const json& frame = definitions[std::string(effect.name())]["properties"]["frame"];
+    EXPECT_EQ(frame["enum"].get<std::set<std::string>>(), strings(frame_names)) << effect.name();
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
-/// The structured solver as an engine, in the formulation of a name.
+/// The structured solver as an engine, in the formulation of a name. One engine solves a scene again and
+/// again.
 
 #include <memory>
 #include <string>
