@@ -77,6 +77,17 @@ function(trivium_test name label)
                        TEST_PREFIX ${name}. NO_PRETTY_VALUES)
 endfunction()
 
+# trivium_count_allocations(<test>): its calls for memory are counted (base/testing/counted_allocations.hpp)
+function(trivium_count_allocations name)
+  if(NOT TARGET ${name})
+    return()
+  endif()
+  target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/base/testing/counted_allocations.cpp)
+  # g++ sees its own operators through their inlining
+  target_compile_options(${name} PRIVATE -Wno-mismatched-new-delete)
+  target_link_options(${name} PRIVATE -Wl,--wrap=malloc,--wrap=aligned_alloc)
+endfunction()
+
 # trivium_skip(<why> <name>...): tests that this machine cannot run are listed as skipped, with the reason
 function(trivium_skip why)
   if(NOT TRIVIUM_BUILD_TESTS OR TRIVIUM_SANITIZE)

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
+#include "base/testing/counted_allocations.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/r_p.hpp"
 #include "integrators/contract/any_system.hpp"
@@ -14,29 +13,12 @@
 #include "scenes/testing/catalogue_scene.hpp"
 #include "simulation/system/constrained_equations.hpp"
 
-namespace {
-long allocations = 0;
-}
-
-extern "C" {
-void* __libc_malloc(std::size_t size);                 // NOLINT: the C library's own
-void* __libc_realloc(void* memory, std::size_t size);  // NOLINT
-void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-void* realloc(void* memory, std::size_t size) {
-  ++allocations;
-  return __libc_realloc(memory, size);
-}
-}
-
 namespace trivium {
 namespace {
 
 /// Of 20 steps, their projections and what the system does at a state that is reached, after 10 others.
 template <class F>
-long allocations_of(const std::string& scene, const std::string& name) {
+long long allocations_of(const std::string& scene, const std::string& name) {
   const auto model = make_model<double>(test::catalogue_scene(scene));
   ConstrainedEquations<F> equations(model.mechanism, model.state);
   integrators::SystemAdapter<ConstrainedEquations<F>> system(equations);
@@ -46,21 +28,21 @@ long allocations_of(const std::string& scene, const std::string& name) {
   integrators::ProjectionReport<double> report;
   VectorX<double> y = equations.start();
   double t = 0;
-  long before = 0;
+  long long before = 0;
   for (int step = 1; step <= 30; ++step) {
-    if (step == 11) before = allocations;
+    if (step == 11) before = test::allocations();
     method->step(system, t, y, step * 1e-3);
     if (is_projected) project(system, t, y, report);
     system.accept_state(t, y);
   }
-  return allocations - before;
+  return test::allocations() - before;
 }
 
 TEST(Allocations, AreSeenWhereThereAreAny) {
-  const long before = allocations;
+  const long long before = test::allocations();
   VectorX<double> numbers(100);
   numbers.setZero();
-  EXPECT_GT(allocations, before);
+  EXPECT_GT(test::allocations(), before);
 }
 
 TEST(Allocations, NoStepMakesAny) {

@@ -1,11 +1,9 @@
-/// Solving again at another state allocates nothing. Counts every call for memory that this program makes; an
-/// executable of its own, linked with -Wl,--wrap=malloc and the like (CMakeLists.txt).
+/// Solving again at another state allocates nothing. An executable of its own, whose calls for memory are
+/// counted.
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
+#include "base/testing/counted_allocations.hpp"
 #include "bodies/testing/random.hpp"
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"
@@ -14,37 +12,6 @@
 #include "formulations/testing/random_mechanism.hpp"
 #include "scenes/generators.hpp"
 #include "scenes/make_mechanism.hpp"
-
-namespace {
-long long allocations = 0;
-}
-
-extern "C" {
-void* __real_malloc(std::size_t size);
-void* __real_aligned_alloc(std::size_t alignment, std::size_t size);
-void* __wrap_malloc(std::size_t size) {
-  ++allocations;
-  return __real_malloc(size);
-}
-void* __wrap_aligned_alloc(std::size_t alignment, std::size_t size) {
-  ++allocations;
-  return __real_aligned_alloc(alignment, size);
-}
-}
-
-void* operator new(std::size_t size) {
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  const auto a = static_cast<std::size_t>(alignment);
-  if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
 
 namespace trivium {
 namespace {
@@ -57,9 +24,9 @@ long long allocations_of_a_second_solve(const scenes::Scene& scene) {
   const auto bodies = to_coordinates<F>(mechanism, state, {});
   AccelerationSolver<F> solver(mechanism);
   solver.solve(bodies, state.t);
-  const long long before = allocations;
+  const long long before = test::allocations();
   solver.solve(bodies, state.t);
-  return allocations - before;
+  return test::allocations() - before;
 }
 
 void expect_none(const scenes::Scene& scene) {
@@ -70,11 +37,11 @@ void expect_none(const scenes::Scene& scene) {
 
 TEST(Allocations, AreCounted) {
   static MatrixX<double> kept;
-  const long long before = allocations;
+  const long long before = test::allocations();
   kept = MatrixX<double>::Random(3, 3);
   static std::vector<int> numbers;
   numbers.assign(kept.size(), 1);
-  EXPECT_EQ(allocations - before, 2);
+  EXPECT_EQ(test::allocations() - before, 2);
 }
 
 TEST(Allocations, ATreeSolvedAgainMakesNone) { expect_none(scenes::chain(10)); }
