@@ -11,7 +11,6 @@
 /// One that files name has at most one vector and one point on a side, and no other keys.
 
 #include <string_view>
-#include <type_traits>
 
 #include "constraints/basic_constraint_parts.hpp"
 
@@ -31,10 +30,10 @@ struct ConstraintParts {
 };
 
 /// use(part...) for every part of one basic constraint or of several of its type.
-template <class C, class... Others>
-void show_constraint_parts(const auto& use, C& constraint, Others&... others) {
+template <class Use, class C, class... Others>
+void show_constraint_parts(const Use& use, C& constraint, Others&... others) {
   BodyPair::show_parts(use, constraint, others...);
-  C::keys(ConstraintParts<std::remove_cvref_t<decltype(use)>>{use}, constraint, others...);
+  C::keys(ConstraintParts<Use>{use}, constraint, others...);
 }
 
 }  // namespace trivium

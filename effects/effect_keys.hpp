@@ -41,4 +41,29 @@ struct ValueVisitor {
   Visitor& visitor() { return static_cast<Visitor&>(*this); }
 };
 
+/// use(part...) for every part.
+template <class Use>
+struct EffectParts : ValueVisitor<EffectParts<Use>> {
+  const Use& use;
+
+  explicit EffectParts(const Use& visitor) : use(visitor) {}
+
+  void body(std::string_view, auto&... index) const { use(index...); }
+  template <class Point, class... Points>
+  void point(std::string_view, Point& point, Points&... points) const {
+    Point::show_parts(use, point, points...);
+  }
+  template <class Angle, class... Angles>
+  void joint(std::string_view, Angle& angle, Angles&... angles) const {
+    Angle::show_parts(use, angle, angles...);
+  }
+  void value(std::string_view, auto&... value) const { use(value...); }
+};
+
+/// use(part...) for every part of one effect or of several of its type.
+template <class Use, class E, class... Others>
+void show_effect_parts(const Use& use, E& effect, Others&... others) {
+  E::keys(EffectParts<Use>(use), effect, others...);
+}
+
 }  // namespace trivium

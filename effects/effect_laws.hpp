@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 #include <vector>
 
 #include "base/broken_law.hpp"
@@ -15,14 +14,6 @@
 namespace trivium {
 
 namespace detail {
-
-/// Takes to another effect of its type what one shows.
-struct CopyOfParts : ValueVisitor<CopyOfParts> {
-  void body(std::string_view, const auto& from, auto& to) const { to = from; }
-  void point(std::string_view, const auto& from, auto& to) const { to = from; }
-  void joint(std::string_view, const auto& from, auto& to) const { to = from; }
-  void value(std::string_view, const auto& from, auto& to) const { to = from; }
-};
 
 /// What a damper of 1 adds to the wrenches is its gradient, as fast as the coordinate grows.
 template <class E, class S, class Equal>
@@ -86,7 +77,7 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
   }
   equal("wrenches are added to those there are", added, once, S(0), 1e4 * u);
   E copy;
-  E::keys(detail::CopyOfParts(), effect, copy);
+  show_effect_parts([](const auto& from, auto& to) { to = from; }, effect, copy);
   std::vector<Wrench<S>> of_copy(motion.size());
   copy.apply(view, of_copy);
   for (std::size_t b = 0; b < wrenches.size(); ++b)

@@ -15,6 +15,13 @@ struct BodyPoint {
   int body = 0;
   Vector3<Scalar> s_bar = Vector3<Scalar>::Zero();  ///< [m, body frame]
   bool operator==(const BodyPoint&) const = default;
+
+  /// use(part...) for every part of one point or of several side by side.
+  template <class Use, class... Part>
+  static void show_parts(const Use& use, Part&... p) {
+    use(p.body...);
+    use(p.s_bar...);
+  }
 };
 
 /// The frame that given components are meant in.

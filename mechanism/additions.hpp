@@ -46,12 +46,12 @@ int add_body(Model<S, Types>& model, std::string name, const RigidBody<S>& body,
              const Twist<S>& twist) {
   Mechanism<S, Types>& m = model.mechanism;
   const int index = m.ground();
-  const detail::MoveGround ground(index, index + 1);
+  detail::MoveGround ground(index, index + 1);
   const auto move_both = [&](BodyPair& pair) { ground.move(pair.i), ground.move(pair.j); };
   for (auto& row : m.rows) std::visit(move_both, row);
   for (auto& joint : m.joints) move_both(joint);
   const auto move_effects = [&](auto& list) {
-    for (auto& effect : list) effect.keys(detail::MoveGround(ground), effect);
+    for (auto& effect : list) effect.keys(ground, effect);
   };
   std::apply([&](auto&... lists) { (move_effects(lists), ...); }, m.effects.lists());
   m.bodies.push_back(body);

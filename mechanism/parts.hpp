@@ -5,7 +5,6 @@
 /// and those of effects, which only messages need, are no parts.
 
 #include <cstddef>
-#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -23,29 +22,9 @@ void show_parts_of_all(const Use& use, List& list, Lists&... lists) {
   for (std::size_t k = 0; k < list.size(); ++k) List::value_type::show_parts(use, list[k], lists[k]...);
 }
 
-/// Of effects, which show their parts by the keys of a scene file.
-template <class Use>
-struct PartsOfEffect : ValueVisitor<PartsOfEffect<Use>> {
-  const Use& use;
-
-  explicit PartsOfEffect(const Use& visitor) : use(visitor) {}
-
-  void body(std::string_view, auto&... index) const { use(index...); }
-  void point(std::string_view, auto&... point) const {
-    use(point.body...);
-    use(point.s_bar...);
-  }
-  template <class Angle, class... Angles>
-  void joint(std::string_view, Angle& angle, Angles&... angles) const {
-    Angle::show_parts(use, angle, angles...);
-  }
-  void value(std::string_view, auto&... value) const { use(value...); }
-};
-
 template <class Use, class List, class... Lists>
 void show_parts_of_effects(const Use& use, List& list, Lists&... lists) {
-  for (std::size_t k = 0; k < list.size(); ++k)
-    List::value_type::keys(PartsOfEffect<Use>(use), list[k], lists[k]...);
+  for (std::size_t k = 0; k < list.size(); ++k) show_effect_parts(use, list[k], lists[k]...);
 }
 
 /// Of a variant whose type is the same in all lists.

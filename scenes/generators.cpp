@@ -17,8 +17,6 @@ namespace {
 using V = trivium::Vector3<double>;
 using P = trivium::Vector4<double>;
 
-Vector3 plain(const V& v) { return {v[0], v[1], v[2]}; }
-
 /// An empty scene of size n, at least `least`.
 Scene sized(const char* kind, int n, int least, const std::string& description) {
   if (n < least) throw std::invalid_argument(fmt::format("a scene needs n >= {}, not {}", least, n));

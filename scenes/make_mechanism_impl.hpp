@@ -118,8 +118,8 @@ BasicConstraint<Scalar> basic_row_of(const scenes::Constraint& stated, const Joi
 }
 
 template <class Scalar>
-JointRows<Scalar> rows_of(const scenes::Constraint& stated, const Joint<Scalar>& joint,
-                          const RangeCheckedCast<Scalar>& narrowed) {
+JointRows<Scalar> stated_rows(const scenes::Constraint& stated, const Joint<Scalar>& joint,
+                              const RangeCheckedCast<Scalar>& narrowed) {
   if (stated.type.is_basic()) return {{"", basic_row_of(stated, joint, narrowed)}};
   if (stated.type == JointType::distance) {
     narrowed.number(stated.distance, "distance");
@@ -150,14 +150,14 @@ struct EffectCast {
   void need(std::string_view key, const auto& from, auto& to) const { cast(key, from, to); }
   void may(std::string_view key, const auto& from, auto& to) const { cast(key, from, to); }
   void place(std::string_view key, const Vector3<double>& from, Vector3<Scalar>& to) const {
-    to = narrowed.place({from[0], from[1], from[2]}, key);
+    to = narrowed.place(from, key);
   }
   void angle(std::string_view key, const double& from, Scalar& to) const { to = narrowed.angle(from, key); }
 
  private:
   void cast(std::string_view key, const double& from, Scalar& to) const { to = narrowed.number(from, key); }
   void cast(std::string_view key, const Vector3<double>& from, Vector3<Scalar>& to) const {
-    to = narrowed.vector(scenes::Vector3{from[0], from[1], from[2]}, key);
+    to = narrowed.vector(from, key);
   }
   void cast(std::string_view key, const TimeFunction& from, TimeFunction& to) const {
     to = narrowed.function(from, key);
@@ -239,7 +239,7 @@ Mechanism<Scalar> make_mechanism(const scenes::Scene& scene) {
     joint.frame_j = detail::frame_of<Scalar>(c.j, narrowed, "j/point");
     joint.angle = c.angle;
     joint.first_row = m.nc();
-    for (NamedRow<Scalar>& row : detail::rows_of(c, joint, narrowed)) {
+    for (NamedRow<Scalar>& row : detail::stated_rows(c, joint, narrowed)) {
       m.row_names.push_back(row.label.empty() ? c.name : c.name + "." + row.label);
       m.rows.push_back(std::move(row.constraint));
     }

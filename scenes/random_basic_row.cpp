@@ -12,8 +12,6 @@ namespace {
 
 using V = RandomDraw::V;
 
-Vector3 plain(const V& v) { return {v[0], v[1], v[2]}; }
-
 /// Draws what a basic constraint shows, but for f.
 struct Drawing {
   RandomDraw& draw;

@@ -19,8 +19,6 @@ namespace {
 using V = RandomDraw::V;
 using M = RandomDraw::M;
 
-Vector3 plain(const V& v) { return {v[0], v[1], v[2]}; }
-
 class Builder {
  public:
   Builder(std::uint64_t seed, const RandomOptions& options) : draw_(seed), options_(options) {
@@ -212,7 +210,7 @@ class Builder {
 
   /// A joint on the same axis as another one, a little further along it.
   void repeat(const Constraint& original) {
-    if (original.type != JointType::revolute && original.type != JointType::cylindrical) return;
+    if (!has_an_angle(original.type)) return;
     Constraint copy = original;
     copy.name = fmt::format("c{}", out_.scene.constraints.size() + 1);
     const auto shift = [](Side& s, double by) {
@@ -241,7 +239,7 @@ class Builder {
     if (draw_.chance(0.5)) add_spring();
     for (std::size_t k = 0; k < out_.scene.constraints.size(); ++k) {
       const ConstraintType type = out_.scene.constraints[k].type;
-      if ((type == JointType::revolute || type == JointType::cylindrical) && draw_.chance(0.3))
+      if (has_an_angle(type) && draw_.chance(0.3))
         out_.scene.effects.push_back(TorsionalSpringDamper<double>{"",
                                                                    {static_cast<int>(k)},
                                                                    draw_.uniform(0, 50),

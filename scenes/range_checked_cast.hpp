@@ -45,8 +45,9 @@ class RangeCheckedCast {
       if (overflows(x)) fail(x, key);
     return Scalar(x);
   }
-  /// A position or a velocity near zero is rounded to it like any other.
-  Vector3<Scalar> place(const scenes::Vector3& v, std::string_view key) const {
+  /// Of three numbers in doubles. A position or a velocity near zero is rounded to it like any other.
+  template <class Three>
+  Vector3<Scalar> place(const Three& v, std::string_view key) const {
     if constexpr (!holds_every_double)
       for (double x : v)
         if (overflows(x)) fail(x, key);
@@ -54,7 +55,8 @@ class RangeCheckedCast {
   }
   /// A component that vanishes beside others that do not is rounded like any digit; a vector that vanishes is
   /// lost.
-  Vector3<Scalar> vector(const scenes::Vector3& v, std::string_view key) const {
+  template <class Three>
+  Vector3<Scalar> vector(const Three& v, std::string_view key) const {
     if constexpr (!holds_every_double) {
       bool any_left = false;
       for (double x : v) any_left = any_left || (x != 0 && !vanishes(x));

@@ -5,9 +5,13 @@
 #include <array>
 #include <optional>
 
+#include "bodies/numbers/vectors.hpp"
+
 namespace trivium::scenes {
 
 using Vector3 = std::array<double, 3>;
+
+inline Vector3 plain(const trivium::Vector3<double>& v) { return {v[0], v[1], v[2]}; }
 
 /// The index of the implicit body `ground`; other bodies count from 0 in file order.
 inline constexpr int ground = -1;

@@ -73,7 +73,7 @@ class SphericalPendulum {
   }
   Violation<S> position_rows(const Evaluation& at, Y& phi) const {
     using std::abs;
-    phi.setConstant(1, (at.r.squaredNorm() - l * l) / 2);
+    phi.setConstant(1, phi_of(at.r));
     return {abs(phi[0]), abs(phi[0]) / (l * l), 0};
   }
   Violation<S> velocity_rows(const Evaluation& at, Y& phi_dot) const {
@@ -114,7 +114,8 @@ class SphericalPendulum {
     return y;
   }
   Vector weight() const { return {S(0), S(0), -m * g}; }
-  S phi(const Y& y) const { return (r(y).squaredNorm() - l * l) / 2; }
+  S phi_of(const Vector& place) const { return (place.squaredNorm() - l * l) / 2; }
+  S phi(const Y& y) const { return phi_of(r(y)); }
   S phi_dot(const Y& y) const { return r(y).dot(v(y)); }
   Violation<S> violation_of(const S& left) const {
     using std::abs;

@@ -68,17 +68,10 @@ inline void read_value(const Json& json, const Path& at, std::array<TimeFunction
 inline void read_value(const Json& json, const Path& at, trivium::Vector3<double>& out) {
   Vector3 stated{};
   read_value(json, at, stated);
-  out = {stated[0], stated[1], stated[2]};
+  out = trivium::Vector3<double>(stated.data());
 }
 inline void read_value(const Json& json, const Path& at, std::optional<Vector3>& out) {
   read_value(json, at, out.emplace());
-}
-
-template <class Shapes>
-std::vector<std::string_view> names_of(const Shapes& shapes) {
-  std::vector<std::string_view> names;
-  for (const Shape& shape : shapes) names.push_back(shape.name());
-  return names;
 }
 
 }  // namespace trivium::scenes

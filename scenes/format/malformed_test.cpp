@@ -21,12 +21,9 @@ const fs::path folder = fs::path(TRIVIUM_TEST_SCENES_DIR) / "malformed";
 
 /// {constraint types} and {effect types} stand for the names of all.
 std::string with_types(std::string text) {
-  std::vector<std::string_view> constraints, effects;
-  for (const ConstraintShape& known : constraint_shapes()) constraints.push_back(known.shape.name());
-  for (const Shape& known : effect_shapes()) effects.push_back(known.name());
   for (const auto& [word, names] :
-       {std::pair<std::string, std::string>{"{constraint types}", list_of(constraints)},
-        {"{effect types}", list_of(effects)}})
+       {std::pair<std::string, std::string>{"{constraint types}", list_of(names_of(constraint_shapes()))},
+        {"{effect types}", list_of(names_of(effect_shapes()))}})
     if (const std::size_t at = text.find(word); at != std::string::npos) text.replace(at, word.size(), names);
   return text;
 }

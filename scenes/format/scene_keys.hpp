@@ -87,6 +87,8 @@ struct ConstraintShape {
   Shape shape;
   const Shape *i, *j;
   bool needs_positive_f = false;
+
+  std::string_view name() const { return shape.name(); }
 };
 
 namespace detail {
@@ -207,6 +209,14 @@ inline const std::vector<Shape>& effect_shapes() {
   return all;
 }
 static_assert(function_shapes.size() + 1 == std::variant_size_v<TimeFunction::Kind>);
+
+/// Of all in a table above.
+template <class Shapes>
+std::vector<std::string_view> names_of(const Shapes& shapes) {
+  std::vector<std::string_view> names;
+  for (const auto& shape : shapes) names.push_back(shape.name());
+  return names;
+}
 
 inline constexpr std::array<std::string_view, 2> frame_names{"global", "body"};  ///< of ComponentFrame
 

@@ -115,9 +115,8 @@ Side read_side(const Json& json, const Path& at, const Shape& shape, const Names
 }
 
 void read_value(const Json& json, const Path& at, Constraint& out, const Names& bodies) {
-  std::vector<std::string_view> types;
-  for (const ConstraintShape& known : constraint_shapes()) types.push_back(known.shape.name());
-  const ConstraintShape& shape = constraint_shapes()[read_tag(json, at, "type", "constraint type", types)];
+  const std::size_t type = read_tag(json, at, "type", "constraint type", names_of(constraint_shapes()));
+  const ConstraintShape& shape = constraint_shapes()[type];
   const ObjectReader object(json, at, shape.shape);
   out.type = shape.type;
   object.read("name", out.name);

@@ -107,7 +107,7 @@ Json to_json(const Side& side, const Shape& shape, const Scene& scene) {
 Json to_json(const Constraint& constraint, const Scene& scene) {
   const ConstraintShape& shape = shape_of(constraint.type);
   ObjectWriter object(shape.shape);
-  object.set("type", shape.shape.name()).add("name", constraint.name);
+  object.set("type", shape.name()).add("name", constraint.name);
   object.set("i", to_json(constraint.i, *shape.i, scene)).set("j", to_json(constraint.j, *shape.j, scene));
   object.add("direction", constraint.direction).add("f", constraint.f);
   return object.add("distance", constraint.distance).add("angle", constraint.angle).done();

@@ -69,7 +69,7 @@ TEST(Schema, HasTheTypesOfTheReader) {
   const json definitions = schema()["definitions"];
   std::set<std::string> functions{"number"}, constraints, effects;
   for (const Shape& shape : function_shapes) functions.emplace(shape.name());
-  for (const ConstraintShape& constraint : constraint_shapes()) constraints.emplace(constraint.shape.name());
+  for (const ConstraintShape& constraint : constraint_shapes()) constraints.emplace(constraint.name());
   for (const Shape& shape : effect_shapes()) effects.emplace(shape.name());
   EXPECT_EQ(references(definitions["function"]["oneOf"]), functions);
   EXPECT_EQ(references(definitions["constraint"]["oneOf"]), constraints);
@@ -83,7 +83,7 @@ TEST(Schema, HasTheTypesOfTheReader) {
 TEST(Schema, HasTheSidesOfTheReader) {
   const json definitions = schema()["definitions"];
   for (const ConstraintShape& constraint : constraint_shapes()) {
-    const json& properties = definitions[std::string(constraint.shape.name())]["properties"];
+    const json& properties = definitions[std::string(constraint.name())]["properties"];
     EXPECT_EQ(properties["i"]["$ref"], "#/definitions/" + std::string(constraint.i->name()));
     EXPECT_EQ(properties["j"]["$ref"], "#/definitions/" + std::string(constraint.j->name()));
   }

@@ -179,8 +179,7 @@ struct ArbitraryEffect : ValueVisitor<ArbitraryEffect> {
   }
   void value(std::string_view, double& number) { number = random.number(); }
   void value(std::string_view, trivium::Vector3<double>& v) {
-    const Vector3 drawn = random.vector();
-    v = {drawn[0], drawn[1], drawn[2]};
+    v = trivium::Vector3<double>(random.vector().data());
   }
   void value(std::string_view, ComponentFrame& frame) {
     frame = random.flip() ? ComponentFrame::global : ComponentFrame::body;

@@ -18,7 +18,7 @@ std::string joint_summary(const scenes::Scene& scene) {
   for (const scenes::ConstraintShape& known : scenes::constraint_shapes()) {
     const auto count = std::count_if(scene.constraints.begin(), scene.constraints.end(),
                                      [&](const scenes::Constraint& c) { return c.type == known.type; });
-    if (count > 0) out += fmt::format("{}{} {}", out.empty() ? "" : ", ", count, known.shape.name());
+    if (count > 0) out += fmt::format("{}{} {}", out.empty() ? "" : ", ", count, known.name());
   }
   return out.empty() ? "none" : out;
 }

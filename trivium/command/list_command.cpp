@@ -19,17 +19,10 @@ namespace trivium {
 
 namespace {
 
-std::vector<std::string> constraint_types() {
-  std::vector<std::string> names;
-  for (const scenes::ConstraintShape& known : scenes::constraint_shapes())
-    names.emplace_back(known.shape.name());
-  return names;
-}
-
-std::vector<std::string> effect_types() {
-  std::vector<std::string> names;
-  for (const scenes::Shape& known : scenes::effect_shapes()) names.emplace_back(known.name());
-  return names;
+template <class Shapes>
+std::vector<std::string> types_of(const Shapes& shapes) {
+  const auto names = scenes::names_of(shapes);
+  return {names.begin(), names.end()};
 }
 
 int run_list(bool json) {
@@ -48,8 +41,8 @@ int run_list(bool json) {
     out.end_array()
         .texts("formulations", formulation_names())
         .texts("integrators", integrators::method_names())
-        .texts("constraints", constraint_types())
-        .texts("effects", effect_types())
+        .texts("constraints", types_of(scenes::constraint_shapes()))
+        .texts("effects", types_of(scenes::effect_shapes()))
         .end_object();
     fmt::print("{}", out.str());
     return exit_done;
@@ -60,8 +53,8 @@ int run_list(bool json) {
                scene.description);
   fmt::print("\nformulations  {}\n", fmt::join(formulation_names(), ", "));
   fmt::print("integrators   {}\n", fmt::join(integrators::method_names(), ", "));
-  fmt::print("constraints   {}\n", fmt::join(constraint_types(), ", "));
-  fmt::print("effects       {}\n", fmt::join(effect_types(), ", "));
+  fmt::print("constraints   {}\n", fmt::join(types_of(scenes::constraint_shapes()), ", "));
+  fmt::print("effects       {}\n", fmt::join(types_of(scenes::effect_shapes()), ", "));
   return exit_done;
 }
 

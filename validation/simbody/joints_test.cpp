@@ -21,7 +21,7 @@ struct JointCase {
   bool ground_is_j;
 
   friend void PrintTo(const JointCase& joint, std::ostream* out) {
-    *out << scenes::shape_of(joint.type).shape.name() << (joint.ground_is_j ? "_to_ground" : "_from_ground");
+    *out << scenes::shape_of(joint.type).name() << (joint.ground_is_j ? "_to_ground" : "_from_ground");
   }
 };
 
@@ -65,7 +65,7 @@ scenes::Scene on_joint(const JointCase& joint) {
   spring.free_length = 0.4;
   spring.actuator = 5;
   scene.effects.push_back(spring);
-  if (joint.type == JointType::revolute || joint.type == JointType::cylindrical)
+  if (has_an_angle(joint.type))
     scene.effects.push_back(TorsionalSpringDamper<double>{"", {0}, 4, 0.5, 0.3, 0.2});
   return scene;
 }
