@@ -18,6 +18,7 @@ struct MethodInfo {
   int order = 0;  ///< of positions, velocities and lambda at given steps; 0: it varies
   bool takes_given_steps = false, chooses_steps = false;
   bool meets_constraints = false;           ///< of positions, by its own equations: it is not projected
+  bool needs_constant_inertia = false;      ///< a mass matrix that does not depend on positions
   bool has_own_lambda = meets_constraints;  ///< beside that of a state
   int own_lambda_order = order;             ///< of that, at given steps
   // which of MethodParameters it takes

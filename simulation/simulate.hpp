@@ -34,6 +34,8 @@ struct SimulationOptions {
 /// Whether the mass matrix of a formulation does not depend on positions. Throws a ModelError where there is
 /// no such formulation.
 bool inertia_is_constant(const std::string& formulation);
+/// Whether the method can move it.
+bool goes_with(const integrators::MethodInfo& method, const std::string& formulation);
 
 /// From the model's state, at its time. Throws a ModelError or an IntegrationError that says
 /// where and why it ended; the samples until then were shown.

@@ -128,7 +128,7 @@ int run(const Program& program, const Options& options) {
     for (const Case& of : chosen)
       for (const std::string& formulation : formulation_names()) {
         progress.step();
-        if (of.method.starts_with("rattle") && !inertia_is_constant(formulation)) continue;
+        if (!goes_with(*integrators::find_method(of.method), formulation)) continue;
         if (!program.names_scenes() && of.scene != named.scene.name) continue;
         rows.push_back(error.empty() ? measure(*models, formulation, of, options.t_end, options.levels, exact)
                                      : OrderResult{named.scene.name, formulation, error, of, {}, {}, {}});

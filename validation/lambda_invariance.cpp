@@ -39,10 +39,7 @@ const std::vector<Pair>& pairs() {
   static const std::vector<Pair> all = [] {
     const std::vector<std::string> names = formulation_names();
     std::vector<Pair> list;
-    const auto add = [&](std::size_t a, std::size_t b) {
-      const std::string& second = names[b];
-      list.push_back({a, b, names[a] + "/" + (second == "r-epsilon-omega-first" ? "omega-first" : second)});
-    };
+    const auto add = [&](std::size_t a, std::size_t b) { list.push_back({a, b, names[a] + "/" + names[b]}); };
     for (std::size_t b = 1; b < names.size(); ++b) {
       add(0, b);
       if (b == 2) add(1, 2);

@@ -1,9 +1,7 @@
 #include "formulations/printed/sparsity.hpp"
 
 #include "formulations/equations_of_motion.hpp"
-#include "formulations/r_epsilon.hpp"
-#include "formulations/r_omega.hpp"
-#include "formulations/r_p.hpp"
+#include "formulations/formulation_list.hpp"
 
 namespace trivium {
 
@@ -30,9 +28,10 @@ Sparsity sparsity_of(const Mechanism<double>& mechanism, const MechanismState<do
 }  // namespace
 
 std::vector<Sparsity> augmented_sparsity(const Model<double>& model) {
-  const auto& [mechanism, state] = model;
-  return {sparsity_of<ROmega<double>>(mechanism, state), sparsity_of<RP<double>>(mechanism, state),
-          sparsity_of<REpsilon<double>>(mechanism, state)};
+  const auto of = [&]<class... F>(const std::tuple<F...>*) {
+    return std::vector<Sparsity>{sparsity_of<F>(model.mechanism, model.state)...};
+  };
+  return of(static_cast<const AllFormulations::In<double>*>(nullptr));
 }
 
 }  // namespace trivium

@@ -20,7 +20,7 @@ struct Sparsity {
   }
 };
 
-/// Of r-omega, r-p and r-epsilon; omega-first has the matrix of r-omega.
+/// Of every formulation of the list.
 std::vector<Sparsity> augmented_sparsity(const Model<double>& model);
 
 }  // namespace trivium

@@ -37,9 +37,7 @@ class Rattle {
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
     using std::pow;
     if (!system.inertia_is_constant())
-      throw UsageError(
-          "rattle needs coordinates in which the mass matrix does not depend on positions: r-omega, or "
-          "r-epsilon-omega-first");
+      throw UsageError("rattle needs coordinates in which the mass matrix does not depend on positions");
     const S h = stop - t;
     if (!has_begun_) begin(system, t, y, h);
     if (is_composed_) {
@@ -148,7 +146,8 @@ class Rattle {
       rows = look();
       const S size = beside.norm();
       const S unbalanced = size > S(0) ? S(left_.norm() / size) : left_.norm();
-      const S now = std::max(rows.relative, unbalanced);
+      S now = rows.relative;
+      raise(now, unbalanced);
       if (now <= rounding<S>() / 4 || (now <= 64 * rounding<S>() && !(now <= before / 2))) return;
       if (k > 5 && !(now <= before)) break;
       before = now;

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "paper/generator/figure.hpp"
+#include "paper/generator/formulations.hpp"
 #include "paper/generator/table.hpp"
 
 namespace trivium::paper {
@@ -17,17 +19,34 @@ struct Solver {
   Tex name;
 };
 
-const std::vector<Solver> ours{{"Trivium", "r-omega", "unrefined", {"\\romega"}},
-                               {"Trivium", "r-omega", "refined", {"\\romega, refined"}},
-                               {"Trivium", "r-p", "refined", {"\\rp, refined"}},
-                               {"Trivium", "r-epsilon", "refined", {"\\reps, refined"}}};
 const std::vector<Solver> others{{"Simbody 3.7", "none", "none", {"Simbody"}},
                                  {"MuJoCo 2.2.2", "none", "none", {"MuJoCo"}},
                                  {"DART 6.12", "none", "none", {"DART"}},
                                  {"SuiteSparse KLU", "r-omega", "none", {"KLU"}}};
 
-std::vector<Solver> all_solvers() {
-  std::vector<Solver> all = ours;
+/// The first formulation without refinement, and every one with it.
+std::vector<Solver> ours(const ResultsTable& table) {
+  std::vector<Solver> all;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const std::string &formulation = table.text(row, "formulation"),
+                      &refinement = table.text(row, "refinement");
+    const bool is_known = std::any_of(all.begin(), all.end(), [&](const Solver& one) {
+      return one.formulation == formulation && one.refinement == refinement;
+    });
+    if (table.text(row, "engine") != "Trivium" || table.text(row, "scene") == "ensemble" || is_known)
+      continue;
+    const bool is_refined = refinement == "refined";
+    if (all.empty() || is_refined)
+      all.push_back({"Trivium",
+                     formulation,
+                     refinement,
+                     {heading(formulation).source + (is_refined ? ", refined" : "")}});
+  }
+  return all;
+}
+
+std::vector<Solver> all_solvers(const ResultsTable& table) {
+  std::vector<Solver> all = ours(table);
   all.insert(all.end(), others.begin(), others.end());
   return all;
 }
@@ -67,7 +86,7 @@ Tex microseconds(double x) {
 /// Our formulations solid, the others dashed.
 std::string plot(const ResultsTable& table, const std::string& family, const std::string& origin) {
   LogLogFigure figure({"$n$"}, {"microseconds per body"});
-  for (const Solver& solver : all_solvers()) {
+  for (const Solver& solver : all_solvers(table)) {
     LogLogFigure::Points points;
     for (const SceneRows& scene : scenes_of(table)) {
       if (!scene.scene.starts_with(family + "_")) continue;
@@ -86,7 +105,7 @@ const std::string origin = "results/acceleration_cost.csv";
 std::string acceleration_cost_table(Results& results, Numbers& numbers) {
   const ResultsTable& table = results["acceleration_cost"];
   std::vector<TexColumn> columns{{"l", {"mechanism"}}, {"r", {"$n_b$"}}};
-  const std::vector<Solver> all = all_solvers();
+  const std::vector<Solver> all = all_solvers(table);
   for (const Solver& solver : all) columns.push_back({"r", solver.name});
   TexTable out(columns);
   for (const SceneRows& scene : scenes_of(table)) {
@@ -102,7 +121,7 @@ std::string acceleration_cost_table(Results& results, Numbers& numbers) {
       if (!row) throw ResultsError("acceleration_cost: chain_100 has no time of " + solver.engine);
       return table.number(*row, "microseconds");
     };
-    const double own = time(ours[0]), refined = time(ours[1]);
+    const double own = time(all[0]), refined = time(all[1]);
     numbers.define("CostSimbody", ratio_in_text(time(others[0]) / own));
     numbers.define("CostSimbodyRefined", ratio_in_text(time(others[0]) / refined));
     numbers.define("CostMujoco", ratio_in_text(time(others[1]) / own));

@@ -1,5 +1,6 @@
 /// One line a quantity of a problem: its largest error in every formulation, and what it is held to.
 
+#include "paper/generator/formulations.hpp"
 #include "paper/generator/statistics.hpp"
 #include "paper/generator/table.hpp"
 
@@ -19,12 +20,10 @@ Tex quantity(const std::string& plain) {
 
 std::string analytic_solutions_table(Results& results, Numbers& numbers) {
   const ResultsTable& table = results["analytic_solutions"];
-  const std::vector<std::string> formulations{"r-omega", "r-p", "r-epsilon", "r-epsilon-omega-first"};
+  const std::vector<std::string> formulations = formulations_of(table);
   const std::size_t n = formulations.size();
-  if (table.rows.size() % n != 0) throw ResultsError("analytic_solutions: a quantity lacks a formulation");
   std::vector<TexColumn> columns{{"l", {"problem"}}, {"l", {"error of"}}};
-  for (const char* heading : {"\\romega", "\\rp", "\\reps", "\\omegafirst"})
-    columns.push_back({scientific, {heading}});
+  for (const std::string& formulation : formulations) columns.push_back({scientific, heading(formulation)});
   columns.push_back({scientific, {"bound"}});
   TexTable out(columns);
   std::size_t failed = 0;

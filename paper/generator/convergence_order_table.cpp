@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "paper/generator/figure.hpp"
+#include "paper/generator/formulations.hpp"
 #include "paper/generator/statistics.hpp"
 #include "paper/generator/table.hpp"
 
@@ -15,8 +16,7 @@ namespace trivium::paper {
 
 namespace {
 
-const std::vector<std::string> formulations{"r-omega", "r-p", "r-epsilon"},
-    quantities{"r", "v", "lambda", "raw lambda"};
+const std::vector<std::string> quantities{"r", "v", "lambda", "raw lambda"};
 
 struct Line {
   std::string published;
@@ -32,6 +32,7 @@ Tex order_cell(const Line& line, const std::string& formulation, const std::stri
 
 std::string convergence_order_table(Results& results, Numbers& numbers) {
   const ResultsTable& table = results["convergence_order"];
+  const std::vector<std::string> formulations = distinct(table, "formulation");
   std::vector<std::string> methods;
   std::map<std::string, Line> lines;
   Sample distance;
@@ -55,8 +56,7 @@ std::string convergence_order_table(Results& results, Numbers& numbers) {
   for (std::size_t k = 0; k < formulations.size(); ++k)
     for (const char* heading : {"$r$", "$v$", "$\\lambda$", "raw"}) columns.push_back({"r", {heading}});
   TexTable out(columns);
-  out.head(
-      {"& & \\multicolumn{4}{c}{\\romega} & \\multicolumn{4}{c}{\\rp} & \\multicolumn{4}{c}{\\reps} \\\\"});
+  out.head(headings_over(formulations, quantities.size()));
   for (const std::string& method : methods) {
     const Line& line = lines[method];
     std::vector<Tex> cells{text(method), text(line.published)};

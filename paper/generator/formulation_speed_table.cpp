@@ -1,5 +1,8 @@
 /// One line a scene and method: microseconds a step in r-omega, and what the others take beside it.
 
+#include <fmt/format.h>
+
+#include "paper/generator/formulations.hpp"
 #include "paper/generator/statistics.hpp"
 #include "paper/generator/table.hpp"
 
@@ -7,20 +10,18 @@ namespace trivium::paper {
 
 std::string formulation_speed_table(Results& results, Numbers& numbers) {
   const ResultsTable& table = results["formulation_speed"];
-  const std::vector<std::string> formulations{"r-omega", "r-p", "r-epsilon"};
+  const std::vector<std::string> formulations = formulations_of(table);
   const std::size_t n = formulations.size();
-  if (table.rows.size() % n != 0) throw ResultsError("formulation_speed: a method lacks a formulation");
   const std::string two_digits = "S[table-format=2.2]";
-  TexTable out({{"l", {"scene"}},
-                {"l", {"method"}},
-                {"S[table-format=3.1]", {"\\romega [\\unit{\\micro\\second}]"}},
-                {two_digits, {"\\rp"}},
-                {two_digits, {"\\reps"}},
-                {two_digits, {"\\romega"}},
-                {two_digits, {"\\rp"}},
-                {two_digits, {"\\reps"}}});
-  out.head({"& & \\multicolumn{3}{c}{time of a step} & \\multicolumn{3}{c}{iterations} \\\\"});
-  Sample rp, reps, rp_first, rp_fourth;
+  std::vector<TexColumn> columns{{"l", {"scene"}}, {"l", {"method"}}};
+  columns.push_back(
+      {"S[table-format=3.1]", {heading(formulations.front()).source + " [\\unit{\\micro\\second}]"}});
+  for (std::size_t k = 1; k < n; ++k) columns.push_back({two_digits, heading(formulations[k])});
+  for (const std::string& formulation : formulations) columns.push_back({two_digits, heading(formulation)});
+  TexTable out(columns);
+  out.head({fmt::format(
+      "& & \\multicolumn{{{}}}{{c}}{{time of a step}} & \\multicolumn{{{}}}{{c}}{{iterations}} \\\\", n, n)});
+  Sample rp, reps, rp_first, rp_fourth;  // beside the first formulation
   std::string last;
   for (std::size_t first = 0; first < table.rows.size(); first += n) {
     const std::string &scene = table.text(first, "scene"), &method = table.text(first, "method");
@@ -30,16 +31,20 @@ std::string formulation_speed_table(Results& results, Numbers& numbers) {
           table.text(first + k, "method") != method)
         throw ResultsError("formulation_speed: the rows of " + scene + " are out of order");
     std::vector<Tex> cells{text(scene == last ? "" : scene), text(method),
-                           ratio(table.number(first, "us_per_step")), ratio(table.number(first + 1, "ratio")),
-                           ratio(table.number(first + 2, "ratio"))};
+                           ratio(table.number(first, "us_per_step"))};
+    for (std::size_t k = 1; k < n; ++k) cells.push_back(ratio(table.number(first + k, "ratio")));
     last = scene;
     for (std::size_t k = 0; k < n; ++k)
       cells.push_back(ratio(table.number(first + k, "iterations_per_step")));
     out.add(cells);
-    rp.add(table.number(first + 1, "ratio"), scene);
-    reps.add(table.number(first + 2, "ratio"), scene);
-    if (method.starts_with("bdf1")) rp_first.add(table.number(first + 1, "ratio"));
-    if (method.starts_with("bdf4")) rp_fourth.add(table.number(first + 1, "ratio"));
+    for (std::size_t k = 0; k < n; ++k) {
+      const double beside = table.number(first + k, "ratio");
+      if (formulations[k] == "r-epsilon") reps.add(beside, scene);
+      if (formulations[k] != "r-p") continue;
+      rp.add(beside, scene);
+      if (method.starts_with("bdf1")) rp_first.add(beside);
+      if (method.starts_with("bdf4")) rp_fourth.add(beside);
+    }
   }
   numbers.define("SpeedRpMedian", ratio_in_text(rp.median()));
   numbers.define("SpeedRpLeast", ratio_in_text(rp.least()));

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "paper/generator/formulations.hpp"
 #include "paper/generator/statistics.hpp"
 #include "paper/generator/table.hpp"
 
@@ -9,7 +10,7 @@ namespace trivium::paper {
 
 namespace {
 
-const std::vector<std::string> formulations{"r-omega", "r-p", "r-epsilon"}, refinements{"none", "once"};
+const std::vector<std::string> refinements{"none", "once"};
 
 Tex whole(double n) { return integer(static_cast<std::size_t>(std::llround(n))); }
 
@@ -17,16 +18,15 @@ Tex whole(double n) { return integer(static_cast<std::size_t>(std::llround(n)));
 
 std::string instruction_counts_table(Results& results, Numbers& numbers) {
   const ResultsTable& table = results["instruction_counts"];
+  const std::vector<std::string> formulations = formulations_of(table, refinements.size());
   const std::size_t per_scene = formulations.size() * refinements.size();
-  if (table.rows.size() % per_scene != 0) throw ResultsError("instruction_counts: a mechanism lacks a row");
   std::vector<TexColumn> columns{{"l", {"mechanism"}}, {"r", {"$n_b$"}}};
   for (std::size_t k = 0; k < formulations.size(); ++k) {
     columns.push_back({"r", {"unrefined"}});
     columns.push_back({"r", {"refined"}});
   }
   TexTable out(columns);
-  out.head(
-      {"& & \\multicolumn{2}{c}{\\romega} & \\multicolumn{2}{c}{\\rp} & \\multicolumn{2}{c}{\\reps} \\\\"});
+  out.head(headings_over(formulations, refinements.size()));
 
   Sample of_r_omega, refinement;  // times r-omega, times unrefined
   for (std::size_t first = 0; first < table.rows.size(); first += per_scene) {

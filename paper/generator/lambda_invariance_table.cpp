@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "paper/generator/formulations.hpp"
 #include "paper/generator/statistics.hpp"
 #include "paper/generator/table.hpp"
 
@@ -9,15 +10,28 @@ namespace trivium::paper {
 
 namespace {
 
-const std::vector<std::string> pairs{"r-omega/r-p", "r-omega/r-epsilon", "r-p/r-epsilon",
-                                     "r-omega/omega-first"};
+/// The columns that compare two formulations.
+std::vector<std::string> pairs_of(const ResultsTable& table) {
+  std::vector<std::string> pairs;
+  for (const std::string& column : table.columns)
+    if (column.find('/') != std::string::npos) pairs.push_back(column);
+  return pairs;
+}
+
+Tex heading_of_pair(const std::string& pair) {
+  const std::size_t slash = pair.find('/');
+  return {heading(pair.substr(0, slash)).source + "/" + heading(pair.substr(slash + 1)).source};
+}
 
 bool is_random(const std::string& scene) { return scene.starts_with("random_"); }
 
 /// What one group of rows comes down to.
 struct Group {
+  explicit Group(const std::vector<std::string>& all_pairs) : pairs(all_pairs), difference(pairs.size()) {}
+
+  const std::vector<std::string> pairs;
   Sample kappa, worst, ratio, bodies, rows;  ///< ratio: worst in units of u kappa
-  std::vector<Sample> difference{pairs.size()};
+  std::vector<Sample> difference;
   std::size_t count = 0, failed = 0, unconstrained = 0, ambiguous = 0, cancels = 0;
 
   void add(const ResultsTable& table, std::size_t row, double bound_factor) {
@@ -80,17 +94,13 @@ double bound_factor(const ResultsTable& ladder) {
 std::string lambda_invariance_table(Results& results, Numbers& numbers) {
   const ResultsTable& table = results["lambda_invariance"];
   const double factor = bound_factor(results["precision_ladder"]);
-  TexTable out({{"l", {"scene"}},
-                {"r", {"$n_b$"}},
-                {"r", {"$n_c$"}},
-                {"r", {"rank"}},
-                {condition, {"$\\kappa$"}},
-                {scientific, {"\\romega/\\rp"}},
-                {scientific, {"\\romega/\\reps"}},
-                {scientific, {"\\rp/\\reps"}},
-                {scientific, {"\\romega/\\omegafirst"}},
-                {scientific, {"bound"}}});
-  Group scenes, random;
+  const std::vector<std::string> pairs = pairs_of(table);
+  std::vector<TexColumn> columns{
+      {"l", {"scene"}}, {"r", {"$n_b$"}}, {"r", {"$n_c$"}}, {"r", {"rank"}}, {condition, {"$\\kappa$"}}};
+  for (const std::string& pair : pairs) columns.push_back({scientific, heading_of_pair(pair)});
+  columns.push_back({scientific, {"bound"}});
+  TexTable out(columns);
+  Group scenes(pairs), random(pairs);
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const std::string& scene = table.text(k, "scene");
     const bool failed = table.text(k, "verdict") == "EXCEEDS" || table.text(k, "verdict") == "ERROR";

@@ -93,8 +93,8 @@ std::string without_figures(const std::string& command) {
 
 }  // namespace
 
-std::vector<Difference> check_results(const ResultsSchema& schema, const ResultsTable& table,
-                                      bool regenerated) {
+std::vector<Difference> check_results(const ResultsSchema& any, const ResultsTable& table, bool regenerated) {
+  const ResultsSchema schema = expanded(any, table.columns);
   std::vector<Difference> found;
   const auto report = [&](std::string row, std::string column, std::string is, std::string rule) {
     Difference d{std::move(row), std::move(column), "", "", std::move(rule)};
@@ -126,8 +126,9 @@ std::vector<Difference> check_results(const ResultsSchema& schema, const Results
   return found;
 }
 
-std::vector<Difference> compare_rows(const ResultsSchema& schema, const ResultsTable& accepted,
+std::vector<Difference> compare_rows(const ResultsSchema& any, const ResultsTable& accepted,
                                      const ResultsTable& regenerated) {
+  const ResultsSchema schema = expanded(any, accepted.columns);
   std::vector<Difference> found;
   const auto old_rows = rows_by_key(schema, accepted), new_rows = rows_by_key(schema, regenerated);
   for (const auto& [key, row] : old_rows) {
@@ -151,7 +152,12 @@ std::vector<Difference> compare_results(const ResultsSchema& schema, const Resul
                                         const ResultsTable& regenerated) {
   std::vector<Difference> found = check_results(schema, accepted);
   for (Difference& d : check_results(schema, regenerated, true)) found.push_back(std::move(d));
-  if (accepted.columns != column_names(schema) || regenerated.columns != accepted.columns) return found;
+  if (accepted.columns != regenerated.columns)
+    found.push_back({"", "columns", fmt::format("{}", fmt::join(accepted.columns, ",")),
+                     fmt::format("{}", fmt::join(regenerated.columns, ",")), "the same columns"});
+  if (accepted.columns != column_names(expanded(schema, accepted.columns)) ||
+      regenerated.columns != accepted.columns)
+    return found;
   for (Difference& d : compare_rows(schema, accepted, regenerated)) found.push_back(std::move(d));
   return found;
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <utility>
 
 #include "base/whole_file.hpp"
 #include "results/tools/results_table.hpp"
@@ -66,6 +68,23 @@ std::vector<ResultsSchema> read_schema(const std::filesystem::path& file) {
     throw ResultsError(fmt::format("{}: {}", file.string(), error.what()));
   }
   return all;
+}
+
+ResultsSchema expanded(ResultsSchema schema, const std::vector<std::string>& columns) {
+  std::vector<ColumnSchema> all;
+  for (const ColumnSchema& column : schema.columns) {
+    const std::size_t first = all.size();
+    if (column.name.find('*') != std::string::npos) {
+      const std::regex name(std::regex_replace(column.name, std::regex("\\*"), "[^/]+"));
+      for (std::size_t k = first; k < columns.size() && std::regex_match(columns[k], name); ++k) {
+        all.push_back(column);
+        all.back().name = columns[k];
+      }
+    }
+    if (all.size() == first) all.push_back(column);  // one that is missing is missed by its name
+  }
+  schema.columns = std::move(all);
+  return schema;
 }
 
 const ResultsSchema& find_schema(const std::vector<ResultsSchema>& all, const std::string& name) {

@@ -37,7 +37,8 @@ struct Rounding {
 
 using Rule = std::variant<Exact, Shown, Relative, Rounding>;
 
-/// What one file's column is.
+/// What one file's column is. A name with a `*` is that of one column or of several side by side: one for
+/// each pair of formulations, say.
 struct ColumnSchema {
   std::string name, meaning, unit;
   Rule rule;
@@ -52,6 +53,9 @@ struct ResultsSchema {
 
 /// All files of the schema, by name. Throws ResultsError and std::filesystem::filesystem_error.
 std::vector<ResultsSchema> read_schema(const std::filesystem::path& file);
+
+/// With a column for each that a `*` stands for in a file of these columns.
+ResultsSchema expanded(ResultsSchema schema, const std::vector<std::string>& columns);
 
 /// Throws a ResultsError where the schema does not know the name.
 const ResultsSchema& find_schema(const std::vector<ResultsSchema>& all, const std::string& name);
