@@ -1,6 +1,7 @@
 #pragma once
 /// The types of constraint that a scene may name: a basic one, or a joint that is made of basic ones. What
-/// can be said of a joint's type alone is said here; the rows of each are in joint.hpp.
+/// can be said of a joint's type alone is said here; the rows of each are in joint.hpp. Every switch over
+/// them has a case for each: a new one does not compile before it has them all.
 
 namespace trivium {
 
@@ -30,26 +31,41 @@ struct ConstraintType {
   bool operator==(const ConstraintType&) const = default;
 };
 
-/// Its rows hold a point of j at a point of i: all three coordinates.
-constexpr bool holds_a_point(ConstraintType type) {
-  return type == JointType::spherical || type == JointType::universal || type == JointType::revolute ||
-         type == JointType::fixed;
-}
+/// What can be said of a joint's type alone.
+struct JointProperties {
+  /// Its rows hold a point of j at a point of i: all three coordinates.
+  bool holds_a_point = false;
+  /// Its rows keep z_i and z_j parallel; parallel and antiparallel are two branches of the same rows.
+  bool has_parallel_axes = false;
+  /// Its rows allow no relative rotation.
+  bool allows_no_rotation = false;
+  /// It leaves one angle free, theta from u_i to u_j about z_i, which a torsional spring can measure.
+  bool has_an_angle = false;
+};
 
-/// Its rows keep z_i and z_j parallel; parallel and antiparallel are two branches of the same rows.
-constexpr bool has_parallel_axes(ConstraintType type) {
-  return type == JointType::revolute || type == JointType::cylindrical || type == JointType::translational ||
-         type == JointType::fixed || type == JointType::planar;
-}
-
-/// Its rows allow no relative rotation.
-constexpr bool allows_no_rotation(ConstraintType type) {
-  return type == JointType::translational || type == JointType::fixed;
-}
-
-/// It leaves one angle free, theta from u_i to u_j about z_i, which a torsional spring can measure.
-constexpr bool has_an_angle(ConstraintType type) {
-  return type == JointType::revolute || type == JointType::cylindrical;
+constexpr JointProperties properties_of(ConstraintType type) {
+  switch (type.joint) {
+    case JointType::spherical:
+    case JointType::universal:
+      return {.holds_a_point = true};
+    case JointType::revolute:
+      return {.holds_a_point = true, .has_parallel_axes = true, .has_an_angle = true};
+    case JointType::cylindrical:
+      return {.has_parallel_axes = true, .has_an_angle = true};
+    case JointType::translational:
+      return {.has_parallel_axes = true, .allows_no_rotation = true};
+    case JointType::fixed:
+      return {.holds_a_point = true, .has_parallel_axes = true, .allows_no_rotation = true};
+    case JointType::planar:
+      return {.has_parallel_axes = true};
+    case JointType::basic:
+    case JointType::in_line:
+    case JointType::in_plane:
+    case JointType::distance:
+    case JointType::rotation_driver:
+      return {};
+  }
+  return {};
 }
 
 }  // namespace trivium

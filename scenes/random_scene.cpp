@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -110,6 +111,11 @@ class Builder {
                                       JointType::in_plane,      JointType::distance};
       for (const ConstraintShape& known : constraint_shapes())
         if (known.type.is_basic() && known.shape.find("f")) all.push_back(known.type);
+      // joints that the order above, which draws are counted by, does not know; drivers come with revolutes
+      for (const ConstraintShape& known : constraint_shapes())
+        if (!known.type.is_basic() && known.type != JointType::rotation_driver &&
+            std::find(all.begin(), all.end(), known.type) == all.end())
+          all.push_back(known.type);
       return all;
     }();
     add_joint_of(types[draw_.below(static_cast<int>(types.size()))], i, j);
@@ -210,7 +216,7 @@ class Builder {
 
   /// A joint on the same axis as another one, a little further along it.
   void repeat(const Constraint& original) {
-    if (!has_an_angle(original.type)) return;
+    if (!properties_of(original.type).has_an_angle) return;
     Constraint copy = original;
     copy.name = fmt::format("c{}", out_.scene.constraints.size() + 1);
     const auto shift = [](Side& s, double by) {
@@ -239,7 +245,7 @@ class Builder {
     if (draw_.chance(0.5)) add_spring();
     for (std::size_t k = 0; k < out_.scene.constraints.size(); ++k) {
       const ConstraintType type = out_.scene.constraints[k].type;
-      if (has_an_angle(type) && draw_.chance(0.3))
+      if (properties_of(type).has_an_angle && draw_.chance(0.3))
         out_.scene.effects.push_back(TorsionalSpringDamper<double>{"",
                                                                    {static_cast<int>(k)},
                                                                    draw_.uniform(0, 50),

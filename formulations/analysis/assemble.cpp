@@ -50,12 +50,6 @@ VectorX<double> positions_residual(const EquationsOfMotion<F>& eom) {
   return phi;
 }
 
-double worst_size(const std::vector<Violation>& violations) {
-  double worst = 0;
-  for (const Violation& v : violations) worst = std::max(worst, v.size);
-  return worst;
-}
-
 }  // namespace
 
 void project_velocities(const Mechanism<double>& mechanism, MechanismState<double>& state) {

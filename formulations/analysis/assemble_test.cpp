@@ -41,12 +41,6 @@ scenes::Scene disturbed(const std::string& name, double by) {
   return scene;
 }
 
-double worst(const std::vector<Violation>& violations) {
-  double size = 0;
-  for (const Violation& v : violations) size = std::max(size, v.size);
-  return size;
-}
-
 class Assembly : public testing::TestWithParam<const char*> {};
 
 TEST_P(Assembly, BringsADisturbedStateBackToRounding) {
@@ -54,8 +48,8 @@ TEST_P(Assembly, BringsADisturbedStateBackToRounding) {
   EXPECT_FALSE(consistency(scene).holds());
   const Consistency result = consistency(assembled(scene));
   EXPECT_TRUE(result.holds()) << result.report();
-  EXPECT_LT(worst(result.positions), 1e-14);
-  EXPECT_LT(worst(result.velocities), 1e-13);
+  EXPECT_LT(worst_size(result.positions), 1e-14);
+  EXPECT_LT(worst_size(result.velocities), 1e-13);
 }
 
 TEST_P(Assembly, ChangesAConsistentStateByRoundingOnly) {
@@ -197,7 +191,7 @@ TEST_P(WrongBranch, IsNamedThoughItsRowsHold) {
   joint.j = {0, {}, {}, GetParam().axis_j, GetParam().x_j};
   scene.constraints = {joint};
   const Consistency result = consistency(scene);
-  EXPECT_LT(worst(result.positions), 1e-15);
+  EXPECT_LT(worst_size(result.positions), 1e-15);
   ASSERT_FALSE(result.wrong_branches.empty());
   EXPECT_NE(result.wrong_branches[0].find("joint"), std::string::npos);
 }
@@ -226,8 +220,8 @@ class Generated : public testing::TestWithParam<scenes::Scene> {};
 
 TEST_P(Generated, IsConsistentAndHasOneLambda) {
   const Consistency result = consistency(GetParam());
-  EXPECT_LT(worst(result.positions), 1e-13);
-  EXPECT_LT(worst(result.velocities), 1e-13);
+  EXPECT_LT(worst_size(result.positions), 1e-13);
+  EXPECT_LT(worst_size(result.velocities), 1e-13);
   SolveOptions options;
   const auto solution = test::solve_scene<double>(GetParam(), options, false);
   EXPECT_LE(solution.discrepancy().lambda, solution.lambda_bound());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/raise.hpp"
+
 namespace trivium {
 
 namespace {
@@ -30,8 +32,9 @@ GlobalAxes global_axes(const EquationsOfMotion<F>& eom, const Joint<double>& joi
 std::vector<std::string> wrong_branches_of(const Joint<double>& joint, const GlobalAxes& a, double t) {
   std::vector<std::string> wrong;
   const auto say = [&](const std::string& what) { wrong.push_back(fmt::format("{}: {}", joint.name, what)); };
-  if (has_parallel_axes(joint.type) && a.z_i.dot(a.z_j) < 0) say("its axes z_i and z_j are antiparallel");
-  if (allows_no_rotation(joint.type) && a.u_i.dot(a.u_j) < 0)
+  if (properties_of(joint.type).has_parallel_axes && a.z_i.dot(a.z_j) < 0)
+    say("its axes z_i and z_j are antiparallel");
+  if (properties_of(joint.type).allows_no_rotation && a.u_i.dot(a.u_j) < 0)
     say("its x axes u_i and u_j are a half turn apart");
   if (joint.type == JointType::rotation_driver) {
     const double theta = std::atan2(a.v_i.dot(a.u_j), a.u_i.dot(a.u_j));
@@ -40,25 +43,32 @@ std::vector<std::string> wrong_branches_of(const Joint<double>& joint, const Glo
   return wrong;
 }
 
-void append_offenders(std::string& text, const std::vector<Violation>& violations, const char* what) {
-  std::vector<Violation> bad;
-  for (const Violation& v : violations)
+void append_offenders(std::string& text, const std::vector<RowViolation>& violations, const char* what) {
+  std::vector<RowViolation> bad;
+  for (const RowViolation& v : violations)
     if (v.exceeds) bad.push_back(v);
-  std::sort(bad.begin(), bad.end(), [](const Violation& a, const Violation& b) { return a.size > b.size; });
-  for (const Violation& v : bad)
+  std::sort(bad.begin(), bad.end(),
+            [](const RowViolation& a, const RowViolation& b) { return a.size > b.size; });
+  for (const RowViolation& v : bad)
     text += fmt::format("  {} {}: residual {:.3e}, {:.1e} {} (tolerance {:.1e})\n", v.row, what, v.residual,
                         v.size, v.unit, v.tolerance);
 }
 
-bool all_met(const std::vector<Violation>& violations) {
-  return std::none_of(violations.begin(), violations.end(), [](const Violation& v) { return v.exceeds; });
+bool all_met(const std::vector<RowViolation>& violations) {
+  return std::none_of(violations.begin(), violations.end(), [](const RowViolation& v) { return v.exceeds; });
 }
 
 }  // namespace
 
+double worst_size(const std::vector<RowViolation>& violations) {
+  double worst = 0;
+  for (const RowViolation& v : violations) raise(worst, v.size);
+  return worst;
+}
+
 Extent extent_of(const Mechanism<double>& mechanism, const MechanismState<double>& state) {
   Extent m;
-  for (const auto& pose : state.pose) m.length = std::max(m.length, pose.r.norm());
+  for (const auto& pose : state.pose) raise(m.length, pose.r.norm());
   for (const auto& joint : mechanism.joints)
     m.length = std::max({m.length, joint.frame_i.point.norm(), joint.frame_j.point.norm()});
   if (m.length == 0) m.length = 1;
@@ -104,7 +114,7 @@ Consistency check_consistency(const Mechanism<double>& mechanism, const Mechanis
     const double length = is_angle ? 1.0 : m.length, speed = is_angle ? m.speed / m.length : m.speed;
     const auto judge = [&](double residual, double most, const char* unit) {
       const double size = std::abs(residual) / norm;
-      return Violation{mechanism.row_names[k], residual, size, most, unit, !(size <= most)};
+      return RowViolation{mechanism.row_names[k], residual, size, most, unit, !(size <= most)};
     };
     out.positions.push_back(judge(eom.row[k].phi, tolerance * length, is_angle ? "rad" : "m"));
     out.velocities.push_back(

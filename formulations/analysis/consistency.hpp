@@ -13,7 +13,7 @@ namespace trivium {
 
 /// How far one row is from holding: |Phi| or |Phi_q q' - nu| divided by the norm of the row's Jacobian, so
 /// metres or radians (per second), whatever the scaling of the row.
-struct Violation {
+struct RowViolation {
   std::string row;
   double residual = 0;   ///< Phi, or Phi_q q' - nu
   double size = 0;       ///< in m or rad (per second)
@@ -22,8 +22,10 @@ struct Violation {
   bool exceeds = false;
 };
 
+double worst_size(const std::vector<RowViolation>& violations);
+
 struct Consistency {
-  std::vector<Violation> positions, velocities;  ///< every row, in order
+  std::vector<RowViolation> positions, velocities;  ///< every row, in order
   std::vector<std::string> wrong_branches;  ///< joints whose rows hold on a branch that is not the joint's
 
   bool holds() const;

@@ -48,7 +48,7 @@ BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joint
       if (!joint.sees_relative_motion && joint.i != graph.bodies && joint.j != graph.bodies)
         graph.edges[basic_edge[pair]].is_relative = false;
     } else {
-      const bool is_point = holds_a_point(joint.type);
+      const bool is_point = properties_of(joint.type).holds_a_point;
       const int edge = add_edge(joint, is_point);
       if (is_point) point_edge.emplace(pair, edge);
       if (joint.type == JointType::revolute) revolute_edge.emplace(pair, std::pair(edge, &joint));

@@ -169,7 +169,7 @@ class SceneBuilder {
     const std::size_t k = random_.index(options_.bodies);
     const scenes::Constraint first = scene_.constraints[k];
     GlobalJoint g = geometry_[k];
-    if (has_an_angle(first.type)) {
+    if (properties_of(first.type).has_an_angle) {
       g.P_i += 0.5 * g.z_i;
       g.P_j += 0.5 * g.z_i;
     }

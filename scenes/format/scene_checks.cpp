@@ -63,7 +63,7 @@ class EffectChecks : public ValueVisitor<EffectChecks> {
     if (angle.joint < 0 || static_cast<std::size_t>(angle.joint) >= scene_.constraints.size())
       fail(at_ / key, fmt::format("constraint number {}", angle.joint), "the number of a joint of the scene");
     const Constraint& joint = scene_.constraints[static_cast<std::size_t>(angle.joint)];
-    if (!has_an_angle(joint.type))
+    if (!properties_of(joint.type).has_an_angle)
       fail(at_ / key, fmt::format("{}, which has no angle", in_quotes(joint.name)),
            "a revolute or cylindrical joint");
   }

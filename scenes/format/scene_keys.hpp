@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -140,11 +141,41 @@ struct EffectKeyList {
   void angle(std::string_view key, auto&) const { shape.add(scenes::may(key)); }
 };
 
-inline ConstraintShape joint_shape(JointType type, std::string_view name, const Shape& i, const Shape& j,
-                                   std::initializer_list<Key> more = {}) {
-  ConstraintShape joint{type, {name, {need("type"), need("name"), need("i"), need("j")}}, &i, &j};
-  for (const Key& key : more) joint.shape.add(key);
-  return joint;
+/// None behind the last type of joint.
+inline std::optional<ConstraintShape> joint_shape(JointType type) {
+  const auto joint = [&](std::string_view name, const Shape& i, const Shape& j,
+                         std::initializer_list<Key> more = {}) {
+    ConstraintShape shape{type, {name, {need("type"), need("name"), need("i"), need("j")}}, &i, &j};
+    for (const Key& key : more) shape.shape.add(key);
+    return shape;
+  };
+  switch (type) {
+    case JointType::basic:
+      break;  // from their own list
+    case JointType::spherical:
+      return joint("spherical", joint_side, joint_side);
+    case JointType::universal:
+      return joint("universal", axis_side, axis_side);
+    case JointType::revolute:
+      return joint("revolute", axis_side, axis_side);
+    case JointType::cylindrical:
+      return joint("cylindrical", axis_side, axis_side);
+    case JointType::translational:
+      return joint("translational", frame_side, frame_side);
+    case JointType::fixed:
+      return joint("fixed", frame_side, frame_side);
+    case JointType::planar:
+      return joint("planar", axis_side, axis_side);
+    case JointType::in_line:
+      return joint("in_line", axis_side, joint_side);
+    case JointType::in_plane:
+      return joint("in_plane", axis_side, joint_side);
+    case JointType::distance:
+      return joint("distance", joint_side, joint_side, {need("distance")});
+    case JointType::rotation_driver:
+      return joint("rotation_driver", frame_side, frame_side, {need("angle")});
+  }
+  return {};
 }
 
 /// Adds those of the basic constraints that files name.
@@ -166,24 +197,14 @@ inline void append_basic_shapes(std::vector<ConstraintShape>& shapes) {
 
 /// Of every type that files name: basic constraints in the order of their list, then joints.
 inline const std::vector<ConstraintShape>& constraint_shapes() {
-  using detail::joint_shape;
   static const std::vector<ConstraintShape> all = [] {
     std::vector<ConstraintShape> shapes;
     detail::append_basic_shapes(shapes);
-    shapes.insert(shapes.end(),
-                  {joint_shape(JointType::spherical, "spherical", joint_side, joint_side),
-                   joint_shape(JointType::universal, "universal", axis_side, axis_side),
-                   joint_shape(JointType::revolute, "revolute", axis_side, axis_side),
-                   joint_shape(JointType::cylindrical, "cylindrical", axis_side, axis_side),
-                   joint_shape(JointType::translational, "translational", frame_side, frame_side),
-                   joint_shape(JointType::fixed, "fixed", frame_side, frame_side),
-                   joint_shape(JointType::planar, "planar", axis_side, axis_side),
-                   joint_shape(JointType::in_line, "in_line", axis_side, joint_side),
-                   joint_shape(JointType::in_plane, "in_plane", axis_side, joint_side),
-                   joint_shape(JointType::distance, "distance", joint_side, joint_side, {need("distance")}),
-                   joint_shape(JointType::rotation_driver, "rotation_driver", frame_side, frame_side,
-                               {need("angle")})});
-    return shapes;
+    for (int k = static_cast<int>(JointType::basic) + 1;; ++k) {
+      const auto joint = detail::joint_shape(static_cast<JointType>(k));
+      if (!joint) return shapes;
+      shapes.push_back(*joint);
+    }
   }();
   return all;
 }

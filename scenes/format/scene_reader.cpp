@@ -40,7 +40,7 @@ Names names_of_bodies(const std::vector<Body>& bodies) {
 Names names_of_joints(const std::vector<Constraint>& constraints) {
   Names names{"joint", {}, {}};
   for (std::size_t k = 0; k < constraints.size(); ++k) {
-    if (has_an_angle(constraints[k].type)) names.list.push_back(constraints[k].name);
+    if (properties_of(constraints[k].type).has_an_angle) names.list.push_back(constraints[k].name);
     names.index.emplace(constraints[k].name, static_cast<int>(k));
   }
   return names;

@@ -175,7 +175,7 @@ struct ArbitraryEffect : ValueVisitor<ArbitraryEffect> {
   }
   void joint(std::string_view, JointAngle<double>& angle) {
     for (std::size_t k = 0; k < scene.constraints.size(); ++k)
-      if (has_an_angle(scene.constraints[k].type)) angle.joint = static_cast<int>(k);
+      if (properties_of(scene.constraints[k].type).has_an_angle) angle.joint = static_cast<int>(k);
   }
   void value(std::string_view, double& number) { number = random.number(); }
   void value(std::string_view, trivium::Vector3<double>& v) {
@@ -199,7 +199,7 @@ struct NeedsAJoint : KeyVisitor {
 
 Effect arbitrary_effect(Random& random, int index, const Scene& scene) {
   const bool has_angle = std::any_of(scene.constraints.begin(), scene.constraints.end(),
-                                     [](const Constraint& c) { return has_an_angle(c.type); });
+                                     [](const Constraint& c) { return properties_of(c.type).has_an_angle; });
   Effect effect = emplaced<Effect>(random.below(static_cast<int>(std::variant_size_v<Effect>)));
   bool needs_a_joint = false;
   visit_keys(NeedsAJoint(needs_a_joint), effect);

@@ -116,7 +116,7 @@ struct EffectLaws : ValueVisitor<EffectLaws> {
     other = &end;
   }
   void joint(std::string_view, const JointAngle<double>& angle) const {
-    require(has_an_angle(scene.constraints.at(static_cast<std::size_t>(angle.joint)).type),
+    require(properties_of(scene.constraints.at(static_cast<std::size_t>(angle.joint)).type).has_an_angle,
             "a joint with an angle");
   }
   void value(std::string_view, double x) const { require_finite({x}); }

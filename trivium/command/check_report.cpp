@@ -23,12 +23,6 @@ std::string joint_summary(const scenes::Scene& scene) {
   return out.empty() ? "none" : out;
 }
 
-double worst(const std::vector<Violation>& violations) {
-  double size = 0;
-  for (const Violation& v : violations) size = std::max(size, v.size);
-  return size;
-}
-
 }  // namespace
 
 std::vector<std::string> CheckReport::row_names(bool (*chosen)(const RowAnalysis&, int)) const {
@@ -124,7 +118,7 @@ std::string CheckReport::text() const {
   }
   out += fmt::format(
       "position residual   {:.2e} m or rad at worst\nvelocity residual   {:.2e} m/s or rad/s at worst\n",
-      worst(consistency.positions), worst(consistency.velocities));
+      worst_size(consistency.positions), worst_size(consistency.velocities));
   out +=
       fmt::format("energy              kinetic {:.9g} J, potential {:.9g} J, power of the effects {:.9g} W\n",
                   energy.kinetic, energy.potential, energy.power);

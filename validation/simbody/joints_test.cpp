@@ -65,7 +65,7 @@ scenes::Scene on_joint(const JointCase& joint) {
   spring.free_length = 0.4;
   spring.actuator = 5;
   scene.effects.push_back(spring);
-  if (has_an_angle(joint.type))
+  if (properties_of(joint.type).has_an_angle)
     scene.effects.push_back(TorsionalSpringDamper<double>{"", {0}, 4, 0.5, 0.3, 0.2});
   return scene;
 }
