@@ -36,8 +36,8 @@ if(compiled_with MATCHES "#ifdef __AVX__")  # a library for any processor
 endif()
 is_refused_with(-ffast-math)
 serves(cmake/consumer consumer heavy_top)
-serves(examples/rotation_vector rotation_vector_moves spatial_slider_crank)
-serves(examples/directors directors_lambda spatial_slider_crank heavy_top stewart_platform four_bar flyball_governor
-       triple_pendulum bricard)
+set(scenes spatial_slider_crank heavy_top stewart_platform four_bar flyball_governor triple_pendulum bricard)
+serves(examples/rotation_vector rotation_vector_moves ${scenes})
+serves(examples/directors directors_lambda ${scenes})
 serves(examples/own_method own_method_moves spatial_slider_crank)
 serves(examples/own_types own_types_move spatial_slider_crank)

@@ -25,7 +25,6 @@ namespace trivium {
 /// What a basic constraint has: its bodies (BodyPair), and
 ///
 ///   keys           shows every one of its parts (constraint_keys.hpp)
-///   name           what tests and messages call it
 ///   is_of_angle    whether Phi, over its scale, is an angle [rad]; a length [m] where it is not
 ///   scale          at t: how much Phi, where it holds, changes per metre of its points or radian of its
 ///                  vectors
@@ -44,7 +43,6 @@ namespace trivium {
 ///                  could
 template <class C, class Scalar>
 concept DotProductConstraint = std::derived_from<C, BodyPair> && requires(const C& c, const Scalar& t) {
-  { C::name } -> std::convertible_to<const char*>;
   { C::is_of_angle } -> std::convertible_to<bool>;
   { c.scale(t) } -> std::convertible_to<Scalar>;
   { c.function() } -> std::convertible_to<const TimeFunction&>;
@@ -94,7 +92,7 @@ BodyPair bodies_of(const std::variant<C...>& constraint) {
 template <class Scalar, class... C>
 Scalar row_scale(const std::variant<C...>& constraint, const Scalar& t) {
   const Scalar scale = std::visit([&](const auto& c) { return Scalar(c.scale(t)); }, constraint);
-  return scale > Scalar(0) ? scale : Scalar(1);
+  return scale == Scalar(0) ? Scalar(1) : scale;
 }
 template <class... C>
 bool is_of_angle(const std::variant<C...>& constraint) {

@@ -105,6 +105,16 @@ TYPED_TEST(BasicConstraints, KeepTheirLawsAndLawsFindOneThatBreaksThem) {
   }
 }
 
+TYPED_TEST(BasicConstraints, AScaleThatIsNotANumberStaysOneAndNoneIsOne) {
+  using S = TypeParam;
+  const Vector3<S> x = Vector3<S>::UnitX(), none = Vector3<S>::Zero();
+  const Vector3<S> broken = x * std::numeric_limits<S>::quiet_NaN();
+  const auto scale_of = [](const BasicConstraint<S>& row) { return row_scale(row, S(0)); };
+  EXPECT_EQ(scale_of(DP1<S>{{0, 1}, none, x, {}}), S(1));
+  const S scale = scale_of(DP1<S>{{0, 1}, broken, x, {}});
+  EXPECT_TRUE(scale != scale);
+}
+
 TYPED_TEST(BasicConstraints, KeepTheirLawsAtRestAndWhenSmall) {
   using S = TypeParam;
   const PlainBody<S> at_rest;

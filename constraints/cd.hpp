@@ -8,7 +8,7 @@ namespace trivium {
 
 template <class Scalar>
 struct CD : BodyPair {
-  static constexpr const char *name = "CD", *type = "cd";
+  static constexpr const char* type = "cd";
   static constexpr bool is_of_angle = false, sees_relative_motion = false;
 
   Vector3<Scalar> c, s_bar_i, s_bar_j;

@@ -10,7 +10,7 @@ namespace trivium {
 
 template <class Scalar>
 struct D : BodyPair {
-  static constexpr const char *name = "D", *type = "d";
+  static constexpr const char* type = "d";
   static constexpr bool is_of_angle = false, sees_relative_motion = true, needs_positive_f = true;
 
   Vector3<Scalar> s_bar_i, s_bar_j;

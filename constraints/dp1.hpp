@@ -8,7 +8,7 @@ namespace trivium {
 
 template <class Scalar>
 struct DP1 : BodyPair {
-  static constexpr const char *name = "DP1", *type = "dp1";
+  static constexpr const char* type = "dp1";
   static constexpr bool is_of_angle = true, sees_relative_motion = true;
 
   Vector3<Scalar> a_bar_i, a_bar_j;

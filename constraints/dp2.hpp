@@ -8,7 +8,7 @@ namespace trivium {
 
 template <class Scalar>
 struct DP2 : BodyPair {
-  static constexpr const char *name = "DP2", *type = "dp2";
+  static constexpr const char* type = "dp2";
   static constexpr bool is_of_angle = false, sees_relative_motion = true;
 
   Vector3<Scalar> a_bar_i, s_bar_i, s_bar_j;

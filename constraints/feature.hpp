@@ -42,7 +42,9 @@ struct BodyVectorFeature {
   const Body& body;
   BodyVector<Scalar> vector;
 
+  /// The body must outlive this.
   BodyVectorFeature(const Body& of, const Vector3<Scalar>& a_bar) : body(of), vector(of.vector(a_bar)) {}
+  BodyVectorFeature(const Body&&, const Vector3<Scalar>&) = delete;
 
   const Vector3<Scalar>& value() const { return vector.a; }
   const Vector3<Scalar>& rate() const { return vector.rate; }
@@ -85,6 +87,8 @@ struct MovingVectorFeature : BodyVectorFeature<Body, end> {
     this->vector.rate += drift;
     this->vector.bias += 2 * a_t.rate + drift_rate;
   }
+  MovingVectorFeature(const Body&&, const Vector3<Scalar>&, const Vector3<Scalar>&,
+                      const Vector3<Scalar>&) = delete;
   Scalar drift_along(const Vector3<Scalar>& w) const { return drift.dot(w); }
   FeatureMagnitude<Scalar> magnitude() const {
     FeatureMagnitude<Scalar> size = Base::magnitude();
@@ -103,9 +107,12 @@ struct PointOffsetFeature {
   const Body &i, &j;
   BodyVector<Scalar> s_i, s_j;
 
+  /// The bodies must outlive this.
   PointOffsetFeature(const Body& on_i, const Vector3<Scalar>& s_bar_i, const Body& on_j,
                      const Vector3<Scalar>& s_bar_j)
       : i(on_i), j(on_j), s_i(i.vector(s_bar_i)), s_j(j.vector(s_bar_j)) {}
+  PointOffsetFeature(const Body&&, const Vector3<Scalar>&, const Body&, const Vector3<Scalar>&) = delete;
+  PointOffsetFeature(const Body&, const Vector3<Scalar>&, const Body&&, const Vector3<Scalar>&) = delete;
 
   Vector3<Scalar> value() const { return offset_between<Scalar>(i.r, s_i.a, j.r, s_j.a); }
   Vector3<Scalar> rate() const { return (j.r_dot - i.r_dot) + (s_j.rate - s_i.rate); }

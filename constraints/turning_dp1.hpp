@@ -8,7 +8,6 @@ namespace trivium {
 
 template <class Scalar>
 struct TurningDP1 : BodyPair {
-  static constexpr const char* name = "TurningDP1";
   static constexpr bool is_of_angle = true;
 
   Vector3<Scalar> u_bar_i, v_bar_i, a_bar_j;

@@ -3,7 +3,6 @@
 /// types is here; to add an effect, write its file and enter it there, or outside the library add it by
 /// `With`.
 
-#include <algorithm>
 #include <concepts>
 #include <limits>
 #include <span>
@@ -13,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/raise.hpp"
 #include "effects/force.hpp"
 #include "effects/gravity.hpp"
 #include "effects/spring_damper.hpp"
@@ -106,7 +106,7 @@ class Effects {
     Scalar longest = std::numeric_limits<Scalar>::max();
     for_each([&](const auto& effect) {
       if constexpr (requires { effect.longest_step(view); })
-        longest = std::min(longest, Scalar(effect.longest_step(view)));
+        lower(longest, Scalar(effect.longest_step(view)));
     });
     return longest;
   }

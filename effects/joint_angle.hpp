@@ -69,7 +69,7 @@ struct JointAngle {
   Scalar longest_step(const EffectView<Scalar>& view) const {
     using std::abs;
     const Scalar speed = abs(rate(view)), never = std::numeric_limits<Scalar>::max();
-    return speed > Scalar(0) ? Scalar(1 / speed) : never;
+    return speed == Scalar(0) ? never : Scalar(1 / speed);
   }
 
  private:

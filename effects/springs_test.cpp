@@ -100,6 +100,13 @@ TEST(Effects, TakeFromStoredEnergyAllButTheWorkOfDampersAndActuators) {
   EXPECT_GT(about_z(10, 0, 0.2, {}).longest_step(OnAnAxis(0.5, 0).view()), 1e300);
 }
 
+TEST(Effects, AStepThatNobodyKnowsIsNoLongStep) {
+  const OnAnAxis lost(0.5, std::numeric_limits<double>::quiet_NaN());
+  Effects<double> effects;
+  effects.add(about_z(10, 0, 0.2, {}));
+  EXPECT_TRUE(std::isnan(effects.longest_step(lost.view())));
+}
+
 TEST(TorsionalSpringDamper, DrivesThetaBackAndAPositiveActuatorDrivesItDown) {
   EXPECT_DOUBLE_EQ(OnAnAxis(0.5, 0).torque_on_j(about_z(10, 0, 0.2, {})), -3);
   EXPECT_DOUBLE_EQ(OnAnAxis(0.1, 0).torque_on_j(about_z(10, 0, 0.2, {})), 1);

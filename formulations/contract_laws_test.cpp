@@ -54,12 +54,47 @@ struct ReducedForceWithoutGyroscopicMoment : RP<double> {
     return n_bar;
   }
 };
+struct AngularMotionWithoutDrift : REpsilon<double> {
+  static AngularMotion<double> angular_motion(const Reduced& k) {
+    AngularMotion<double> turn = REpsilon<double>::angular_motion(k);
+    turn.drift.setZero();
+    return turn;
+  }
+};
+struct RetractsTwiceAsFar : ROmega<double> {
+  static Orientation retract(const Chart& chart, const Orientation& p, const Vector3<double>& phi) {
+    return ROmega<double>::retract(chart, p, 2 * phi);
+  }
+};
+struct NormalisesPositionsAlone : RP<double> {
+  static void normalise(Orientation& p, Unknown&) { p /= p.norm(); }
+};
+struct NormalisesByAnotherShare : RP<double> {
+  static void normalise_step(Orientation& p, const double& share, Unknown& p_ddot) {
+    RP<double>::normalise_step(p, 2 * share, p_ddot);
+  }
+};
+struct NormalisesVelocitiesHalfway : RP<double> {
+  static void normalise_step_velocity(const Orientation& p, const Unknown& p_dot, const double& share,
+                                      Unknown& p_ddot) {
+    RP<double>::normalise_step_velocity(p, p_dot, 2 * share, p_ddot);
+  }
+};
+struct SaysThatItsMassIsConstant : RP<double> {
+  static constexpr bool inertia_is_constant = true;
+};
+struct SaysThatItsReducedMassIsConstant : REpsilon<double> {
+  static constexpr bool reduced_mass_is_constant = true;
+};
 
 template <class F>
 class AWrongFormulation : public testing::Test {};
 using WrongFormulations =
     testing::Types<WrongSignOfGyroscopicMoment, MassOffByAMillionth, InternalRowWithoutItsBias,
-                   MomentOfAnotherFrame, StepTwiceAsFar, ReducedForceWithoutGyroscopicMoment>;
+                   MomentOfAnotherFrame, StepTwiceAsFar, ReducedForceWithoutGyroscopicMoment,
+                   AngularMotionWithoutDrift, RetractsTwiceAsFar, NormalisesPositionsAlone,
+                   NormalisesByAnotherShare, NormalisesVelocitiesHalfway, SaysThatItsMassIsConstant,
+                   SaysThatItsReducedMassIsConstant>;
 TYPED_TEST_SUITE(AWrongFormulation, WrongFormulations);
 
 TYPED_TEST(AWrongFormulation, IsFoundByTheLaws) { EXPECT_FALSE(broken_laws<TypeParam>().empty()); }

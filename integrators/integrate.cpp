@@ -44,7 +44,7 @@ void checked_step(AnySystem<S>& system, AnyMethod<S>& method, S& t, StateVector<
     const auto stepped = y;
     try {
       require_finite(y, t);
-      if (t - before_t > 2 * system.longest_step(t, y))
+      if (!(t - before_t <= 2 * system.longest_step(t, y)))
         throw IntegrationError(
             fmt::format("at t = {}: the step is too long to follow how far springs turn; take smaller steps, "
                         "or leave their length to tolerances",

@@ -23,6 +23,8 @@ class MethodLaws {
   explicit MethodLaws(const MethodEntry<double>& entry) : entry_(entry) {}
 
   std::vector<BrokenLaw> broken() {
+    at_most("a method takes given steps or chooses its own",
+            entry_.info.takes_given_steps || entry_.info.chooses_steps ? 0 : 1, 0);
     if (entry_.info.takes_given_steps) given_steps();
     if (entry_.info.chooses_steps) chosen_steps();
     return broken_;
@@ -91,6 +93,10 @@ class MethodLaws {
     if (entry_.info.order > 0 && fine.y_error > 1e-12)
       at_most("errors fall by the order that is said",
               std::abs(std::log2(coarse.y_error / fine.y_error) - entry_.info.order), 0.5);
+    if (entry_.info.has_own_lambda && entry_.info.own_lambda_order > 0 && fine.lambda_error > 1e-11)
+      at_most("errors of its own multipliers fall by the order that is said",
+              std::abs(std::log2(coarse.lambda_error / fine.lambda_error) - entry_.info.own_lambda_order),
+              0.5);
     at_most("errors are small", fine.y_error, 0.05);
     at_most("a restart forgets and goes on", run(Steps::given, {}, 2 * coarse_steps, coarse_steps).y_error,
             10 * coarse.y_error + 1e-12);

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 
 #include "integrators/contract/errors.hpp"
@@ -47,7 +46,7 @@ class ProjectionIteration {
   int approach(System& system, const S& t, const char* what, S& found, S& left, long& changes,
                const Measure& measure, const Correct& correct) {
     Violation<S> off = measure();
-    found = std::max(found, off.size);
+    raise(found, off.size);
     constexpr int most_changes = 30;
     for (int k = 0; k < most_changes && off.relative > rounding<S>(); ++k) {
       const bool factors = !is_factored_;
@@ -61,7 +60,7 @@ class ProjectionIteration {
       if (factors) break;
       is_factored_ = false;  // the matrix of before is too far from that of here
     }
-    left = std::max(left, off.size);
+    raise(left, off.size);
     if (!(off.relative <= S(1e-6)))
       throw IntegrationError(fmt::format(
           "row \"{}\" at t = {}: the step left its {} too far off to project back; take smaller steps or "

@@ -151,6 +151,8 @@ TEST(MethodLaws, FindAnEntryThatPromisesTooMuch) {
   EXPECT_FALSE(broken_when([](MethodInfo&) {}, "hht"));
   EXPECT_TRUE(broken_when([](MethodInfo& info) { info.order = 3; }, "hht"));
   EXPECT_TRUE(broken_when([](MethodInfo& info) { info.has_own_lambda = false; }, "hht"));
+  EXPECT_TRUE(broken_when([](MethodInfo& info) { info.own_lambda_order = 3; }, "hht"));
+  EXPECT_TRUE(broken_when([](MethodInfo& info) { info.takes_given_steps = false; }, "hht"));
   EXPECT_TRUE(broken_when([](MethodInfo& info) { info.meets_constraints = true; }, "abm"));
 }
 
@@ -212,10 +214,31 @@ struct RemembersTheLast : SphericalPendulum<double> {
     return SphericalPendulum<double>::residual(last, force, lambda, left);
   }
 };
+struct KeepsNoMatrix : SphericalPendulum<double> {
+  void correct_positions(double t, Y& y, bool factor) {
+    if (factor) SphericalPendulum<double>::correct_positions(t, y, true);
+  }
+};
+struct WeighsTwice : SphericalPendulum<double> {
+  void applied_force(const Evaluation& at, Y& force) const {
+    SphericalPendulum<double>::applied_force(at, force);
+    force *= 2;
+  }
+};
+struct HasTooFewSizes : SphericalPendulum<double> {
+  void position_sizes(const Y&, Y& sizes) const { sizes.setOnes(1); }
+};
+struct AddsToWhatHasNoRows : SphericalPendulum<double> {
+  bool normalise_step(double, Y&, Y& v_dot) const {
+    v_dot *= 2;
+    return false;
+  }
+};
 template <class Model>
 class ABrokenModel : public testing::Test {};
-using BrokenModels = testing::Types<AddsTwice, CorrectsBackwards, ForgetsGravity, WrongVelocityRow,
-                                    WrongSolution, RemembersTheLast>;
+using BrokenModels =
+    testing::Types<AddsTwice, CorrectsBackwards, ForgetsGravity, WrongVelocityRow, WrongSolution,
+                   RemembersTheLast, KeepsNoMatrix, WeighsTwice, HasTooFewSizes, AddsToWhatHasNoRows>;
 TYPED_TEST_SUITE(ABrokenModel, BrokenModels);
 
 TYPED_TEST(ABrokenModel, IsFoundByTheLaws) {

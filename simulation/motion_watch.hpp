@@ -6,7 +6,6 @@
 /// Where rows are dependent, lambda is the choice of least |E lambda|. Where that choice does not exist, as
 /// beside a singular position, lambda is that of the solver.
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -78,8 +77,7 @@ class MotionWatch {
       sample.raw_lambda = scalar_cast<double>(*raw);
       sample.raw_lambda_rest = rest_of(*raw);
       const VectorX<S> apart = *raw - first_order().solved(t, y).lambda();
-      if (apart.size() > 0)
-        report_.lambda_gap = std::max(report_.lambda_gap, scalar_cast<double>(apart).cwiseAbs().maxCoeff());
+      raise(report_.lambda_gap, static_cast<double>(largest_magnitude(apart)));
     }
     const auto equations = equations_of_motion<F>(first_order().mechanism(), first_order().state(), t);
     for (const Joint<S>& joint : first_order().mechanism().joints) {

@@ -21,9 +21,10 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) {
   return condition ? a : b;
 }
 
+/// What is not a number is larger than any.
 template <class Scalar>
 Scalar larger(const Scalar& a, const Scalar& b) {
-  return select(a > b, a, b);
+  return select((a > b) | (a != a), a, b);
 }
 
 /// The worst of all lanes, for reports; a NaN is worst.

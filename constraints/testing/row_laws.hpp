@@ -27,7 +27,13 @@ struct MovingBody {
 
 inline constexpr int basic_kinds = std::variant_size_v<BasicConstraint<double>>;
 inline const char* basic_kind_name(int kind) {
-  return std::visit([](const auto& row) { return row.name; }, emplaced<BasicConstraint<double>>(kind));
+  const auto name_of = []<class One>(const One&) {
+    if constexpr (requires { One::type; })
+      return One::type;
+    else
+      return "one that scene files do not name";
+  };
+  return std::visit(name_of, emplaced<BasicConstraint<double>>(kind));
 }
 
 inline TimeFunction sample_function(Random& random) {

@@ -27,7 +27,6 @@ namespace {
 /// itself in body i. Its multiplier is the plane's force [N] along -n.
 template <class Scalar>
 struct TurningPlane : BodyPair {
-  static constexpr const char* name = "TurningPlane";
   static constexpr bool is_of_angle = false;
 
   Vector3<Scalar> u_bar_i, v_bar_i, s_bar_i, s_bar_j;

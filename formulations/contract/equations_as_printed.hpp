@@ -32,6 +32,7 @@ concept EquationsAsPrinted = BodyKinematics<typename F::Kinematics> &&
   { F::internal_constraints } -> std::convertible_to<int>;
   // conversion from a pose (p, omega_bar), in a chart that is chosen first, and back
   { F::choose_chart(options, p) } -> std::same_as<typename F::Chart>;
+  { chart.name() } -> std::convertible_to<std::string_view>;  // empty where there is nothing to choose
   // how far q is from where its chart has no rates: 1 at most, 0 there. Below 0.3 a motion asks choose_chart
   // for another chart; who has none to offer throws a ModelError there
   { F::chart_distance(chart, q) } -> std::convertible_to<typename F::Scalar>;

@@ -168,6 +168,17 @@ class FormulationLaws {
     const BodyVector<S> printed = s.body.vector(a_bar);
     equal("reduced unknowns move body vectors as printed ones do", bias,
           V(printed.bias + s.body.jacobian(printed) * q_ddot));
+    const AngularMotion<S> turn = F::angular_motion(body);
+    const V omega = turn.omega.template head<3>(),
+            alpha = turn.axes_T.template topRows<3>().transpose() * x + turn.drift.template head<3>();
+    const V a = turn.A.template topRows<3>() * a_bar;
+    equal("the angular motion turns body vectors", a, printed.a);
+    equal("the angular motion gives their rates", V(omega.cross(a)), printed.rate);
+    equal("the angular motion gives their second derivatives",
+          V(alpha.cross(a) + omega.cross(omega.cross(a))), bias);
+    if (F::reduced_mass_is_constant)
+      equal("a reduced mass block that is said to be constant is the same elsewhere",
+            F::reduced_mass_block(s.body, J_bar), F::reduced_mass_block(sample(n + 1).body, J_bar));
   }
 
   void moving(const Sample& s, int n) {
@@ -184,6 +195,12 @@ class FormulationLaws {
     equal("a displacement leads where its step went", Unknown(F::displacement(s.chart, at, there)), by);
     equal("a displacement begins to grow as the velocity",
           Unknown(F::displacement_rate(Unknown(Unknown::Zero()), v)), v);
+    normalised(s, at, v, by, n);
+    if (F::inertia_is_constant) {
+      const Matrix3<S> J_bar = inertia(n);
+      equal("a mass block that is said to be constant is the same elsewhere", F::mass_block(s.body, J_bar),
+            F::mass_block(sample(n + 1).body, J_bar));
+    }
     // a little on with the motion, and a little back
     using std::cbrt;
     const S h(cbrt(static_cast<double>(std::numeric_limits<S>::epsilon())));
@@ -196,6 +213,59 @@ class FormulationLaws {
       equal("the orientation's rate is that of its numbers", slope,
             typename F::Orientation(F::orientation_rate(s.chart, at, v)),
             1e3 / cbrt(static_cast<double>(std::numeric_limits<S>::epsilon())));
+    const typename F::Orientation on = F::retract(s.chart, at, Unknown(h * v)),
+                                  back = F::retract(s.chart, at, Unknown(-h * v));
+    const typename F::Orientation retracted = (on - back) / (2 * h);
+    if (static_cast<double>(S(retracted.norm())) < 1e3)
+      equal("a retraction begins along the orientation's rate", retracted,
+            typename F::Orientation(F::orientation_rate(s.chart, at, v)),
+            1e3 / cbrt(static_cast<double>(std::numeric_limits<S>::epsilon())));
+    typename F::Orientation same = F::retract(s.chart, at, by);
+    const typename F::Orientation retracted_there = same;
+    Unknown any = v;
+    F::normalise(same, any);
+    equal("a retraction meets the internal rows", same, retracted_there);
+  }
+
+  /// The way back onto the internal rows, from a displacement off them.
+  template <class Orientation>
+  void normalised(const Sample& s, const Orientation& at, const Unknown& v, const Unknown& by, int n) {
+    const auto meets = [&](const char* law, const Orientation& x, const Unknown& v_x) {
+      Orientation same = x;
+      Unknown v_same = v_x;
+      F::normalise(same, v_same);
+      equal(law, same, x);
+      equal(law, v_same, v_x);
+      if constexpr (F::internal_constraints > 0) {
+        const auto body =
+            F::kinematics(s.chart, V(V::Zero()), V(V::Zero()), F::from_orientation(s.chart, x, v_x));
+        const auto rate = (F::internal_jacobian(body) * v_x).eval();
+        equal(law, rate, (rate * S(0)).eval());
+      }
+    };
+    meets("a normalisation leaves what meets the internal rows", at, v);
+    const Orientation off = F::step(s.chart, at, by);
+    const Unknown v_off = v + by;
+    Orientation there = off;
+    Unknown v_there = v_off;
+    F::normalise(there, v_there);
+    meets("a normalisation meets the internal rows", there, v_there);
+
+    const S share(0.3 + 0.01 * n);
+    const Unknown none = Unknown::Zero();
+    there = off;
+    Unknown change = none;
+    F::normalise_step(there, share, change);
+    equal("a step's normalisation moves the orientation by its share of what it adds",
+          Unknown(F::displacement(s.chart, off, there)), Unknown(share * change));
+    v_there = v;
+    Orientation same = there;
+    F::normalise(same, v_there);
+    equal("a step's normalisation meets the internal rows", same, there);
+    change = none;
+    F::normalise_step_velocity(at, v_off, share, change);
+    meets("a step's normalisation of the velocity meets the internal rows", at,
+          Unknown(v_off + share * change));
   }
 
   std::vector<BrokenLaw> broken_;

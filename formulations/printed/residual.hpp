@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/raise.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "constraints/constraint_row.hpp"
 #include "formulations/printed/augmented_system.hpp"
@@ -16,6 +17,11 @@ namespace trivium {
 /// as large as those terms could make them. Rows listed in `dependent` are measured apart.
 struct MatrixFreeResidual {
   double bodies = 0, rows = 0, dependent_rows = 0;
+  double worst() const {
+    double larger_of_both = bodies;
+    raise(larger_of_both, rows);
+    return larger_of_both;
+  }
 };
 
 template <EquationsAsPrinted F, class Types>
@@ -53,11 +59,10 @@ MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar, Type
   S largest(0);
   using std::sqrt;
   const S negligible = sqrt(unit_roundoff<S>());
-  const auto raise = [&](double& worst, const S& value, const S& own_scale) {
+  const auto raise_relative = [&](double& worst, const S& value, const S& own_scale) {
     if (value == S(0)) return;
     const S least = negligible * largest, scale = own_scale < least ? least : own_scale;
-    const double ratio = static_cast<double>(S(value / scale));
-    if (std::isnan(ratio) || ratio > worst) worst = ratio;  // a NaN goes in and stays
+    raise(worst, static_cast<double>(S(value / scale)));
   };
   std::vector<bool> is_dependent(mechanism.rows.size(), false);
   for (int k : dependent) is_dependent[k] = true;
@@ -90,14 +95,14 @@ MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar, Type
     if (row_scale[k] > largest) largest = row_scale[k];
   }
   for (int k = 0; k < eom.nc(); ++k)
-    raise(is_dependent[k] ? residual.dependent_rows : residual.rows, row_residual[k], row_scale[k]);
+    raise_relative(is_dependent[k] ? residual.dependent_rows : residual.rows, row_residual[k], row_scale[k]);
   largest = S(0);
   for (int b = 0; b < nb; ++b)
     for (const S& scale : {balance[b].r_scale, balance[b].q_scale})
       if (scale > largest) largest = scale;
   for (int b = 0; b < nb; ++b) {
-    raise(residual.bodies, balance[b].r.norm(), balance[b].r_scale);
-    raise(residual.bodies, balance[b].q.norm(), balance[b].q_scale);
+    raise_relative(residual.bodies, balance[b].r.norm(), balance[b].r_scale);
+    raise_relative(residual.bodies, balance[b].q.norm(), balance[b].q_scale);
   }
   return residual;
 }

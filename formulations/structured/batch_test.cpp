@@ -179,5 +179,21 @@ TEST(Batch, TheWorstLaneIsTheOneThatIsNotANumber) {
   EXPECT_TRUE(std::isnan(largest_lane(x)));
 }
 
+TEST(Batch, TheLargerOfTwoIsTheOneThatIsNotANumberLaneByLane) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Four x(1.0), y(2.0);
+  x.set(1, nan);
+  y.set(2, nan);
+  x.set(3, 3.0);
+  for (const Four& found : {larger(x, y), larger(y, x)}) {
+    EXPECT_EQ(found[0], 2);
+    EXPECT_TRUE(std::isnan(found[1]));
+    EXPECT_TRUE(std::isnan(found[2]));
+    EXPECT_EQ(found[3], 3);
+  }
+  EXPECT_TRUE(std::isnan(larger(nan, 1.0)));
+  EXPECT_TRUE(std::isnan(larger(1.0, nan)));
+}
+
 }  // namespace
 }  // namespace trivium

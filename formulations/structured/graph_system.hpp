@@ -149,8 +149,9 @@ struct ColumnSizes {
     product.setZero();
   }
   void take(int k, const S& r_squared, const S& x_squared) {
-    r[k] = larger(r[k], r_squared);
-    x[k] = larger(x[k], x_squared);
+    // faster than `larger`: where a part is not a number, neither is the pivot that is held against these
+    r[k] = select(r[k] > r_squared, r[k], r_squared);
+    x[k] = select(x[k] > x_squared, x[k], x_squared);
   }
 };
 

@@ -6,6 +6,7 @@
 #include <concepts>
 #include <string>
 
+#include "base/raise.hpp"
 #include "integrators/contract/state_vector.hpp"
 
 namespace trivium::integrators {
@@ -19,10 +20,11 @@ struct Violation {
   int row = -1;
 };
 
-/// The larger of two; what is not a number is larger than any.
+using trivium::raise;
+/// By the relative one.
 template <class S>
-const Violation<S>& larger(const Violation<S>& a, const Violation<S>& b) {
-  return a.relative != a.relative || b.relative <= a.relative ? a : b;
+void raise(Violation<S>& largest, const Violation<S>& next) {
+  if (!(next.relative <= largest.relative) && largest.relative == largest.relative) largest = next;
 }
 
 /// The equations:

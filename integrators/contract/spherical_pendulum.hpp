@@ -33,8 +33,8 @@ class SphericalPendulum {
     accelerations(t, y, v_dot, lambda);
     y_dot = joined(y.tail(3), v_dot);
   }
-  Violation<S> position_violation(const S&, const Y& y) const { return violation_of(phi(y)); }
-  Violation<S> velocity_violation(const S&, const Y& y) const { return violation_of(phi_dot(y)); }
+  Violation<S> position_violation(const S&, const Y& y) const { return of_positions(phi(y)); }
+  Violation<S> velocity_violation(const S&, const Y& y) const { return of_velocities(phi_dot(y), v(y)); }
   std::string row_name(int) const { return "sphere"; }
   void correct_positions(const S&, Y& y, bool factor) { y.head(3) -= phi(y) * direction(y, factor); }
   void correct_velocities(const S&, Y& y, bool factor) { y.tail(3) -= phi_dot(y) * direction(y, factor); }
@@ -72,14 +72,12 @@ class SphericalPendulum {
     return left.norm() / (weight().norm() + force.norm() + (at.r * lambda[0]).norm());
   }
   Violation<S> position_rows(const Evaluation& at, Y& phi) const {
-    using std::abs;
     phi.setConstant(1, phi_of(at.r));
-    return {abs(phi[0]), abs(phi[0]) / (l * l), 0};
+    return of_positions(phi[0]);
   }
   Violation<S> velocity_rows(const Evaluation& at, Y& phi_dot) const {
-    using std::sqrt, std::abs;
     phi_dot.setConstant(1, at.r.dot(at.v));
-    return {abs(phi_dot[0]), abs(phi_dot[0]) / (l * (at.v.norm() + sqrt(g * l))), 0};
+    return of_velocities(phi_dot[0], at.v);
   }
   S work_rate(const Evaluation&, const Y&) const { return S(0); }
 
@@ -117,9 +115,14 @@ class SphericalPendulum {
   S phi_of(const Vector& place) const { return (place.squaredNorm() - l * l) / 2; }
   S phi(const Y& y) const { return phi_of(r(y)); }
   S phi_dot(const Y& y) const { return r(y).dot(v(y)); }
-  Violation<S> violation_of(const S& left) const {
+  // beside numbers of the pendulum's own size: at rest, the speed that it falls to
+  Violation<S> of_positions(const S& left) const {
     using std::abs;
     return {abs(left), abs(left) / (l * l), 0};
+  }
+  Violation<S> of_velocities(const S& left, const Vector& velocity) const {
+    using std::abs, std::sqrt;
+    return {abs(left), abs(left) / (l * (velocity.norm() + sqrt(g * l))), 0};
   }
   /// Of the least change in M, which moves the row by 1.
   const Vector& direction(const Y& y, bool factor) {

@@ -88,7 +88,7 @@ class Newton {
       const S imbalance = system.residual(at_, force_, x.lambda, left_);
       ++counters.right_sides;
       violation = system.position_rows(at_, phi_);
-      if (is_stabilised) violation = larger(violation, Violation<S>(system.velocity_rows(at_, phi_dot_)));
+      if (is_stabilised) raise(violation, Violation<S>(system.velocity_rows(at_, phi_dot_)));
       if (imbalance <= enough() && violation.relative <= rounding<S>()) return;
       // what falls no more by a matrix made there is rounding, or no solution
       const S now = imbalance / enough() + violation.relative / rounding<S>();

@@ -157,10 +157,10 @@ class Radau {
         if (!stage.v_dot.allFinite() || !stage.lambda.allFinite()) return false;
         system.evaluate(t + stages_.coefficients().c[i] * h, stage.y, stage.at);
         system.inertia_force(stage.at, stage.v_dot, force_);
-        imbalance = std::max(imbalance, S(system.residual(stage.at, force_, stage.lambda, stage.left)));
+        raise(imbalance, S(system.residual(stage.at, force_, stage.lambda, stage.left)));
         ++counters_.right_sides;
-        violation_ = larger(violation_, Violation<S>(system.position_rows(stage.at, stage.phi)));
-        violation_ = larger(violation_, Violation<S>(system.velocity_rows(stage.at, stage.phi_dot)));
+        raise(violation_, Violation<S>(system.position_rows(stage.at, stage.phi)));
+        raise(violation_, Violation<S>(system.velocity_rows(stage.at, stage.phi_dot)));
         stage_work_[i] = y.size() > nq_ + nv_ ? S(system.work_rate(stage.at, stage.lambda)) : S(0);
       }
       const S now = imbalance / enough + violation_.relative / rounding<S>();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/raise.hpp"
 #include "integrators/contract/tolerances.hpp"
 #include "integrators/implicit/radau_stages.hpp"
 
@@ -38,7 +39,7 @@ class RadauError {
       of_v_ = h * Stages::mix(coefficients.a[i], of_v_dot);
       of_q_ = h * h * Stages::mix(coefficients.square[i], of_v_dot) +
               h * Stages::mix(coefficients.a[i], of_shift);
-      largest = std::max(largest, in_tolerances(stages, y, of_q_, of_v_));
+      raise(largest, in_tolerances(stages, y, of_q_, of_v_));
     }
     return largest;
   }

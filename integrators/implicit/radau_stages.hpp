@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/raise.hpp"
 #include "integrators/contract/internal_rows.hpp"
 #include "integrators/contract/springs.hpp"
 #include "integrators/implicit/radau_coefficients.hpp"
@@ -117,8 +118,11 @@ class RadauStages {
       S moved(0), size(0);
       for (int i = 0; i < s; ++i) {
         x_ = h * mixed(coefficients_.a[i], &Stage::rate);
-        moved = k == 0 ? before : std::max(moved, S((x_ - stage_[i].theta).norm()));
-        size = std::max(size, S(x_.norm()));
+        if (k == 0)
+          moved = before;
+        else
+          raise(moved, S((x_ - stage_[i].theta).norm()));
+        raise(size, S(x_.norm()));
         std::swap(stage_[i].theta, x_);
       }
       if (k > 0 && (moved <= placed_within_ * size || !(moved < before))) break;

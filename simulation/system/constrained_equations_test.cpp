@@ -5,7 +5,6 @@
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
 #include "formulations/testing/printed_and_structured.hpp"
-#include "integrators/contract/laws.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "scenes/testing/catalogue_scene.hpp"
 #include "scenes/testing/scene_builders.hpp"
@@ -47,16 +46,6 @@ struct Step {
     form.solve(factors, at, left, phi / -position_share, v_dot, lambda);
   }
 };
-
-TYPED_TEST(Constrained, KeepsTheLawsOfAConstrainedSystem) {
-  for (const char* name :
-       {"heavy_top", "spatial_slider_crank", "flyball_governor", "stewart_platform", "four_bar", "bricard",
-        "driven_crank", "basic_drivers", "open_arm_7", "a01_pendulum"}) {
-    auto form = form_of<TypeParam>(catalogue_scene(name));
-    for (const BrokenLaw& broken : integrators::broken_laws(form, 0.0, form.start()))
-      ADD_FAILURE() << name << ": " << broken.text();
-  }
-}
 
 TYPED_TEST(Constrained, ForcesBalanceWhereTheMotionIs) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {

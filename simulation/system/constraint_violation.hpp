@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/raise.hpp"
 #include "formulations/structured/connected_bodies.hpp"
 #include "formulations/structured/graph_solver.hpp"
 #include "integrators/contract/first_order_system.hpp"
@@ -118,7 +119,8 @@ class ConstraintViolation {
       const Extent& extent = extent_[component_[edge.i == nb_ ? edge.j : edge.i]];
       for (int k = 0; k < edge.size(); ++k) {
         const S size = abs(values.edge[e][k]) / scale_[e][k], made_of = size_of(extent, turns_[e][k]);
-        if (!(size <= most.relative * made_of)) most.relative = made_of > S(0) ? S(size / made_of) : size;
+        if (!(size <= most.relative * made_of))
+          raise(most.relative, made_of > S(0) ? S(size / made_of) : size);
         if (most.row < 0) most.row = edge.rows[k];
         if (size <= most.size || most.size != most.size) continue;  // a NaN goes in and stays
         most.size = size;

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/raise.hpp"
 #include "simulation/system/branch_check.hpp"
 #include "simulation/system/chart_switching.hpp"
 #include "simulation/system/constraint_projection.hpp"
@@ -186,7 +187,7 @@ class FirstOrderEquations {
     if constexpr (F::internal_constraints > 0)
       for (int b = 0; b < nb(); ++b) {
         using std::abs;
-        largest = std::max(largest, S(abs(layout_.orientation(y, b).squaredNorm() - S(1))));
+        raise(largest, S(abs(layout_.orientation(y, b).squaredNorm() - S(1))));
       }
     return largest;
   }

@@ -32,15 +32,15 @@ std::vector<std::string> SolveReport<Scalar>::warnings() const {
   std::vector<std::string> out;
   for (const auto& f : result.formulations) {
     if (!f.error.empty()) out.push_back(fmt::format("{}: not solved: {}", f.name, f.error));
-    if (f.estimate.lambda > warn_above)
+    if (!(f.estimate.lambda <= warn_above))
       out.push_back(
           fmt::format("{}: lambda is uncertain: estimated relative error {:.1e}", f.name, f.estimate.lambda));
-    if (f.estimate.acceleration > warn_above)
+    if (!(f.estimate.acceleration <= warn_above))
       out.push_back(fmt::format("{}: accelerations are uncertain: estimated relative error {:.1e}", f.name,
                                 f.estimate.acceleration));
-    const double residual = std::max(f.residual.bodies, f.residual.rows);
-    if (f.error.empty() && residual > warn_above &&
-        residual > rounding_units * static_cast<double>(unit_roundoff<Scalar>()))
+    const double residual = f.residual.worst();
+    const double rounding = rounding_units * static_cast<double>(unit_roundoff<Scalar>());
+    if (f.error.empty() && !(residual <= std::max(warn_above, rounding)))
       out.push_back(
           fmt::format("{}: the matrix-free equations are not met: residual {:.1e}", f.name, residual));
   }
@@ -71,7 +71,7 @@ void SolveReport<Scalar>::write_formulation(JsonWriter& json, const FormulationR
   if (f.lambda_internal.size() > 0) json.numbers("lambda_p", f.lambda_internal);
   json.number("lambda_error_estimate", f.estimate.lambda)
       .number("acceleration_error_estimate", f.estimate.acceleration)
-      .number("matrix_free_residual", std::max(f.residual.bodies, f.residual.rows));
+      .number("matrix_free_residual", f.residual.worst());
   if (!f.charts.empty()) json.texts("charts", f.charts);
   json.begin_array("reactions");
   for (std::size_t k = 0; k < f.reactions.size(); ++k)
@@ -172,7 +172,7 @@ std::string SolveReport<Scalar>::text() const {
   for (const auto* f : solved())
     estimates.add({f->name, fmt::format("{:.1e}", f->estimate.lambda),
                    fmt::format("{:.1e}", f->estimate.acceleration),
-                   fmt::format("{:.1e}", std::max(f->residual.bodies, f->residual.rows)),
+                   fmt::format("{:.1e}", f->residual.worst()),
                    f->charts.empty() ? "-" : fmt::format("{}", fmt::join(f->charts, ", "))});
   out += "\nestimated relative errors\n" + estimates.text();
   if (solved().size() > 1) {
