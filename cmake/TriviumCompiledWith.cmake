@@ -3,11 +3,13 @@
 # none does, then does not compile; the message says which flag it is.
 #   __AVX__, __AVX512F__   Register and native_lanes     EIGEN_MAX_ALIGN_BYTES   matrices of fixed size
 #   _GLIBCXX_DEBUG         containers                    __FAST_MATH__           isfinite, and comparisons with NaN
+#   EIGEN_MAX_STATIC_ALIGN_BYTES, -fpack-struct   members' places         EIGEN_DEFAULT_TO_ROW_MAJOR   matrices
 function(trivium_compiled_with output compiler flags eigen)
   set(switches "__AVX__=-mavx or an -march with it" "__AVX512F__=-mavx512f or an -march with it"
-               "_GLIBCXX_DEBUG=-D_GLIBCXX_DEBUG" "__FAST_MATH__=-ffast-math")
+               "_GLIBCXX_DEBUG=-D_GLIBCXX_DEBUG" "__FAST_MATH__=-ffast-math"
+               "EIGEN_DEFAULT_TO_ROW_MAJOR=-DEIGEN_DEFAULT_TO_ROW_MAJOR")
   # what the compiler says of them
-  set(probe "#include <Eigen/Core>\ntrivium alignment EIGEN_MAX_ALIGN_BYTES\n")
+  set(probe "#include <Eigen/Core>\ntrivium alignment EIGEN_MAX_ALIGN_BYTES EIGEN_MAX_STATIC_ALIGN_BYTES\n")
   foreach(switch IN LISTS switches)
     string(REGEX REPLACE "=.*" "" macro "${switch}")
     string(APPEND probe "#ifdef ${macro}\ntrivium has \"${macro}\"\n#endif\n")
@@ -17,10 +19,11 @@ function(trivium_compiled_with output compiler flags eigen)
   execute_process(COMMAND ${compiler} -std=c++20 ${flags} -I${eigen} -E ${output}.probe.cpp OUTPUT_VARIABLE said
                   COMMAND_ERROR_IS_FATAL ANY)
   file(REMOVE ${output}.probe.cpp)
-  if(NOT said MATCHES "trivium alignment ([0-9]+)")
-    message(FATAL_ERROR "the compiler does not say EIGEN_MAX_ALIGN_BYTES")
+  if(NOT said MATCHES "trivium alignment ([0-9]+) ([0-9]+)")
+    message(FATAL_ERROR "the compiler does not say EIGEN_MAX_ALIGN_BYTES and EIGEN_MAX_STATIC_ALIGN_BYTES")
   endif()
   set(alignment "${CMAKE_MATCH_1}")
+  set(static_alignment "${CMAKE_MATCH_2}")
 
   set(checks "")
   foreach(switch IN LISTS switches)
@@ -37,6 +40,13 @@ function(trivium_compiled_with output compiler flags eigen)
     string(APPEND checks "#${wrong} ${macro}\n#error \"trivium was compiled ${library} ${option}, this file ${here}\"\n#endif\n")
   endforeach()
   string(APPEND checks "static_assert(EIGEN_MAX_ALIGN_BYTES == ${alignment},\n              \"trivium was compiled with "
-                       "EIGEN_MAX_ALIGN_BYTES = ${alignment}, this file with another\");")
+                       "EIGEN_MAX_ALIGN_BYTES = ${alignment}, this file with another\");\n"
+                       "static_assert(EIGEN_MAX_STATIC_ALIGN_BYTES == ${static_alignment},\n              \"trivium was compiled with "
+                       "EIGEN_MAX_STATIC_ALIGN_BYTES = ${static_alignment}, this file with another\");\n"
+                       "#if __FINITE_MATH_ONLY__\n#ifndef __FAST_MATH__\n#error \"trivium needs numbers that are none: "
+                       "leave out -ffinite-math-only\"\n#endif\n#endif\n"
+                       "namespace trivium::detail {\nstruct OfTwoAlignments {\n  char small;\n  double large;\n};\n"
+                       "static_assert(sizeof(OfTwoAlignments) == 2 * sizeof(double), \"trivium was compiled without "
+                       "-fpack-struct, this file with\");\n}  // namespace trivium::detail")
   configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../bodies/numbers/compiled_with.hpp.in ${output} @ONLY)
 endfunction()

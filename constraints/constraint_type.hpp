@@ -41,6 +41,10 @@ struct JointProperties {
   bool allows_no_rotation = false;
   /// It leaves one angle free, theta from u_i to u_j about z_i, which a torsional spring can measure.
   bool has_an_angle = false;
+  /// It states a length [m] of its own.
+  bool states_a_distance = false;
+  /// It drives the angle theta as alpha(t), and has a branch half a turn off.
+  bool drives_an_angle = false;
 };
 
 constexpr JointProperties properties_of(ConstraintType type) {
@@ -61,9 +65,11 @@ constexpr JointProperties properties_of(ConstraintType type) {
     case JointType::basic:
     case JointType::in_line:
     case JointType::in_plane:
-    case JointType::distance:
-    case JointType::rotation_driver:
       return {};
+    case JointType::distance:
+      return {.states_a_distance = true};
+    case JointType::rotation_driver:
+      return {.drives_an_angle = true};
   }
   return {};
 }

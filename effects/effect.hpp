@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "bodies/rigid_body.hpp"
 #include "effects/effect_keys.hpp"
@@ -18,6 +19,13 @@ struct EffectView {
   std::span<const RigidBody<Scalar>> bodies;
   std::span<const BodyMotion<Scalar>> motion;
   Scalar t;
+
+  /// Bodies and motions must outlive the view.
+  EffectView(std::span<const RigidBody<Scalar>> of_bodies, std::span<const BodyMotion<Scalar>> of_motion,
+             const Scalar& time)
+      : bodies(of_bodies), motion(of_motion), t(time) {}
+  EffectView(std::vector<RigidBody<Scalar>>&&, std::span<const BodyMotion<Scalar>>, const Scalar&) = delete;
+  EffectView(std::span<const RigidBody<Scalar>>, std::vector<BodyMotion<Scalar>>&&, const Scalar&) = delete;
 };
 
 /// The contract. `apply` adds to the wrenches (one per motion, the ground's last), `power` [W] is the rate at

@@ -101,6 +101,34 @@ class MethodLaws {
     at_most("a restart forgets and goes on", run(Steps::given, {}, 2 * coarse_steps, coarse_steps).y_error,
             10 * coarse.y_error + 1e-12);
     own_multipliers(fine);
+    if (entry_.info.order == 0)
+      at_most("a method whose order varies takes one", entry_.info.takes_order ? 0 : 1, 0);
+    restarts(Steps::given);
+  }
+  /// After a restart a method does what a new one does.
+  void restarts(Steps steps) {
+    const Tolerances tolerances{1e-6, 1e-6};
+    const auto used = make_method(entry_, steps, tolerances), fresh = make_method(entry_, steps, tolerances);
+    SphericalPendulum<double> pendulum;
+    SystemAdapter<SphericalPendulum<double>> system(pendulum);
+    Y y = pendulum.start();
+    double t = 0;
+    for (int k = 1; k <= 5; ++k)
+      for (const double stop = 0.02 * k; t < stop;) used->step(system, t, y, stop);
+    Y again = y;
+    double t_again = t;
+    used->restart();
+    used->step(system, t, y, 0.12);
+    fresh->step(system, t_again, again, 0.12);
+    at_most("after a restart a step is as long as a new method's", std::abs(t - t_again), 0);
+    at_most("after a restart a step leads where a new method's does", (y - again).norm(), 0);
+    const Counters& counted = used->counters();
+    at_most("counters count",
+            std::min({counted.steps, counted.rejected_steps, counted.right_sides, counted.restarts,
+                      counted.iterations}) < 0
+                ? 1
+                : 0,
+            0);
   }
   void chosen_steps() {
     const Run loose = run(Steps::chosen, {1e-4, 1e-4}, 3), tight = run(Steps::chosen, {1e-8, 1e-8}, 3);
@@ -109,7 +137,9 @@ class MethodLaws {
     if (!loose.lands || !tight.lands) return;
     at_most("errors follow the tolerance", tight.y_error, std::min(1e-5, loose.y_error / 10));
     own_multipliers(tight);
+    at_most("its own multipliers follow the tolerance", tight.lambda_error, 1e-3);
     shortens();
+    restarts(Steps::chosen);
   }
   void own_multipliers(const Run& of) {
     at_most("a method has its own multipliers where it says so",

@@ -178,6 +178,48 @@ TEST(MethodsAsTemplates, TakeTheModelItself) {
   EXPECT_LT(error_of_template(Rattle<Pendulum>(2), h), 1e-5);
 }
 
+// by name, too, a method asks a model for the groups that it needs and no others
+struct PendulumWithoutSprings : SphericalPendulum<double> {
+  int springs() const = delete;
+};
+static_assert(HasNewtonMatrix<PendulumWithoutSprings> && HasInternalRows<PendulumWithoutSprings>);
+static_assert(!HasSprings<PendulumWithoutSprings>);
+
+TEST(MethodsByName, AskForTheGroupsThatTheyNeed) {
+  PendulumWithoutSprings pendulum;
+  SystemAdapter<PendulumWithoutSprings> system(pendulum);
+  const auto step_with = [&](const char* name) {
+    StateVector<double> y = pendulum.start();
+    double t = 0;
+    make_method<double>(name, Steps::given, {})->step(system, t, y, 1e-3);
+  };
+  for (const char* name : {"generalized-alpha", "generalized-alpha-gl2", "hht", "rattle", "hem4"})
+    EXPECT_NO_THROW(step_with(name)) << name;
+  try {
+    step_with("radau5");
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("HasSprings"), std::string::npos) << error.what();
+  }
+}
+
+TEST(MethodsByName, InterpolateWhereTheMethodDoes) {
+  struct Method {
+    Counters counted;
+    void step(AnySystem<double>&, double& t, StateVector<double>&, double stop) { t = stop; }
+    void restart() {}
+    bool shorten() { return false; }
+    const Counters& counters() const { return counted; }
+    bool interpolates() const { return true; }
+    void interpolate(double t, StateVector<double>& y) { y.setConstant(1, t); }
+  };
+  const auto method = adapt<double>(Method());
+  StateVector<double> y;
+  method->interpolate(0.25, y);
+  EXPECT_TRUE(method->interpolates());
+  EXPECT_EQ(y[0], 0.25);
+}
+
 // each law of the contract by a model that breaks it
 struct AddsTwice : SphericalPendulum<double> {
   void displace(const Y& from, const Y& by, Y& to) const { to.head(3) = from.head(3) + 2 * by; }
@@ -234,11 +276,34 @@ struct AddsToWhatHasNoRows : SphericalPendulum<double> {
     return false;
   }
 };
+struct SeesNothingOff : SphericalPendulum<double> {
+  Violation<double> position_violation(double, const Y&) const { return {}; }
+  Violation<double> position_rows(const Evaluation& at, Y& phi) const {
+    SphericalPendulum<double>::position_rows(at, phi);
+    return {};
+  }
+};
+struct SeesNoImbalance : SphericalPendulum<double> {
+  double residual(const Evaluation& at, const Y& force, const Y& lambda, Y& left) const {
+    SphericalPendulum<double>::residual(at, force, lambda, left);
+    return 0;
+  }
+};
+struct GrowsElsewhere : SphericalPendulum<double> {
+  void displacement_rate(const Y& by, const Y& velocity, Y& rate) const { rate = (1 + by.norm()) * velocity; }
+};
+struct ChangesWhatItAccepts : SphericalPendulum<double> {
+  bool accept_state(double, Y& y) const {
+    y *= 2;
+    return false;
+  }
+};
 template <class Model>
 class ABrokenModel : public testing::Test {};
 using BrokenModels =
     testing::Types<AddsTwice, CorrectsBackwards, ForgetsGravity, WrongVelocityRow, WrongSolution,
-                   RemembersTheLast, KeepsNoMatrix, WeighsTwice, HasTooFewSizes, AddsToWhatHasNoRows>;
+                   RemembersTheLast, KeepsNoMatrix, WeighsTwice, HasTooFewSizes, AddsToWhatHasNoRows,
+                   SeesNothingOff, SeesNoImbalance, GrowsElsewhere, ChangesWhatItAccepts>;
 TYPED_TEST_SUITE(ABrokenModel, BrokenModels);
 
 TYPED_TEST(ABrokenModel, IsFoundByTheLaws) {

@@ -14,6 +14,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/raise.hpp"
 #include "base/variants.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "bodies/rotations/so3.hpp"
@@ -36,7 +37,7 @@ Vector3<Scalar> direction_of(const scenes::Vector3& v) {
 template <std::size_t n>
 std::array<double, n> of_moderate_size(std::array<double, n> direction) {
   double largest = 0;
-  for (double x : direction) largest = std::max(largest, std::abs(x));
+  for (double x : direction) raise(largest, std::abs(x));
   for (double& x : direction) x = std::ldexp(x, -std::ilogb(largest));
   return direction;
 }
@@ -121,7 +122,7 @@ template <class Scalar>
 JointRows<Scalar> stated_rows(const scenes::Constraint& stated, const Joint<Scalar>& joint,
                               const RangeCheckedCast<Scalar>& narrowed) {
   if (stated.type.is_basic()) return {{"", basic_row_of(stated, joint, narrowed)}};
-  if (stated.type == JointType::distance) {
+  if (properties_of(stated.type).states_a_distance) {
     narrowed.number(stated.distance, "distance");
     narrowed.number(stated.distance * stated.distance, "squared distance");  // the row's right side
   }

@@ -113,7 +113,7 @@ class Builder {
         if (known.type.is_basic() && known.shape.find("f")) all.push_back(known.type);
       // joints that the order above, which draws are counted by, does not know; drivers come with revolutes
       for (const ConstraintShape& known : constraint_shapes())
-        if (!known.type.is_basic() && known.type != JointType::rotation_driver &&
+        if (!known.type.is_basic() && !properties_of(known.type).drives_an_angle &&
             std::find(all.begin(), all.end(), known.type) == all.end())
           all.push_back(known.type);
       return all;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/raise.hpp"
 #include "validation/testing/catalogue_motion.hpp"
 
 namespace trivium {
@@ -83,7 +84,7 @@ TEST_P(Libraries, MultipliersOfIDAAreThoseOfTheState) {
   const Motion motion(catalogue_scene("spatial_slider_crank"), options);
   double largest = 0;
   for (const MotionSample& sample : motion.samples)
-    largest = std::max(largest, sample.lambda.size() ? sample.lambda.cwiseAbs().maxCoeff() : 0.0);
+    raise(largest, sample.lambda.size() ? sample.lambda.cwiseAbs().maxCoeff() : 0.0);
   EXPECT_LE(motion.report.lambda_gap, 1e-4 * largest);
 }
 

@@ -36,7 +36,7 @@ std::vector<std::string> wrong_branches_of(const Joint<double>& joint, const Glo
     say("its axes z_i and z_j are antiparallel");
   if (properties_of(joint.type).allows_no_rotation && a.u_i.dot(a.u_j) < 0)
     say("its x axes u_i and u_j are a half turn apart");
-  if (joint.type == JointType::rotation_driver) {
+  if (properties_of(joint.type).drives_an_angle) {
     const double theta = std::atan2(a.v_i.dot(a.u_j), a.u_i.dot(a.u_j));
     if (std::cos(theta - joint.angle(t).f) < 0) say("its angle is a half turn from alpha(t)");
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/raise.hpp"
+
 namespace trivium {
 
 VectorX<double> inverse_or_zero(const VectorX<double>& v) {
@@ -49,7 +51,7 @@ RowNorms row_norms(const TangentSystem& s, const MassMetric& metric, const Matri
       acceleration_by_magnitude += E_inverse.cwiseProduct(sizes.gamma).norm();
     }
   }
-  out.acceleration_bound = std::max(out.acceleration_bound, cancellation_floor * acceleration_by_magnitude);
+  raise(out.acceleration_bound, cancellation_floor * acceleration_by_magnitude);
   return out;
 }
 

@@ -10,6 +10,8 @@
 /// Everything is made of the printed functions, so Jacobians, biases and forces stay the formulation's own; a
 /// formulation that writes these parts itself is faster, and equal to rounding.
 
+#include <type_traits>
+
 #include "bodies/rigid_body.hpp"
 #include "formulations/contract/equations_as_printed.hpp"
 #include "formulations/r_omega.hpp"
@@ -151,6 +153,15 @@ struct InScalar<ReducedToRotation<F>, Scalar> {
 
 template <class F>
 struct WholeForm {
+  // what a formulation wrote in part would be passed over
+  static_assert(
+      ReducedEquations<F> || !requires { requires !std::is_void_v<typename F::Reduced>; },
+      "the formulation has a Reduced, but not all of ReducedEquations");
+  static_assert(
+      MovingCoordinates<F> || !requires { requires !std::is_void_v<typename F::Orientation>; },
+      "the formulation has an Orientation, but not all of MovingCoordinates");
+  static_assert(ReducedEquations<F> == MovingCoordinates<F>,
+                "reduced and moving parts go together: both count in the same unknowns");
   using type = ReducedToRotation<F>;
 };
 template <Formulation F>

@@ -38,7 +38,7 @@ BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joint
   std::vector<const GraphJoint*> drivers;
   for (const GraphJoint& joint : joints) {
     const auto pair = unordered(joint);
-    if (joint.type == JointType::rotation_driver) {
+    if (properties_of(joint.type).drives_an_angle) {
       drivers.push_back(&joint);
     } else if (joint.type.is_basic()) {
       const auto found = basic_edge.find(pair);
@@ -51,7 +51,8 @@ BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joint
       const bool is_point = properties_of(joint.type).holds_a_point;
       const int edge = add_edge(joint, is_point);
       if (is_point) point_edge.emplace(pair, edge);
-      if (joint.type == JointType::revolute) revolute_edge.emplace(pair, std::pair(edge, &joint));
+      if (properties_of(joint.type).holds_a_point && properties_of(joint.type).has_an_angle)
+        revolute_edge.emplace(pair, std::pair(edge, &joint));
       take_rows(edge, joint);
     }
   }

@@ -43,6 +43,15 @@ class MethodAdapter final : public AnyMethod<S> {
     else
       return nullptr;
   }
+  bool interpolates() const override {
+    if constexpr (requires { method_.interpolates(); })
+      return method_.interpolates();
+    else
+      return false;
+  }
+  void interpolate(const S& t, StateVector<S>& y) override {
+    if constexpr (requires { method_.interpolate(t, y); }) method_.interpolate(t, y);
+  }
 
  private:
   M method_;

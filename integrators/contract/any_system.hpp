@@ -2,6 +2,8 @@
 /// Any system behind virtual calls, one for each right side or solve. Methods are then compiled once for each
 /// scalar, not once for each formulation.
 
+#include <fmt/format.h>
+
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -12,7 +14,7 @@
 
 namespace trivium::integrators {
 
-/// Any FirstOrderSystem or ConstrainedSystem.
+/// Any FirstOrderSystem, with those groups of a ConstrainedSystem that it has.
 template <class S>
 class AnySystem {
  public:
@@ -88,7 +90,7 @@ class AnySystem {
                      StateVector<S>& mu, StateVector<S>& stretch) = 0;
 };
 
-/// A system that is no ConstrainedSystem refuses what is asked of one.
+/// A system refuses what is asked of groups that it does not have.
 template <FirstOrderSystem System>
 class SystemAdapter final : public AnySystem<typename System::Scalar> {
  public:
@@ -128,126 +130,154 @@ class SystemAdapter final : public AnySystem<typename System::Scalar> {
   std::string diagnose(const S& t, const StateVector<S>& y) override { return system_.diagnose(t, y); }
 
   int position_size() const override {
-    return constrained([&](auto& system) { return system.position_size(); });
+    return ask_of<Group::displacements, int>([&](auto& system) { return system.position_size(); });
   }
   int velocity_size() const override {
-    return constrained([&](auto& system) { return system.velocity_size(); });
+    return ask_of<Group::displacements, int>([&](auto& system) { return system.velocity_size(); });
   }
   void displace(const StateVector<S>& from, const StateVector<S>& displacement,
                 StateVector<S>& to) const override {
-    constrained([&](auto& system) { system.displace(from, displacement, to); });
+    ask_of<Group::displacements>([&](auto& system) { system.displace(from, displacement, to); });
   }
   void displacement(const StateVector<S>& from, const StateVector<S>& to,
                     StateVector<S>& displacement) const override {
-    constrained([&](auto& system) { system.displacement(from, to, displacement); });
+    ask_of<Group::displacements>([&](auto& system) { system.displacement(from, to, displacement); });
   }
   void displacement_rate(const StateVector<S>& displacement, const StateVector<S>& v,
                          StateVector<S>& rate) const override {
-    constrained([&](auto& system) { system.displacement_rate(displacement, v, rate); });
+    ask_of<Group::displacements>([&](auto& system) { system.displacement_rate(displacement, v, rate); });
   }
   void position_rate(const StateVector<S>& y, const StateVector<S>& v, StateVector<S>& rate) const override {
-    constrained([&](auto& system) { system.position_rate(y, v, rate); });
+    ask_of<Group::displacements>([&](auto& system) { system.position_rate(y, v, rate); });
   }
   void position_sizes(const StateVector<S>& y, StateVector<S>& sizes) const override {
-    constrained([&](auto& system) { system.position_sizes(y, sizes); });
+    ask_of<Group::displacements>([&](auto& system) { system.position_sizes(y, sizes); });
   }
 
   void evaluate(const S& t, const StateVector<S>& y, AnyEvaluation& at) override {
-    constrained([&](auto& system) { system.evaluate(t, y, own(at)); });
+    ask_of<Group::residual>([&](auto& system) { system.evaluate(t, y, own(at)); });
   }
   int multipliers() const override {
-    return constrained([&](auto& system) { return system.multipliers(); });
+    return ask_of<Group::residual, int>([&](auto& system) { return system.multipliers(); });
   }
   void accelerations(const S& t, const StateVector<S>& y, StateVector<S>& v_dot,
                      StateVector<S>& lambda) override {
-    constrained([&](auto& system) { system.accelerations(t, y, v_dot, lambda); });
+    ask_of<Group::residual>([&](auto& system) { system.accelerations(t, y, v_dot, lambda); });
   }
   bool inertia_is_constant() const override {
-    return constrained([&](auto& system) { return system.inertia_is_constant(); });
+    return ask_of<Group::residual, bool>([&](auto& system) { return system.inertia_is_constant(); });
   }
   void inertia_force(const AnyEvaluation& at, const StateVector<S>& x, StateVector<S>& force) override {
-    constrained([&](auto& system) { system.inertia_force(own(at), x, force); });
+    ask_of<Group::residual>([&](auto& system) { system.inertia_force(own(at), x, force); });
   }
   void applied_force(const AnyEvaluation& at, StateVector<S>& force) override {
-    constrained([&](auto& system) { system.applied_force(own(at), force); });
+    ask_of<Group::residual>([&](auto& system) { system.applied_force(own(at), force); });
   }
   S residual(const AnyEvaluation& at, const StateVector<S>& force, const StateVector<S>& lambda,
              StateVector<S>& left) override {
-    return constrained([&](auto& system) { return S(system.residual(own(at), force, lambda, left)); });
+    return ask_of<Group::residual, S>(
+        [&](auto& system) { return S(system.residual(own(at), force, lambda, left)); });
   }
   Violation<S> position_rows(const AnyEvaluation& at, StateVector<S>& rows) override {
-    return constrained([&](auto& system) { return system.position_rows(own(at), rows); });
+    return ask_of<Group::residual, Violation<S>>(
+        [&](auto& system) { return system.position_rows(own(at), rows); });
   }
   Violation<S> velocity_rows(const AnyEvaluation& at, StateVector<S>& rows) override {
-    return constrained([&](auto& system) { return system.velocity_rows(own(at), rows); });
+    return ask_of<Group::residual, Violation<S>>(
+        [&](auto& system) { return system.velocity_rows(own(at), rows); });
   }
   S work_rate(const AnyEvaluation& at, const StateVector<S>& lambda) override {
-    return constrained([&](auto& system) { return S(system.work_rate(own(at), lambda)); });
+    return ask_of<Group::residual, S>([&](auto& system) { return S(system.work_rate(own(at), lambda)); });
   }
 
   void factor(const AnyEvaluation& at, const Shares<S>& shares, AnyFactors& factors) override {
-    constrained([&](auto& system) { system.factor(own(at), shares, own(factors)); });
+    ask_of<Group::newton_matrix>([&](auto& system) { system.factor(own(at), shares, own(factors)); });
   }
   void solve(const AnyFactors& factors, const AnyEvaluation& at, const StateVector<S>& left,
              const StateVector<S>& rows, StateVector<S>& x, StateVector<S>& mu) override {
-    constrained([&](auto& system) { system.solve(own(factors), own(at), left, rows, x, mu); });
+    ask_of<Group::newton_matrix>(
+        [&](auto& system) { system.solve(own(factors), own(at), left, rows, x, mu); });
   }
   void reduce(const AnyFactors& factors, const StateVector<S>& force, StateVector<S>& left) override {
-    constrained([&](auto& system) { system.reduce(own(factors), force, left); });
+    ask_of<Group::newton_matrix>([&](auto& system) { system.reduce(own(factors), force, left); });
   }
   void inertia_force(const AnyFactors& factors, const StateVector<S>& x, StateVector<S>& force) override {
-    constrained([&](auto& system) { system.inertia_force(own(factors), x, force); });
+    ask_of<Group::newton_matrix>([&](auto& system) { system.inertia_force(own(factors), x, force); });
   }
 
   bool normalise_step(const S& share, StateVector<S>& y, StateVector<S>& v_dot) override {
-    return constrained([&](auto& system) { return system.normalise_step(share, y, v_dot); });
+    return ask_of<Group::internal_rows, bool>(
+        [&](auto& system) { return system.normalise_step(share, y, v_dot); });
   }
   void normalise_step_velocity(const S& share, const StateVector<S>& y, StateVector<S>& v_dot) override {
-    constrained([&](auto& system) { system.normalise_step_velocity(share, y, v_dot); });
+    ask_of<Group::internal_rows>([&](auto& system) { system.normalise_step_velocity(share, y, v_dot); });
   }
   void internal_residual(const AnyEvaluation& at, const StateVector<S>& v_dot,
                          StateVector<S>& left) override {
-    constrained([&](auto& system) { system.internal_residual(own(at), v_dot, left); });
+    ask_of<Group::internal_rows>([&](auto& system) { system.internal_residual(own(at), v_dot, left); });
   }
   void solve_internal_rows(const AnyEvaluation& at, const StateVector<S>& left, StateVector<S>& x) override {
-    constrained([&](auto& system) { system.solve_internal_rows(own(at), left, x); });
+    ask_of<Group::internal_rows>([&](auto& system) { system.solve_internal_rows(own(at), left, x); });
   }
 
   int springs() const override {
-    return constrained([&](auto& system) { return system.springs(); });
+    return ask_of<Group::springs, int>([&](auto& system) { return system.springs(); });
   }
   void spring_constants(StateVector<S>& stiffness, StateVector<S>& damping) override {
-    constrained([&](auto& system) { system.spring_constants(stiffness, damping); });
+    ask_of<Group::springs>([&](auto& system) { system.spring_constants(stiffness, damping); });
   }
   void solve(const AnyFactors& factors, const AnyEvaluation& at, const StateVector<S>& left,
              const StateVector<S>& rows, const StateVector<S>& slack, StateVector<S>& x, StateVector<S>& mu,
              StateVector<S>& stretch) override {
-    constrained(
+    ask_of<Group::springs>(
         [&](auto& system) { system.solve(own(factors), own(at), left, rows, slack, x, mu, stretch); });
   }
 
  private:
-  template <class Ask>
-  auto constrained(const Ask& ask) const {
-    if constexpr (ConstrainedSystem<System>)
+  enum class Group { displacements, residual, newton_matrix, internal_rows, springs };
+  static constexpr bool has(Group group) {
+    switch (group) {
+      case Group::displacements:
+        return HasDisplacements<System>;
+      case Group::residual:
+        return HasResidual<System>;
+      case Group::newton_matrix:
+        return HasNewtonMatrix<System>;
+      case Group::internal_rows:
+        return HasInternalRows<System>;
+      case Group::springs:
+        return HasSprings<System>;
+    }
+    return false;
+  }
+  template <Group group, class Answer = void, class Ask>
+  Answer ask_of(const Ask& ask) const {
+    if constexpr (has(group))
       return ask(system_);
     else
-      return refuse<decltype(ask(std::declval<AnySystem<S>&>()))>();
+      refuse(group);
   }
-  template <class Answer>
-  static Answer refuse() {
-    throw UsageError("implicit methods need a system with its constraints, and this has none; take dopri5");
+  [[noreturn]] static void refuse(Group group) {
+    static constexpr const char* concepts[] = {"HasDisplacements", "HasResidual", "HasNewtonMatrix",
+                                               "HasInternalRows", "HasSprings"};
+    throw UsageError(fmt::format("the method needs a model with {}, and this has none of it; take dopri5",
+                                 concepts[static_cast<int>(group)]));
   }
 
   // the system's own type of a value
   template <class Value>
   static decltype(auto) own(Value& value) {
-    if constexpr (!ConstrainedSystem<System>)
-      return (value);
-    else if constexpr (std::is_same_v<std::remove_const_t<Value>, AnyEvaluation>)
-      return value.template as<typename System::Evaluation>();
-    else
-      return value.template as<typename System::Factors>();
+    if constexpr (std::is_same_v<std::remove_const_t<Value>, AnyEvaluation>) {
+      if constexpr (HasResidual<System>)
+        return value.template as<typename System::Evaluation>();
+      else
+        return (value);
+    } else {
+      if constexpr (HasNewtonMatrix<System>)
+        return value.template as<typename System::Factors>();
+      else
+        return (value);
+    }
   }
 
   System& system_;

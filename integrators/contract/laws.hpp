@@ -1,38 +1,32 @@
 #pragma once
-/// The laws of a ConstrainedSystem, for whoever writes a model: the second half of the contract, which types
-/// cannot say. `broken_laws` tries them at a state and names those that do not hold.
+/// The laws of a system, for whoever writes a model: the second half of the contract, which types cannot say.
+/// `broken_laws` tries them at a state and names those that do not hold: of a ConstrainedSystem all, of
+/// another FirstOrderSystem those of its states.
 
 #include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "base/broken_law.hpp"
 #include "integrators/contract/constrained_system.hpp"
+#include "integrators/contract/state_laws.hpp"
 
 namespace trivium::integrators {
 
 namespace detail {
 
 template <ConstrainedSystem System>
-class SystemLaws {
+class SystemLaws : StateLaws<System> {
  public:
-  using S = typename System::Scalar;
-  using Y = StateVector<S>;
+  using Base = StateLaws<System>;
+  using typename Base::S, typename Base::Y;
   using Evaluation = typename System::Evaluation;
   using Factors = typename System::Factors;
-
-  SystemLaws(System& system, const S& t, const Y& y)
-      : system_(system),
-        t_(t),
-        y_(y),
-        nq_(system.position_size()),
-        nv_(system.velocity_size()),
-        v_(y.segment(nq_, nv_)) {}
+  using Base::Base;
 
   std::vector<BrokenLaw> broken() {
-    displacements();
-    corrections();
+    Base::broken();
+    violations();
     accelerations();
     rows();
     linear_systems();
@@ -43,25 +37,9 @@ class SystemLaws {
   }
 
  private:
-  /// What differs is rounding, of numbers as large as these.
-  void equal(const char* law, const Y& a, const Y& b, double digits_lost = 1e4) {
-    const bool same_size = a.size() == b.size();
-    const double size = 1 + (same_size ? static_cast<double>(S(a.norm() + b.norm())) : 0.0);
-    const double off = same_size ? static_cast<double>(S((a - b).norm())) / size : 1.0;
-    const double bound = digits_lost * static_cast<double>(std::numeric_limits<S>::epsilon());
-    if (!(off <= bound)) broken_.push_back({law, off, bound});
-  }
-  /// Fixed numbers without a pattern, of size 1.
-  static Y numbers(int size, int seed) {
-    return Y::NullaryExpr(size, [seed](Eigen::Index k) {
-      return S(std::sin(static_cast<double>(7 * k + 13 * seed + 1) * 1.7));
-    });
-  }
-  Y with_velocity(const Y& v) const {
-    Y y = y_;
-    y.segment(nq_, nv_) = v;
-    return y;
-  }
+  using Base::broken_, Base::equal, Base::nearby, Base::nq_, Base::numbers, Base::nv_, Base::system_,
+      Base::t_, Base::v_, Base::with_velocity, Base::y_;
+
   Y rows_at(const S& t, const Y& y, bool of_velocities) {
     Evaluation at;
     system_.evaluate(t, y, at);
@@ -73,48 +51,23 @@ class SystemLaws {
     return values;
   }
 
-  void displacements() {
-    const Y by = S(0.1) * numbers(nv_, 1), none = Y::Zero(nv_);
-    Y to = y_, found, rate, y_dot;
-    system_.displace(y_, by, to);
-    system_.displacement(y_, to, found);
-    equal("a displacement leads from one state to the other", found, by);
-    system_.displacement_rate(none, v_, rate);
-    equal("a displacement begins to grow as v", rate, v_);
-    system_.position_rate(y_, v_, rate);
-    system_.derivative(t_, y_, y_dot);
-    equal("positions grow as y' says", rate, y_dot.head(nq_));
-    Y sizes;
-    system_.position_sizes(y_, sizes);
-    equal("every number of a displacement has a size, not below 0", sizes.cwiseAbs(), sizes, 0);
-    equal("as many sizes as numbers of a displacement", Y::Constant(1, S(static_cast<double>(sizes.size()))),
-          Y::Constant(1, S(nv_)), 0);
-  }
-  /// Of a Newton iteration from nearby: what is left is of the square.
-  void corrections() {
-    Y off = y_;
-    system_.displace(y_, S(1e-3) * numbers(nv_, 7), off);
-    off.segment(nq_, nv_) += S(1e-3) * (1 + v_.norm()) * numbers(nv_, 8);
-    system_.normalise(off);
-    const auto falls = [&](const char* law, const auto& violation, const auto& correct) {
-      const double before = static_cast<double>(violation().size);
-      correct();
-      system_.normalise(off);
-      const double after = static_cast<double>(violation().size), bound = before / 10 + 1e-11;
-      if (!(after <= bound)) broken_.push_back({law, after, bound});
+  /// Of a state off the constraints: both ways to measure say the same, and not that nothing is off.
+  void violations() {
+    const Y off = nearby(15);
+    Evaluation at;
+    Y values;
+    system_.evaluate(t_, off, at);
+    const auto measured = [&](const char* law, const Violation<S>& of_state, const Violation<S>& of_rows) {
+      equal(law, Y{{of_state.size, of_state.relative}}, Y{{of_rows.size, of_rows.relative}}, 1e6);
+      const bool is_seen = values.isZero(S(0)) || (of_rows.size > S(0) && of_rows.relative > S(0));
+      if (!is_seen) broken_.push_back({"what a row is off by is seen", 0, 1});
     };
-    const auto of_positions = [&] { return system_.position_violation(t_, off); };
-    const auto of_velocities = [&] { return system_.velocity_violation(t_, off); };
-    falls("a correction leads positions back", of_positions,
-          [&] { system_.correct_positions(t_, off, true); });
-    falls("another by the same matrix leads positions further", of_positions,
-          [&] { system_.correct_positions(t_, off, false); });
-    falls("a correction leads velocities back", of_velocities,
-          [&] { system_.correct_velocities(t_, off, true); });
-    off.segment(nq_, nv_) += S(1e-3) * (1 + v_.norm()) * numbers(nv_, 14);
-    system_.normalise(off);
-    falls("another by the same matrix leads velocities back again", of_velocities,
-          [&] { system_.correct_velocities(t_, off, false); });
+    const Violation<S> of_positions = system_.position_rows(at, values);
+    measured("positions are off by as much at a state as in its evaluation",
+             system_.position_violation(t_, off), of_positions);
+    const Violation<S> of_velocities = system_.velocity_rows(at, values);
+    measured("velocities are off by as much at a state as in its evaluation",
+             system_.velocity_violation(t_, off), of_velocities);
   }
   void accelerations() {
     Y v_dot, lambda, force, left, internal = Y::Zero(nv_), y_dot;
@@ -124,6 +77,9 @@ class SystemLaws {
     system_.inertia_force(at, v_dot, force);
     const Y imbalance = Y::Constant(1, S(system_.residual(at, force, lambda, left)));
     equal("accelerations and multipliers of index 1 leave no imbalance", imbalance, Y::Zero(1), 1e6);
+    system_.inertia_force(at, v_dot + (1 + v_dot.norm()) * numbers(nv_, 17), force);
+    if (!(system_.residual(at, force, lambda, left) > S(1e-6)))
+      broken_.push_back({"other accelerations leave an imbalance", 0, 1e-6});
     system_.internal_residual(at, v_dot, internal);
     equal("accelerations of index 1 leave nothing of internal rows", internal / (1 + v_.squaredNorm()),
           Y::Zero(nv_));
@@ -268,22 +224,18 @@ class SystemLaws {
     system_.residual(at, numbers(nv_, 5), numbers(system_.multipliers(), 6), after);
     equal("an evaluation stays as it was made", after, before, 1);
   }
-
-  System& system_;
-  const S t_;
-  const Y y_;
-  const int nq_, nv_;
-  const Y v_;
-  std::vector<BrokenLaw> broken_;
 };
 
 }  // namespace detail
 
 /// The laws that do not hold at (t, y), which must meet the constraints.
-template <ConstrainedSystem System>
+template <FirstOrderSystem System>
 std::vector<BrokenLaw> broken_laws(System& system, const typename System::Scalar& t,
                                    const StateVector<typename System::Scalar>& y) {
-  return detail::SystemLaws<System>(system, t, y).broken();
+  if constexpr (ConstrainedSystem<System>)
+    return detail::SystemLaws<System>(system, t, y).broken();
+  else
+    return detail::StateLaws<System>(system, t, y).broken();
 }
 
 }  // namespace trivium::integrators

@@ -20,7 +20,8 @@ struct Counters {
 /// it is not smooth; `shorten` has it take a shorter step from where it took the last one, and returns
 /// whether it can. Throws an IntegrationError where it gives up.
 ///
-/// A method may have more, which AnyMethod asks for: multipliers of its own, and a way to interpolate.
+/// A method may have more, which AnyMethod asks for: `lambda`, a pointer to multipliers of its own, null
+/// where there are none; and `interpolates` with `interpolate(t, y)`, the state at a time of its last step.
 template <class M, class System>
 concept Method = requires(M& method, const M& constant, System& system, typename System::Scalar& t,
                           StateVector<typename System::Scalar>& y, const typename System::Scalar& stop) {

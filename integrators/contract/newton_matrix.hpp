@@ -20,7 +20,8 @@ struct Shares {
 
 ///   Factors              empty at first; their storage is used again by the next `factor`
 ///   factor               from (at, shares, factors): factors of the matrix at an evaluation; of M and Phi_q
-///                        alone for shares of 0. The evaluation is factored once
+///                        alone for shares of 0. The evaluation is factored once, and asked for no
+///                        residual afterwards: factors may take what it holds
 ///   solve                from (factors, at, left, rows, x, mu): adds the solution to x, which is of v's kind
 ///                        where `at` is, and to mu
 ///   reduce               from (factors, force, left): a force of v's kind as `solve` takes it, reduced where

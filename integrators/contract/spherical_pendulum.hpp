@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <stdexcept>
 #include <string>
 
 #include "integrators/contract/constrained_system.hpp"
@@ -57,6 +58,7 @@ class SphericalPendulum {
   // the equations of motion at a state
   struct Evaluation {
     Vector r, v;
+    mutable bool is_factored = false;  ///< then for rows, solutions and inertia alone
   };
   void evaluate(const S&, const Y& y, Evaluation& at) const { at = {r(y), v(y)}; }
   int multipliers() const { return 1; }
@@ -68,6 +70,7 @@ class SphericalPendulum {
   void inertia_force(const Evaluation&, const Y& x, Y& force) const { force = m * x; }
   void applied_force(const Evaluation&, Y& force) const { force = weight(); }
   S residual(const Evaluation& at, const Y& force, const Y& lambda, Y& left) const {
+    require_whole(at);
     left = weight() - force - at.r * lambda[0];
     return left.norm() / (weight().norm() + force.norm() + (at.r * lambda[0]).norm());
   }
@@ -83,7 +86,11 @@ class SphericalPendulum {
 
   // Newton's matrix [m 1, r; r^T, 0]: gravity adds no stiffness
   using Factors = Evaluation;
-  void factor(const Evaluation& at, const Shares<S>&, Factors& factors) const { factors = at; }
+  void factor(const Evaluation& at, const Shares<S>&, Factors& factors) const {
+    require_whole(at);
+    factors = at;
+    at.is_factored = true;
+  }
   void solve(const Factors& factors, const Evaluation&, const Y& left, const Y& rows, Y& x, Y& mu) const {
     const S multiplier = (factors.r.dot(left) - m * rows[0]) / factors.r.squaredNorm();
     mu[0] += multiplier;
@@ -104,6 +111,9 @@ class SphericalPendulum {
   }
 
  private:
+  static void require_whole(const Evaluation& at) {
+    if (at.is_factored) throw std::logic_error("an evaluation is asked for forces after it was factored");
+  }
   static Vector r(const Y& y) { return y.head(3); }
   static Vector v(const Y& y) { return y.tail(3); }
   static Y joined(const Vector& a, const Vector& b) {

@@ -74,7 +74,7 @@ void check_constraint(const Constraint& constraint, const Path& at) {
   check_function(constraint.f, at / "f");
   check_function(constraint.angle, at / "angle");
   if (shape.shape.find("direction")) check_direction(constraint.direction, at / "direction");
-  if (constraint.type == JointType::distance && !(constraint.distance >= smallest_divisor))
+  if (properties_of(constraint.type).states_a_distance && !(constraint.distance >= smallest_divisor))
     fail(at / "distance", "found " + shortest(constraint.distance),
          fmt::format("a distance > 0 (at least {})", shortest(smallest_divisor)));
   if (shape.needs_positive_f) {

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "base/raise.hpp"
 #include "scenes/format/scene_file.hpp"
 
 namespace trivium::scenes {
@@ -60,7 +61,7 @@ void require_physical(const Body& body) {
   Matrix3 J = full(body.inertia);
   double size = 0;
   for (const Vector3& row : J)
-    for (double x : row) size = std::max(size, std::abs(x));
+    for (double x : row) raise(size, std::abs(x));
   if (size == 0) return;
   for (Vector3& row : J)
     for (double& x : row) x /= size;

@@ -24,6 +24,8 @@ class ConstraintViolation {
  public:
   /// Both must outlive this.
   template <class Types>
+  ConstraintViolation(const Mechanism<S, Types>&, const BodyJointGraph&&, const S&) = delete;
+  template <class Types>
   ConstraintViolation(const Mechanism<S, Types>& mechanism, const BodyJointGraph& graph, const S& t)
       : nb_(mechanism.nb()),
         row_names_(mechanism.row_names),

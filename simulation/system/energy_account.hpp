@@ -43,6 +43,7 @@ template <class S, class Types = StandardTypes>
 class EnergyAccount {
  public:
   /// The mechanism must outlive the account.
+  explicit EnergyAccount(const Mechanism<S, Types>&&) = delete;
   explicit EnergyAccount(const Mechanism<S, Types>& mechanism) : mechanism_(mechanism) {
     for (int k = 0; k < mechanism_.nc(); ++k)
       if (!function_of(mechanism_.rows[k]).is_constant()) drivers_.push_back(k);

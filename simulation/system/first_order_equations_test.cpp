@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include "base/raise.hpp"
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
@@ -62,7 +63,7 @@ struct ByRows {
   double largest(const FirstOrderEquations<F>& form, const VectorX<double>& values) const {
     double worst = 0;
     for (int k = 0; k < values.size(); ++k)
-      worst = std::max(worst, std::abs(values[k]) / row_scale(form.mechanism().rows[k], 0.0));
+      raise(worst, std::abs(values[k]) / row_scale(form.mechanism().rows[k], 0.0));
     return worst;
   }
 };

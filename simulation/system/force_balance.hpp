@@ -22,6 +22,8 @@ class ForceBalance {
   using Layout = StateLayout<F>;
 
   /// Both must outlive this.
+  ForceBalance(const MechanismOf<F>&&, const EliminationPlan&) = delete;
+  ForceBalance(const MechanismOf<F>&, const EliminationPlan&&) = delete;
   ForceBalance(const MechanismOf<F>& mechanism, const EliminationPlan& plan)
       : mechanism_(mechanism), plan_(plan), on_(mechanism.nb() + 1), size_(mechanism.nb() + 1) {}
 

@@ -58,6 +58,8 @@ class NewtonMatrix {
   using Layout = StateLayout<F>;
 
   /// The mechanism must outlive this.
+  NewtonMatrix(const MechanismOf<F>&&, const EliminationPlan&) = delete;
+  NewtonMatrix(const MechanismOf<F>&, const EliminationPlan&&) = delete;
   NewtonMatrix(const MechanismOf<F>& mechanism, const EliminationPlan& plan)
       : mechanism_(mechanism), place_(mechanism.nc()), change_(plan.graph) {
     const auto& edges = plan.graph.edges;

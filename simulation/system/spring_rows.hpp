@@ -48,6 +48,8 @@ class SpringRows {
   using Sizes = std::vector<SpringSize>;
 
   /// The plan is that of graph_with_springs. Both must outlive this.
+  SpringRows(const MechanismOf<F>&&, const EliminationPlan&) = delete;
+  SpringRows(const MechanismOf<F>&, const EliminationPlan&&) = delete;
   SpringRows(const MechanismOf<F>& mechanism, const EliminationPlan& plan)
       : mechanism_(mechanism), plan_(plan) {
     const auto& edges = plan_.graph.edges;

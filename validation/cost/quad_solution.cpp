@@ -35,7 +35,7 @@ double QuadSolution::error_of(const std::vector<Vector3>& other) const {
     const Vector3 &x = r_ddot[b], &y = other[b];
     const double d = std::hypot(y[0] - x[0], y[1] - x[1], y[2] - x[2]);
     raise(difference, d);
-    size = std::max(size, std::hypot(x[0], x[1], x[2]));
+    raise(size, std::hypot(x[0], x[1], x[2]));
   }
   return difference == 0 ? 0 : difference / size;
 }

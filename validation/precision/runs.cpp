@@ -124,18 +124,19 @@ std::vector<RunSettings> all_settings(bool quick) {
   std::vector<RunSettings> all;
   const auto steps = quick ? std::vector<double>{200} : std::vector<double>{200, 800, 3200};
   for (const std::string& formulation : TimedFormulations::names()) {
-    for (const char* method : {"dopri5", "rkf78", "bulirsch-stoer", "abm", "cvode-adams", "cvode-bdf",
-                               "arkode-erk", "arkode-dirk", "ida", "radau5", "radau9", "hedop5"})
-      for (const double rtol : tolerances(quick)) all.push_back({"trivium", formulation, method, rtol, {}});
+    for (const integrators::MethodInfo& method : integrators::methods())
+      if (method.chooses_steps)
+        for (const double rtol : tolerances(quick))
+          all.push_back({"trivium", formulation, std::string(method.name), rtol, {}});
     if (!quick)
       for (const char* method : {"rkf78", "bulirsch-stoer", "abm", "cvode-adams"})
         for (const double rtol : finest_tolerances) all.push_back({"trivium", formulation, method, rtol, {}});
-    for (const char* method :
-         {"hem4", "generalized-alpha", "generalized-alpha-gl2", "hht", "rattle", "rattle4", "bdf"}) {
-      if (!goes_with(*integrators::find_method(method), formulation)) continue;
+    for (const integrators::MethodInfo& method : integrators::methods()) {
+      if (method.chooses_steps || !goes_with(method, formulation)) continue;
       integrators::MethodParameters parameters;
-      if (std::string(method) == "bdf") parameters.order = 4;
-      for (const double n : steps) all.push_back({"trivium", formulation, method, {}, 1 / n, parameters});
+      if (method.takes_order) parameters.order = 4;
+      for (const double n : steps)
+        all.push_back({"trivium", formulation, std::string(method.name), {}, 1 / n, parameters});
     }
   }
   const std::vector<RunSettings> peers = peer_settings(quick);

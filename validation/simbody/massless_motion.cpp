@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/raise.hpp"
 #include "bodies/inertia.hpp"
 
 namespace trivium {
@@ -36,7 +37,7 @@ double size_of(const Mechanism<double>& mechanism, const MatrixX<double>& Phi, i
   double reach = 0;
   for (Eigen::Index row = 0; row < Phi.rows(); ++row) {
     const double r = Phi.block<1, 3>(row, 6 * body).norm();
-    if (r > 0) reach = std::max(reach, Phi.block<1, 3>(row, 6 * body + 3).norm() / r);
+    if (r > 0) raise(reach, Phi.block<1, 3>(row, 6 * body + 3).norm() / r);
   }
   const auto& [mass, inertia] = mechanism.bodies[static_cast<std::size_t>(body)];
   return std::sqrt(std::max(0.0, inertia.trace()) / mass + reach * reach);

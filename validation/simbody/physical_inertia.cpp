@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "base/raise.hpp"
 #include "bodies/inertia.hpp"
 #include "scenes/make_mechanism.hpp"
 
@@ -19,7 +20,7 @@ struct Reach : KeyVisitor {
   Reach(int body_index, double& out) : of(body_index), reach(out) {}
 
   void take(int on, const Vector3<double>& s_bar) const {
-    if (on == of) reach = std::max(reach, std::hypot(s_bar[0], s_bar[1], s_bar[2]));
+    if (on == of) raise(reach, std::hypot(s_bar[0], s_bar[1], s_bar[2]));
   }
   void point(std::string_view, const BodyPoint<double>& end) const { take(end.body, end.s_bar); }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/raise.hpp"
 #include "validation/simbody/system.hpp"
 
 namespace trivium::simbody {
@@ -27,7 +28,7 @@ double jacobian_defect(const System& system) {
   system.matter.calcGTranspose(system.state, G_transposed);
   double defect = 0;
   for (int row = 0; row < G.nrow(); ++row)
-    for (int u = 0; u < G.ncol(); ++u) defect = std::max(defect, std::abs(G(row, u) - G_transposed(u, row)));
+    for (int u = 0; u < G.ncol(); ++u) raise(defect, std::abs(G(row, u) - G_transposed(u, row)));
   return defect;
 }
 
@@ -40,8 +41,9 @@ void read_bodies(const System& system, Answer& out) {
     const Transform X = pose_of(system.model, b);
     const SpatialVec V = velocity_of(system.model, b), dV = body.getBodyVelocity(system.state) - V;
     const Rotation dR = ~X.R() * body.getBodyRotation(system.state);
-    out.pose_defect = std::max({out.pose_defect, (body.getBodyOriginLocation(system.state) - X.p()).norm(),
-                                std::abs(dR.convertRotationToAngleAxis()[0]), dV[0].norm(), dV[1].norm()});
+    for (const double off : {(body.getBodyOriginLocation(system.state) - X.p()).norm(),
+                             std::abs(dR.convertRotationToAngleAxis()[0]), dV[0].norm(), dV[1].norm()})
+      raise(out.pose_defect, off);
   }
 }
 

@@ -92,8 +92,9 @@ struct RowTranslation {
   /// One that Simbody's model has no counterpart of yet.
   template <class Other>
   simbody::Row operator()(const Other&) const {
-    throw ModelError(
-        fmt::format("Simbody's model has no {}; leave the scene out of the comparison", Other::name));
+    std::string kind = "basic constraint of this type";
+    if constexpr (requires { Other::type; }) kind = Other::type;
+    throw ModelError(fmt::format("Simbody's model has no {}; leave the scene out of the comparison", kind));
   }
 
   template <class Constraint>

@@ -12,6 +12,7 @@
 #include "base/raise.hpp"
 #include "bodies/numbers/quad.hpp"
 #include "formulations/side_by_side.hpp"
+#include "integrators/methods.hpp"
 #include "scenes/format/scene_file.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "scenes/testing/catalogue_scene.hpp"
@@ -67,8 +68,13 @@ inline double apart(const Motion& a, const Motion& b) {
 }
 
 /// Those that take given steps and whose equations may be stiff.
-inline const std::vector<std::string> implicit_methods{
-    "generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "radau5", "radau9"};
+inline const std::vector<std::string> implicit_methods = [] {
+  std::vector<std::string> names;
+  for (const integrators::MethodInfo& method : integrators::methods())
+    if (method.takes_given_steps && method.meets_constraints && !method.needs_constant_inertia)
+      names.emplace_back(method.name);
+  return names;
+}();
 
 /// Run in every formulation; motions_test.cpp and implicit_motions_test.cpp instantiate them, once for all
 /// files.

@@ -1,0 +1,150 @@
+#pragma once
+/// The laws of a FirstOrderSystem and of its displacements, where it has any: what types cannot say of states
+/// alone. Those of equations with multipliers are laws.hpp's, which tries these too.
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/broken_law.hpp"
+#include "integrators/contract/displacements.hpp"
+
+namespace trivium::integrators::detail {
+
+template <FirstOrderSystem System>
+class StateLaws {
+ public:
+  using S = typename System::Scalar;
+  using Y = StateVector<S>;
+
+  /// At a state that meets the constraints.
+  StateLaws(System& system, const S& t, const Y& y) : system_(system), t_(t), y_(y) {
+    if constexpr (HasDisplacements<System>) {
+      nq_ = system.position_size();
+      nv_ = system.velocity_size();
+      v_ = y.segment(nq_, nv_);
+    }
+  }
+
+  std::vector<BrokenLaw> broken() {
+    first_order();
+    corrections();
+    if constexpr (HasDisplacements<System>) displacements();
+    return broken_;
+  }
+
+ protected:
+  /// What differs is rounding, of numbers as large as these.
+  void equal(const char* law, const Y& a, const Y& b, double digits_lost = 1e4) {
+    const bool same_size = a.size() == b.size();
+    const double size = 1 + (same_size ? static_cast<double>(S(a.norm() + b.norm())) : 0.0);
+    const double off = same_size ? static_cast<double>(S((a - b).norm())) / size : 1.0;
+    const double bound = digits_lost * static_cast<double>(std::numeric_limits<S>::epsilon());
+    if (!(off <= bound)) broken_.push_back({law, off, bound});
+  }
+  /// Fixed numbers without a pattern, of size 1.
+  static Y numbers(int size, int seed) {
+    return Y::NullaryExpr(size, [seed](Eigen::Index k) {
+      return S(std::sin(static_cast<double>(7 * k + 13 * seed + 1) * 1.7));
+    });
+  }
+  Y with_velocity(const Y& v) const {
+    Y y = y_;
+    y.segment(nq_, nv_) = v;
+    return y;
+  }
+  /// Another state near by, of other numbers each time.
+  Y nearby(int seed) const {
+    Y off = y_;
+    if constexpr (HasDisplacements<System>) {
+      system_.displace(y_, S(1e-3) * numbers(nv_, seed), off);
+      off.segment(nq_, nv_) += S(1e-3) * (1 + v_.norm()) * numbers(nv_, seed + 1);
+    } else {
+      off += S(1e-3) * numbers(static_cast<int>(y_.size()), seed);
+    }
+    system_.normalise(off);
+    return off;
+  }
+
+  void first_order() {
+    equal("the state at the start has as many numbers as the system says",
+          Y::Constant(1, S(static_cast<double>(system_.start().size()))), Y::Constant(1, S(system_.size())),
+          0);
+    if (!(system_.longest_step(t_, y_) > S(0)))
+      broken_.push_back({"the longest step is longer than none", 1, 0});
+    Y y_dot, kept = y_;
+    system_.derivative(t_, y_, y_dot);
+    equal("y' has as many numbers as y", Y::Constant(1, S(static_cast<double>(y_dot.size()))),
+          Y::Constant(1, S(system_.size())), 0);
+    if (!system_.accept_state(t_, kept)) equal("a state is accepted as it is", kept, y_, 0);
+    kept = y_;
+    system_.normalise(kept);
+    equal("a normalisation leaves what is normalised", kept, y_);
+  }
+  /// Of a Newton iteration from nearby: what is left is of the square.
+  void corrections() {
+    Y off = nearby(7);
+    const auto falls = [&](const char* law, const auto& violation, const auto& correct) {
+      const double before = static_cast<double>(violation().size);
+      correct();
+      system_.normalise(off);
+      const double after = static_cast<double>(violation().size), bound = before / 10 + 1e-11;
+      if (!(after <= bound)) broken_.push_back({law, after, bound});
+    };
+    const auto of_positions = [&] { return system_.position_violation(t_, off); };
+    const auto of_velocities = [&] { return system_.velocity_violation(t_, off); };
+    falls("a correction leads positions back", of_positions,
+          [&] { system_.correct_positions(t_, off, true); });
+    falls("another by the same matrix leads positions further", of_positions,
+          [&] { system_.correct_positions(t_, off, false); });
+    falls("a correction leads velocities back", of_velocities,
+          [&] { system_.correct_velocities(t_, off, true); });
+    const Y again = nearby(14);
+    if constexpr (HasDisplacements<System>)
+      off.segment(nq_, nv_) = again.segment(nq_, nv_);  // where positions are back
+    else
+      off = again;
+    system_.normalise(off);
+    falls("another by the same matrix leads velocities back again", of_velocities,
+          [&] { system_.correct_velocities(t_, off, false); });
+  }
+  void displacements() {
+    const Y by = S(0.1) * numbers(nv_, 1), none = Y::Zero(nv_);
+    Y to = y_, found, rate, y_dot;
+    system_.displace(y_, by, to);
+    system_.displacement(y_, to, found);
+    equal("a displacement leads from one state to the other", found, by);
+    system_.displacement_rate(none, v_, rate);
+    equal("a displacement begins to grow as v", rate, v_);
+    // along the motion from where the displacement leads, from both sides
+    using std::cbrt;
+    const double u = static_cast<double>(std::numeric_limits<S>::epsilon());
+    const S h(cbrt(u) / (1 + static_cast<double>(S(v_.norm()))));
+    Y ahead = to, behind = to, from_ahead, from_behind;
+    system_.position_rate(to, v_, rate);
+    ahead.head(nq_) += h * rate;
+    behind.head(nq_) -= h * rate;
+    system_.displacement(y_, ahead, from_ahead);
+    system_.displacement(y_, behind, from_behind);
+    system_.displacement_rate(by, v_, rate);
+    equal("a displacement grows as displacement_rate says", (from_ahead - from_behind) / (2 * h), rate,
+          1e3 * cbrt(u * u) / u);
+    system_.position_rate(y_, v_, rate);
+    system_.derivative(t_, y_, y_dot);
+    equal("positions grow as y' says", rate, y_dot.head(nq_));
+    Y sizes;
+    system_.position_sizes(y_, sizes);
+    equal("every number of a displacement has a size, not below 0", sizes.cwiseAbs(), sizes, 0);
+    equal("as many sizes as numbers of a displacement", Y::Constant(1, S(static_cast<double>(sizes.size()))),
+          Y::Constant(1, S(nv_)), 0);
+  }
+
+  System& system_;
+  const S t_;
+  const Y y_;
+  int nq_ = 0, nv_ = 0;
+  Y v_;
+  std::vector<BrokenLaw> broken_;
+};
+
+}  // namespace trivium::integrators::detail
