@@ -47,7 +47,8 @@ concept DotProductConstraint = std::derived_from<C, BodyPair> && requires(const 
   { c.scale(t) } -> std::convertible_to<Scalar>;
   { c.function() } -> std::convertible_to<const TimeFunction&>;
   show_constraint_parts([](const auto&...) {}, c);
-  c.with_features(PlainBody<Scalar>(), PlainBody<Scalar>(), t, [](const auto&...) {});
+  c.with_features(PlainBody<Scalar>(), PlainBody<Scalar>(), t,
+                  [](const auto&, const auto&, const Jet<Scalar>&) {});
 };
 
 /// A list of basic constraints, over any Scalar.

@@ -79,6 +79,24 @@ struct SecretiveDP1 : DP1<S> {
   }
 };
 
+/// Says that its function of time is another one.
+template <class S>
+struct MisleadingDP1 : DP1<S> {
+  const TimeFunction& function() const {
+    static const TimeFunction other = 7.0;
+    return other;
+  }
+};
+/// Says that its row is a length.
+template <class S>
+struct LongDP1 : DP1<S> {
+  static constexpr bool is_of_angle = false;
+};
+/// Says that it vanishes everywhere.
+template <class S>
+struct VanishingDP1 : DP1<S> {
+  bool vanishes(const auto&, const auto&, const S&) const { return true; }
+};
 /// Says that it does not see its bodies turn together.
 template <class S>
 struct BlindCD : CD<S> {
@@ -102,6 +120,9 @@ TYPED_TEST(BasicConstraints, KeepTheirLawsAndLawsFindOneThatBreaksThem) {
     EXPECT_FALSE(broken_laws(HastyDP1<S>{{pair, a, b, c, alpha}}, i, j, t).empty());
     EXPECT_FALSE(broken_laws(SecretiveDP1<S>{{pair, a, b, alpha}}, i, j, t).empty());
     EXPECT_FALSE(broken_laws(BlindCD<S>{{pair, a, b, c, alpha}}, i, j, t).empty());
+    EXPECT_FALSE(broken_laws(MisleadingDP1<S>{{pair, a, b, alpha}}, i, j, t).empty());
+    EXPECT_FALSE(broken_laws(LongDP1<S>{{pair, a, b, alpha}}, i, j, t).empty());
+    EXPECT_FALSE(broken_laws(VanishingDP1<S>{{pair, a, b, alpha}}, i, j, t).empty());
   }
 }
 

@@ -34,6 +34,21 @@ class ConstraintLaws {
             row.rot_i.norm() * i_.omega.norm() + row.rot_j.norm() * j_.omega.norm();
     require("the scale is not negative", scale >= S(0));
     if (C::is_of_angle) require("a row of an angle sees no place", (row.r_i - row.r_j).norm() == S(0));
+    const S of_places = row.r_i.norm() + row.r_j.norm(), of_turns = row.rot_i.norm() + row.rot_j.norm();
+    if (!C::is_of_angle) require("a row of a length sees places", of_places > S(0) || of_turns == S(0));
+    if constexpr (requires { c_.vanishes(i_, j_, scale); })
+      require("a row does not vanish where it moves bodies",
+              !(of_places + of_turns > S(1e-3) * scale && c_.vanishes(i_, j_, S(1e-9))));
+    bool has_function = false, is_function = false;
+    show_constraint_parts(
+        [&](const auto& part) {
+          if constexpr (std::is_same_v<std::remove_cvref_t<decltype(part)>, TimeFunction>) {
+            has_function = true;
+            is_function = is_function || part == c_.function();
+          }
+        },
+        c_);
+    require("the function of a row is one that keys show", is_function || !has_function);
     if constexpr (requires { C::sees_relative_motion; })
       if (C::sees_relative_motion) {
         const Vector3<S> turn(S(0.3), S(-0.7), S(0.4)), shift(S(-0.2), S(0.5), S(0.9));
@@ -55,6 +70,7 @@ class ConstraintLaws {
     static thread_local C copy;  // what keys do not show is zero there
     show_constraint_parts([](const auto& from, auto& to) { to = from; }, c_, copy);
     equal("keys show every part", evaluate_row(copy, i_, j_, t_).phi, row.phi, 0);
+    equal("keys show every part", copy.scale(t_), scale, 0);
     return broken_;
   }
 

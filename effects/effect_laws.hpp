@@ -29,7 +29,8 @@ void spring_laws(E effect, const EffectView<S>& view, const Equal& equal) {
   const auto along = [&](const Wrench<S>& on, int b) {
     return S(on.F.dot(view.motion[b].r_dot) + on.n_bar.dot(view.motion[b].omega_bar));
   };
-  const S rate = along(on_i, i) + along(on_j, j);
+  const S rate = along(on_i, i) + along(on_j, j), scale = effect.tension_scale(view);
+  equal("the scale of a tension is a number not below 0", S(scale >= S(0) ? 0 : 1), S(0), S(0), 0);
   const auto compare = [&](int b, const Wrench<S>& on) {
     const S off = (with[b].F - without[b].F + rate * on.F).norm() +
                   (with[b].n_bar - without[b].n_bar + rate * on.n_bar).norm();
@@ -84,6 +85,36 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
     equal("keys show every part",
           (of_copy[b].F - wrenches[b].F).norm() + (of_copy[b].n_bar - wrenches[b].n_bar).norm(), S(0), once,
           1e4 * u);
+  const auto same_energy = [&](const S& of_all, const S& of_copied) {
+    equal("keys show every part", of_copied, of_all, size, 1e4 * u);
+  };
+  same_energy(effect.power(view), copy.power(view));
+  same_energy(effect.potential_energy(view), copy.potential_energy(view));
+  same_energy(effect.nonconservative_power(view), copy.nonconservative_power(view));
+  if constexpr (requires { copy.follow(view); }) {
+    copy = effect;
+    copy.follow(view);
+    std::fill(of_copy.begin(), of_copy.end(), Wrench<S>{});
+    copy.apply(view, of_copy);
+    for (std::size_t b = 0; b < wrenches.size(); ++b)
+      equal("an effect that follows the motion acts as before",
+            (of_copy[b].F - wrenches[b].F).norm() + (of_copy[b].n_bar - wrenches[b].n_bar).norm(), S(0), once,
+            1e4 * u);
+  }
+  // what keys show may have kinks, which an effect must name
+  std::vector<double> shown_kinks, kinks;
+  show_effect_parts(
+      [&](const auto& part) {
+        if constexpr (requires { part.append_kinks(shown_kinks); }) part.append_kinks(shown_kinks);
+        if constexpr (requires { part[0].append_kinks(shown_kinks); })
+          for (const auto& one : part) one.append_kinks(shown_kinks);
+      },
+      effect);
+  if constexpr (requires { effect.append_kinks(kinks); }) effect.append_kinks(kinks);
+  std::sort(shown_kinks.begin(), shown_kinks.end());
+  std::sort(kinks.begin(), kinks.end());
+  if (!std::includes(kinks.begin(), kinks.end(), shown_kinks.begin(), shown_kinks.end()))
+    broken.push_back({"an effect names the kinks of its functions of time", 1, 0});
   // r and A a little on with the motion, and a little back
   const S h(cbrt(u));
   const auto stored = [&](const S& by) {

@@ -165,6 +165,25 @@ struct SecretiveSpring : SpringDamper<S> {
   }
 };
 
+/// Stores energy at a level that it does not show.
+struct SecretiveGravity : Gravity<S> {
+  S level{0};
+  S potential_energy(const EffectView<S>& view) const { return Gravity<S>::potential_energy(view) + level; }
+};
+/// Acts twice as hard once it has followed a motion.
+struct RestlessTorque : Torque<S> {
+  S times{1};
+  void apply(const EffectView<S>& view, std::span<Wrench<S>> wrenches) const {
+    for (S k(0); k < times; k += S(1)) Torque<S>::apply(view, wrenches);
+  }
+  S power(const EffectView<S>& view) const { return times * Torque<S>::power(view); }
+  void follow(const EffectView<S>&) { times = S(2); }
+};
+/// Does not say where its functions have kinks.
+struct SmoothForce : Force<S> {
+  void append_kinks(std::vector<double>&) const {}
+};
+
 /// Draws what an effect shows, of two bodies that a joint joins.
 struct DrawnParts : ValueVisitor<DrawnParts> {
   Random& random;
@@ -209,6 +228,10 @@ TEST(EffectLaws, HoldForEveryEffectOfTheListAndFindOneThatBreaksThem) {
     EXPECT_FALSE(broken(TurnedSpring{spring(S(3), TF(1.25))}).empty());
     EXPECT_FALSE(broken(BlindSpring{spring(S(3), TF(1.25))}).empty());
     EXPECT_FALSE(broken(BlindTorque{{"", 1, numbers(), ComponentFrame::global}}).empty());
+    EXPECT_FALSE(broken(SecretiveGravity{{"", Vec(S(1), S(2), S(-9.81))}, S(5)}).empty());
+    EXPECT_FALSE(broken(RestlessTorque{{"", 1, numbers(), ComponentFrame::global}}).empty());
+    const TF kinked = TF::Step5{0.5, 0, 1, 2};
+    EXPECT_FALSE(broken(SmoothForce{{"", 1, Vec::Zero(), {kinked, TF(1), TF(1)}}}).empty());
   }
 }
 

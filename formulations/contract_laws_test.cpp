@@ -86,6 +86,26 @@ struct SaysThatItsMassIsConstant : RP<double> {
 struct SaysThatItsReducedMassIsConstant : REpsilon<double> {
   static constexpr bool reduced_mass_is_constant = true;
 };
+struct PutsVelocitiesInPlaces : ROmega<double> {
+  static Kinematics kinematics(const Chart& chart, const Vector3<double>& r, const Vector3<double>& r_dot,
+                               const Coordinates& q) {
+    return ROmega<double>::kinematics(chart, r_dot, r, q);
+  }
+};
+struct KnowsNoDistance : ROmega<double> {
+  static double chart_distance(const Chart&, const Coordinates&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+};
+struct DisplacesAsIfFlat : ROmega<double> {
+  static Unknown displacement_rate(const Unknown&, const Unknown& omega_bar) { return omega_bar; }
+};
+struct RetractsToNowhere : ROmega<double> {
+  static Orientation retract(const Chart& chart, const Orientation& p, const Vector3<double>& phi) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    return (phi.norm() < 1e-3 ? nan : 1.0) * ROmega<double>::retract(chart, p, phi);
+  }
+};
 
 template <class F>
 class AWrongFormulation : public testing::Test {};
@@ -94,7 +114,8 @@ using WrongFormulations =
                    MomentOfAnotherFrame, StepTwiceAsFar, ReducedForceWithoutGyroscopicMoment,
                    AngularMotionWithoutDrift, RetractsTwiceAsFar, NormalisesPositionsAlone,
                    NormalisesByAnotherShare, NormalisesVelocitiesHalfway, SaysThatItsMassIsConstant,
-                   SaysThatItsReducedMassIsConstant>;
+                   SaysThatItsReducedMassIsConstant, PutsVelocitiesInPlaces, KnowsNoDistance,
+                   DisplacesAsIfFlat, RetractsToNowhere>;
 TYPED_TEST_SUITE(AWrongFormulation, WrongFormulations);
 
 TYPED_TEST(AWrongFormulation, IsFoundByTheLaws) { EXPECT_FALSE(broken_laws<TypeParam>().empty()); }

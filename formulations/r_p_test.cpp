@@ -2,6 +2,7 @@
 
 #include "formulations/r_p.hpp"
 
+#include "base/raise.hpp"
 #include "bodies/numbers/quad.hpp"
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
@@ -93,8 +94,8 @@ Unknowns<F> with_norm_row(const Solved& s, int row_scale, int gamma_scale) {
 double largest_difference(const Solved& s, const Unknowns<F>& other) {
   double worst = distance(other.lambda, s.u.lambda);
   for (int b = 0; b < s.nb(); ++b)
-    worst = std::max(worst, distance(F::to_angular_acceleration(s.body(b), other.body[b].q_ddot),
-                                     F::to_angular_acceleration(s.body(b), s.u.body[b].q_ddot)));
+    raise(worst, distance(F::to_angular_acceleration(s.body(b), other.body[b].q_ddot),
+                          F::to_angular_acceleration(s.body(b), s.u.body[b].q_ddot)));
   return worst;
 }
 

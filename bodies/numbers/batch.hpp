@@ -87,7 +87,7 @@ class Batch {
   friend Mask operator==(const Batch& a, const Batch& b) { return Mask(a.lanes_ == b.lanes_); }
   friend Mask operator!=(const Batch& a, const Batch& b) { return Mask(a.lanes_ != b.lanes_); }
 
-  friend Mask operator|(const Mask& a, const Mask& b) { return Mask(a.bits() | b.bits()); }
+  friend Mask either(const Mask& a, const Mask& b) { return Mask(a.bits() | b.bits()); }
   friend Batch select(const Mask& condition, const Batch& a, const Batch& b) {
     return Batch(condition.bits() ? a.lanes_ : b.lanes_, 0);
   }

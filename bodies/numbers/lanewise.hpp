@@ -14,6 +14,7 @@ class MixedLanes : public std::runtime_error {
 
 inline bool any(bool condition) { return condition; }
 inline bool all(bool condition) { return condition; }
+inline bool either(bool one, bool other) { return one || other; }
 
 /// a where the condition holds, b elsewhere; both are evaluated.
 template <class Scalar>
@@ -24,7 +25,7 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) {
 /// What is not a number is larger than any.
 template <class Scalar>
 Scalar larger(const Scalar& a, const Scalar& b) {
-  return select((a > b) | (a != a), a, b);
+  return select(either(a > b, a != a), a, b);
 }
 
 /// The worst of all lanes, for reports; a NaN is worst.

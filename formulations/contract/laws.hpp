@@ -41,6 +41,7 @@ class FormulationLaws {
   using V = Vector3<S>;
   using Kinematics = typename F::Kinematics;
   using Unknown = typename F::Unknown;
+  using Coordinates = typename F::Coordinates;
 
   /// A body somewhere, turning somehow.
   struct Sample {
@@ -70,7 +71,7 @@ class FormulationLaws {
   static Vector4<S> pose(int n) {
     Vector4<S> p;
     p << S(1 + 0.01 * n), numbers(3 * n + 1);
-    return p / p.norm();
+    return (n % 2 == 0 ? 1 : -1) * p / p.norm();  // either sign is the same rotation
   }
   static Sample sample(int n) {
     Sample s;
@@ -84,14 +85,21 @@ class FormulationLaws {
 
   void at_sample(int n) {
     const Sample s = sample(n);
-    poses(s);
+    poses(s, n);
     const Unknown q_ddot = accelerations(s, n);
     newton_and_euler(s, q_ddot, n);
     if constexpr (ReducedEquations<F>) reduced(s, n);
     if constexpr (MovingCoordinates<F>) moving(s, n);
   }
 
-  void poses(const Sample& s) {
+  void poses(const Sample& s, int n) {
+    equal("kinematics keep the place", V(s.body.r), numbers(n));
+    equal("kinematics keep the velocity of the place", V(s.body.r_dot), numbers(n + 1));
+    const double distance = static_cast<double>(S(F::chart_distance(s.chart, s.q)));
+    if (!(distance > 0 && distance <= 1))
+      broken_.push_back(
+          {std::string(F::name) + ": a chart's distance is above 0 and at most 1 where it has rates",
+           distance, 1});
     equal("a pose gives its rotation", s.body.A, rotation_matrix(s.p));
     equal("a pose gives its angular velocity", s.body.omega_bar, s.omega_bar);
     const Vector4<S> p = F::to_euler_parameters(s.chart, s.q);
@@ -201,30 +209,41 @@ class FormulationLaws {
       equal("a mass block that is said to be constant is the same elsewhere", F::mass_block(s.body, J_bar),
             F::mass_block(sample(n + 1).body, J_bar));
     }
-    // a little on with the motion, and a little back
-    using std::cbrt;
-    const S h(cbrt(static_cast<double>(std::numeric_limits<S>::epsilon())));
-    const auto moved = [&](const S& t) {
-      return F::orientation_of(s.chart, ROmega<S>::step({}, s.p, V(t * s.omega_bar)));
-    };
-    const typename F::Orientation slope = (moved(h) - moved(-h)) / (2 * h);
-    // angles may turn over between the two
-    if (static_cast<double>(S(slope.norm())) < 1e3)
-      equal("the orientation's rate is that of its numbers", slope,
-            typename F::Orientation(F::orientation_rate(s.chart, at, v)),
-            1e3 / cbrt(static_cast<double>(std::numeric_limits<S>::epsilon())));
-    const typename F::Orientation on = F::retract(s.chart, at, Unknown(h * v)),
-                                  back = F::retract(s.chart, at, Unknown(-h * v));
-    const typename F::Orientation retracted = (on - back) / (2 * h);
-    if (static_cast<double>(S(retracted.norm())) < 1e3)
-      equal("a retraction begins along the orientation's rate", retracted,
-            typename F::Orientation(F::orientation_rate(s.chart, at, v)),
-            1e3 / cbrt(static_cast<double>(std::numeric_limits<S>::epsilon())));
+    paths(s, at, v, there, by);
     typename F::Orientation same = F::retract(s.chart, at, by);
     const typename F::Orientation retracted_there = same;
     Unknown any = v;
     F::normalise(same, any);
     equal("a retraction meets the internal rows", same, retracted_there);
+  }
+
+  /// A little on and a little back. Rotations are compared, not numbers: angles may turn over between the
+  /// two.
+  template <class Orientation>
+  void paths(const Sample& s, const Orientation& at, const Unknown& v, const Orientation& there,
+             const Unknown& by) {
+    using std::cbrt;
+    const double u = static_cast<double>(std::numeric_limits<S>::epsilon()), digits_lost = 1e3 / cbrt(u);
+    const S h(cbrt(u));
+    const auto rotation = [&](const Orientation& x) {
+      const Coordinates q = F::from_orientation(s.chart, x, v);
+      return Matrix3<S>(F::kinematics(s.chart, V(V::Zero()), V(V::Zero()), q).A);
+    };
+    const Matrix3<S> turns = s.body.A * tilde(s.omega_bar);
+    const Orientation rate = F::orientation_rate(s.chart, at, v);
+    equal("the orientation's rate turns the body as it turns",
+          Matrix3<S>((rotation(at + h * rate) - rotation(at - h * rate)) / (2 * h)), turns, digits_lost);
+    equal("a retraction begins along the orientation's rate",
+          Matrix3<S>((rotation(F::retract(s.chart, at, Unknown(h * v))) -
+                      rotation(F::retract(s.chart, at, Unknown(-h * v)))) /
+                     (2 * h)),
+          turns, digits_lost);
+    const Orientation on = F::orientation_rate(s.chart, there, v);
+    equal("a displacement grows as displacement_rate says",
+          Unknown(
+              (F::displacement(s.chart, at, there + h * on) - F::displacement(s.chart, at, there - h * on)) /
+              (2 * h)),
+          Unknown(F::displacement_rate(by, v)), digits_lost);
   }
 
   /// The way back onto the internal rows, from a displacement off them.

@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 #include <type_traits>
 
+#include "base/raise.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
@@ -44,7 +45,7 @@ double force_scale(const Solved<F>& s) {
   for (std::size_t k = 0; k < s.mechanism.rows.size(); ++k) {
     const auto& row = s.solver.equations().row[k];
     const double gradient = row.r_i.norm() + row.r_j.norm() + row.rot_i.norm() + row.rot_j.norm();
-    scale = std::max(scale, std::abs(s.u.lambda[k]) * gradient);
+    raise(scale, std::abs(s.u.lambda[k]) * gradient);
   }
   return scale;
 }

@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "base/raise.hpp"
 #include "bodies/testing/properties.hpp"
 #include "formulations/testing/random_mechanism.hpp"
 #include "scenes/generators.hpp"
@@ -34,7 +35,7 @@ scenes::Scene joined(int bodies, const std::vector<std::array<int, 2>>& pairs) {
 }
 std::size_t widest_border(const EliminationPlan& plan) {
   std::size_t widest = 0;
-  for (const auto& link : plan.links) widest = std::max(widest, link.columns.size());
+  for (const auto& link : plan.links) raise(widest, link.columns.size());
   return widest;
 }
 

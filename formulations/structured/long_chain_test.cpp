@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/raise.hpp"
 #include "bodies/numbers/quad.hpp"
 #include "formulations/r_epsilon.hpp"
 #include "formulations/r_omega.hpp"
@@ -24,7 +25,7 @@ double joints_apart(const Mechanism<S>& mechanism, const VectorX<S>& lambda, con
       difference += d * d;
       size += exact[k] * exact[k];
     }
-    worst = std::max(worst, std::sqrt(static_cast<double>(Quad(difference / size))));
+    raise(worst, std::sqrt(static_cast<double>(Quad(difference / size))));
   }
   return worst;
 }

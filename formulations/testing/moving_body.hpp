@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 
 #include "bodies/numbers/quad.hpp"
 #include "bodies/rotations/so3.hpp"
 #include "constraints/testing/row_laws.hpp"
-#include "formulations/r_epsilon_omega_first.hpp"
-#include "formulations/r_p.hpp"
+#include "formulations/formulation_list.hpp"
 
 namespace trivium::test {
 
@@ -113,11 +113,17 @@ void for_all_charts(const Use& use) {
     for (const bool reframe : {true, false}) use(ChartOptions{*parse_euler_sequence(name), reframe});
 }
 
+template <class... Tuples>
+struct TypesOf;
+template <class... F, class... G>
+struct TypesOf<std::tuple<F...>, std::tuple<G...>> {
+  using Types = testing::Types<F..., G...>;
+};
+/// Those of the library's list.
 template <class S>
-using AllFormulations = testing::Types<ROmega<S>, RP<S>, REpsilon<S>, REpsilonOmegaFirst<S>>;
+using AllFormulations = typename TypesOf<trivium::AllFormulations::In<S>, std::tuple<>>::Types;
 using TestedFormulations =
-    testing::Types<ROmega<double>, RP<double>, REpsilon<double>, REpsilonOmegaFirst<double>, ROmega<Quad>,
-                   RP<Quad>, REpsilon<Quad>, REpsilonOmegaFirst<Quad>>;
+    TypesOf<trivium::AllFormulations::In<double>, trivium::AllFormulations::In<Quad>>::Types;
 /// Without points and hyphens, which choose tests in GoogleTest's filters.
 struct FormulationNames {
   template <class F>

@@ -67,7 +67,7 @@ struct SolvedTwice {
         Vector<S, 6> gradient;
         gradient << r.transpose(), rot.transpose();
         difference[body] += excess * gradient;
-        largest = std::max(largest, static_cast<double>(S((by_print.lambda[k] * gradient).norm())));
+        raise(largest, static_cast<double>(S((by_print.lambda[k] * gradient).norm())));
       };
       add(eom.pair[k].i, eom.row[k].r_i, eom.row[k].rot_i);
       add(eom.pair[k].j, eom.row[k].r_j, eom.row[k].rot_j);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/raise.hpp"
 #include "paper/generator/formulations.hpp"
 #include "paper/generator/statistics.hpp"
 #include "paper/generator/table.hpp"
@@ -52,7 +53,7 @@ struct Group {
     double largest = 0;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       difference[k].add(table.number(row, pairs[k]), scene);
-      largest = std::max(largest, table.number(row, pairs[k]));
+      raise(largest, table.number(row, pairs[k]));
     }
     worst.add(largest, scene);
     ratio.add(bound_factor * largest / table.number(row, "bound"), scene);
