@@ -9,6 +9,10 @@ list(APPEND libraries trivium_command_line trivium_structured_solver trivium_sce
      trivium_formulations_in_other_scalars)
 target_link_libraries(trivium INTERFACE ${libraries})
 install(TARGETS trivium ${libraries} EXPORT triviumTargets)
+# trivium::harness is lambda_invariance for formulations from outside
+install(TARGETS trivium_results trivium_harness EXPORT triviumTargets)
+install(FILES ${PROJECT_SOURCE_DIR}/validation/harness/lambda_invariance.hpp
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/trivium/validation/harness)
 foreach(room IN LISTS rooms)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/trivium FILES_MATCHING
           PATTERN "*.hpp" PATTERN "testing" EXCLUDE PATTERN "catalogue" EXCLUDE PATTERN "instances" EXCLUDE)

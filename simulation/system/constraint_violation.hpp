@@ -6,6 +6,7 @@
 /// integrators/projection_iteration.hpp decides by the relative measure; the metric of the way back is that
 /// of constraint_projection.hpp.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -57,18 +58,19 @@ class ConstraintViolation {
     }
     for (int b = 0; b < nb_; ++b) {
       Extent& extent = extent_[component_[b]];
-      extent.length = larger(extent.length, S(body[b].r.norm() + extent.reach));
+      // sizes alone: where one of these is no number, neither are the rows that are measured beside it
+      extent.length = std::max(extent.length, S(body[b].r.norm() + extent.reach));
       const S v = body[b].r_dot.norm(), omega = body[b].omega_bar.norm();
-      extent.speed = larger(extent.speed, S(v + omega * extent.reach));
+      extent.speed = std::max(extent.speed, S(v + omega * extent.reach));
       // what is at rest turns by the rounding of how its joints' points move
-      extent.spin = larger(extent.spin, extent.arm > S(0) ? S(omega + v / extent.arm) : S(omega + v));
+      extent.spin = std::max(extent.spin, extent.arm > S(0) ? S(omega + v / extent.arm) : S(omega + v));
     }
   }
   /// The motion has reached the bodies' state.
   void accept_state() {
     for (Extent& extent : extent_) {
-      extent.fastest = larger(extent.fastest, extent.speed);
-      extent.fastest_spin = larger(extent.fastest_spin, extent.spin);
+      raise(extent.fastest, extent.speed);
+      raise(extent.fastest_spin, extent.spin);
     }
   }
 
@@ -105,8 +107,8 @@ class ConstraintViolation {
       Extent& extent = extent_[component_[joint.i == nb_ ? joint.j : joint.i]];
       for (const auto& [body, point] :
            {std::pair(joint.i, joint.frame_i.point), {joint.j, joint.frame_j.point}}) {
-        extent.reach = larger(extent.reach, S(point.norm()));
-        if (body != nb_) extent.arm = larger(extent.arm, S(point.norm()));
+        raise(extent.reach, S(point.norm()));
+        if (body != nb_) raise(extent.arm, S(point.norm()));
       }
     }
   }

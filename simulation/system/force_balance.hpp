@@ -52,15 +52,15 @@ class ForceBalance {
       Layout::of(left, b).template head<6>() << left_r, left_x;
       const auto norm = [&](const Vector3<S>& x) { return F::moment(body, x).norm(); };
       BalanceSize& size = size_[components.component_of(b)];
+      // whether all are numbers is seen by their sum
       size.force =
-          larger(size.force, S(wrenches[b].F.norm() + Layout::r_of(force, b).norm() + held_r.norm()));
-      size.moment = larger(size.moment, S(norm(applied) + norm(inertia) + norm(held_x)));
+          std::max(size.force, S(wrenches[b].F.norm() + Layout::r_of(force, b).norm() + held_r.norm()));
+      size.moment = std::max(size.moment, S(norm(applied) + norm(inertia) + norm(held_x)));
       all_left += left_r.squaredNorm() + left_x.squaredNorm();
       // springs that hold each other may leave no force that their own rounding could be measured by
-      size.force_left = larger(size.force_left, S(left_r.norm() - u * of_springs(b).force));
-      size.moment_left = larger(size.moment_left, S(norm(left_x) - u * of_springs(b).moment));
+      size.force_left = std::max(size.force_left, S(left_r.norm() - u * of_springs(b).force));
+      size.moment_left = std::max(size.moment_left, S(norm(left_x) - u * of_springs(b).moment));
     }
-    // comparisons pass over what is no number
     if (!(all_left <= std::numeric_limits<S>::max())) return std::numeric_limits<S>::max();
     S largest(0);
     for (int b = 0; b < mechanism_.nb(); ++b) {
