@@ -77,14 +77,16 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
     once += wrenches[b].F.norm() + wrenches[b].n_bar.norm();
   }
   equal("wrenches are added to those there are", added, once, S(0), 1e4 * u);
+  const auto acts_the_same = [&](const char* law, const E& other, const EffectView<S>& seen) {
+    std::vector<Wrench<S>> of_other(motion.size());
+    other.apply(seen, of_other);
+    for (std::size_t b = 0; b < wrenches.size(); ++b)
+      equal(law, (of_other[b].F - wrenches[b].F).norm() + (of_other[b].n_bar - wrenches[b].n_bar).norm(),
+            S(0), once, 1e4 * u);
+  };
   E copy;
   show_effect_parts([](const auto& from, auto& to) { to = from; }, effect, copy);
-  std::vector<Wrench<S>> of_copy(motion.size());
-  copy.apply(view, of_copy);
-  for (std::size_t b = 0; b < wrenches.size(); ++b)
-    equal("keys show every part",
-          (of_copy[b].F - wrenches[b].F).norm() + (of_copy[b].n_bar - wrenches[b].n_bar).norm(), S(0), once,
-          1e4 * u);
+  acts_the_same("keys show every part", copy, view);
   const auto same_energy = [&](const S& of_all, const S& of_copied) {
     equal("keys show every part", of_copied, of_all, size, 1e4 * u);
   };
@@ -94,12 +96,7 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
   if constexpr (requires { copy.follow(view); }) {
     copy = effect;
     copy.follow(view);
-    std::fill(of_copy.begin(), of_copy.end(), Wrench<S>{});
-    copy.apply(view, of_copy);
-    for (std::size_t b = 0; b < wrenches.size(); ++b)
-      equal("an effect that follows the motion acts as before",
-            (of_copy[b].F - wrenches[b].F).norm() + (of_copy[b].n_bar - wrenches[b].n_bar).norm(), S(0), once,
-            1e4 * u);
+    acts_the_same("an effect that follows the motion acts as before", copy, view);
   }
   // what keys show may have kinks, which an effect must name
   std::vector<double> shown_kinks, kinks;
@@ -136,12 +133,8 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
         elsewhere[b].A = (turn * elsewhere[b].A).eval();
         elsewhere[b].omega_bar += Vector3<S>::Ones();
       }
-      std::vector<Wrench<S>> there(motion.size());
-      effect.apply(EffectView<S>{bodies, elsewhere, t}, there);
-      for (std::size_t b = 0; b < there.size(); ++b)
-        equal("an effect that sees no motion acts the same everywhere",
-              (there[b].F - wrenches[b].F).norm() + (there[b].n_bar - wrenches[b].n_bar).norm(), S(0), once,
-              1e4 * u);
+      acts_the_same("an effect that sees no motion acts the same everywhere", effect,
+                    EffectView<S>{bodies, elsewhere, t});
     }
   if constexpr (requires { effect.longest_step(view); })
     equal("the longest step is longer than none", S(effect.longest_step(view) > S(0) ? 0 : 1), S(0), S(0), 0);

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/raise.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "formulations/analysis/comparison.hpp"
@@ -56,6 +57,11 @@ struct SideBySide {
       if (f.error.empty())
         least = std::min(least, compare_lambda(rows, f.solution.lambda, f.solution.lambda).cancellation());
     return std::isfinite(least) ? least : 1.0;
+  }
+  /// Throws the error of the first formulation that did not solve: it is in no discrepancy.
+  void require_solved() const {
+    for (const auto& f : formulations)
+      if (!f.error.empty()) throw ModelError(fmt::format("{}: {}", f.name, f.error));
   }
   /// The bound of lambda's discrepancy: 100 u kappa.
   double lambda_bound() const {

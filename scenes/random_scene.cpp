@@ -109,13 +109,13 @@ class Builder {
                                       JointType::universal,     JointType::fixed,    JointType::cylindrical,
                                       JointType::translational, JointType::planar,   JointType::in_line,
                                       JointType::in_plane,      JointType::distance};
-      for (const ConstraintShape& known : constraint_shapes())
-        if (known.type.is_basic() && known.shape.find("f")) all.push_back(known.type);
-      // joints that the order above, which draws are counted by, does not know; drivers come with revolutes
-      for (const ConstraintShape& known : constraint_shapes())
-        if (!known.type.is_basic() && !properties_of(known.type).drives_an_angle &&
-            std::find(all.begin(), all.end(), known.type) == all.end())
+      // what the order above, which draws are counted by, does not know; drivers come with revolutes
+      for (const ConstraintShape& known : constraint_shapes()) {
+        const bool is_fitted = known.type.is_basic() ? known.shape.find("f") != nullptr
+                                                     : !properties_of(known.type).drives_an_angle;
+        if (is_fitted && std::find(all.begin(), all.end(), known.type) == all.end())
           all.push_back(known.type);
+      }
       return all;
     }();
     add_joint_of(types[draw_.below(static_cast<int>(types.size()))], i, j);

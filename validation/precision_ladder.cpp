@@ -73,8 +73,7 @@ void compare(const NamedScene& named, const RowAnalysis& rows, PrecisionResult& 
   rung.kappa = result.rows.kappa;
   rung.cancellation = result.cancellation();
   rung.any_unique = result.any_unique();
-  for (const auto& f : result.formulations)
-    if (!f.error.empty()) throw ModelError(fmt::format("{}: {}", f.name, f.error));
+  result.require_solved();
   rung.difference = result.discrepancy().lambda;
 }
 

@@ -22,7 +22,7 @@ int main(int count, char** arguments) {
   for (int k = 1; k < count; ++k) {
     const Model<double> model = make_model<double>(scenes::read_scene_file(arguments[k]));
     const auto all = side_by_side<AllFormulations::With<Directors>>(model, analyse_rows(model));
-    if (const std::string& error = all.formulations.back().error; !error.empty()) throw ModelError(error);
+    all.require_solved();
     const double difference = all.discrepancy().lambda;
     fmt::print("{}: lambda of {} formulations, {} among them, differs by {:.1e}; bound {:.1e}\n",
                model.mechanism.name, all.formulations.size(), Directors<double>::name, difference,

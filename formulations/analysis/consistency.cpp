@@ -32,11 +32,10 @@ GlobalAxes global_axes(const EquationsOfMotion<F>& eom, const Joint<double>& joi
 std::vector<std::string> wrong_branches_of(const Joint<double>& joint, const GlobalAxes& a, double t) {
   std::vector<std::string> wrong;
   const auto say = [&](const std::string& what) { wrong.push_back(fmt::format("{}: {}", joint.name, what)); };
-  if (properties_of(joint.type).has_parallel_axes && a.z_i.dot(a.z_j) < 0)
-    say("its axes z_i and z_j are antiparallel");
-  if (properties_of(joint.type).allows_no_rotation && a.u_i.dot(a.u_j) < 0)
-    say("its x axes u_i and u_j are a half turn apart");
-  if (properties_of(joint.type).drives_an_angle) {
+  const JointProperties type = properties_of(joint.type);
+  if (type.has_parallel_axes && a.z_i.dot(a.z_j) < 0) say("its axes z_i and z_j are antiparallel");
+  if (type.allows_no_rotation && a.u_i.dot(a.u_j) < 0) say("its x axes u_i and u_j are a half turn apart");
+  if (type.drives_an_angle) {
     const double theta = std::atan2(a.v_i.dot(a.u_j), a.u_i.dot(a.u_j));
     if (std::cos(theta - joint.angle(t).f) < 0) say("its angle is a half turn from alpha(t)");
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/raise.hpp"
+#include "bodies/numbers/lanewise.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "constraints/constraint_row.hpp"
 #include "formulations/printed/augmented_system.hpp"
@@ -17,11 +18,7 @@ namespace trivium {
 /// as large as those terms could make them. Rows listed in `dependent` are measured apart.
 struct MatrixFreeResidual {
   double bodies = 0, rows = 0, dependent_rows = 0;
-  double worst() const {
-    double larger_of_both = bodies;
-    raise(larger_of_both, rows);
-    return larger_of_both;
-  }
+  double worst() const { return larger(bodies, rows); }
 };
 
 template <EquationsAsPrinted F, class Types>

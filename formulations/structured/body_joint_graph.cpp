@@ -38,7 +38,8 @@ BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joint
   std::vector<const GraphJoint*> drivers;
   for (const GraphJoint& joint : joints) {
     const auto pair = unordered(joint);
-    if (properties_of(joint.type).drives_an_angle) {
+    const JointProperties type = properties_of(joint.type);
+    if (type.drives_an_angle) {
       drivers.push_back(&joint);
     } else if (joint.type.is_basic()) {
       const auto found = basic_edge.find(pair);
@@ -48,11 +49,9 @@ BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joint
       if (!joint.sees_relative_motion && joint.i != graph.bodies && joint.j != graph.bodies)
         graph.edges[basic_edge[pair]].is_relative = false;
     } else {
-      const bool is_point = properties_of(joint.type).holds_a_point;
-      const int edge = add_edge(joint, is_point);
-      if (is_point) point_edge.emplace(pair, edge);
-      if (properties_of(joint.type).holds_a_point && properties_of(joint.type).has_an_angle)
-        revolute_edge.emplace(pair, std::pair(edge, &joint));
+      const int edge = add_edge(joint, type.holds_a_point);
+      if (type.holds_a_point) point_edge.emplace(pair, edge);
+      if (type.holds_a_point && type.has_an_angle) revolute_edge.emplace(pair, std::pair(edge, &joint));
       take_rows(edge, joint);
     }
   }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/raise.hpp"
+#include "bodies/numbers/lanewise.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "formulations/structured/acceleration_solver.hpp"
 
@@ -43,8 +43,7 @@ void AccelerationSolver<F>::refine_as_needed() {
   double before = 3;  // above any first correction
   for (;;) {
     refine();
-    double now = corrections_.acceleration;
-    raise(now, corrections_.lambda);
+    const double now = larger(corrections_.acceleration, corrections_.lambda);
     if (!(now < before / 2 && now * now / before > enough)) return;
     before = now;
   }

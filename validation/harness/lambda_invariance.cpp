@@ -95,8 +95,7 @@ void compare(const ComparedFormulations& formulations, const Pairs& pairs, const
   answer.kappa = result.rows.kappa;
   answer.cancellation = result.cancellation();
   answer.bound = result.lambda_bound();
-  for (const auto& f : result.formulations)
-    if (!f.error.empty()) throw ModelError(fmt::format("{}: {}", f.name, f.error));
+  result.require_solved();
   for (const Pair& pair : pairs)
     answer.difference.push_back(lambda_distance(result.rows, result.formulations[pair.a].solution.lambda,
                                                 result.formulations[pair.b].solution.lambda));
