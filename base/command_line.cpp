@@ -27,11 +27,6 @@ ExitCode batch_exit(bool all_solved, bool all_passed) {
   return !all_solved ? exit_solver_failed : all_passed ? exit_done : exit_criterion_failed;
 }
 
-std::string name_source(const std::string& source, std::string_view message) {
-  const bool named = message.starts_with(source + " ") || message.starts_with(source + ":");
-  return named ? std::string(message) : fmt::format("{}: {}", source, message);
-}
-
 void ErrorLines::add(const std::string& message, std::string_view about) {
   if (lines_.empty() || lines_.back().message != message)
     lines_.push_back({message, std::string(about)});

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/exit_code.hpp"
 
 namespace trivium {
@@ -17,9 +18,6 @@ int run_guarded(const std::function<int()>& program);
 
 /// What a solver or a criterion made of a batch; a solver that failed counts more.
 ExitCode batch_exit(bool all_solved, bool all_passed);
-
-/// A solver's message, with the scene's source in front unless it begins with it.
-std::string name_source(const std::string& source, std::string_view message);
 
 /// The lines below a table that say what could not be solved; neighbours that say the same share one.
 class ErrorLines {

@@ -1,5 +1,7 @@
 #include "base/json_writer.hpp"
 
+#include <fmt/format.h>
+
 namespace trivium {
 
 JsonWriter& JsonWriter::texts(std::string_view key, const std::vector<std::string>& values) {

@@ -33,6 +33,11 @@ ProgramOption& ProgramOption::values(const std::vector<std::string>& names) {
   return *this;
 }
 
+ProgramOption& ProgramOption::may_repeat(const std::string& name) {
+  option_->allow_extra_args(false)->type_name(name);
+  return *this;
+}
+
 ProgramOption& ProgramOption::show_default() {
   option_->capture_default_str();
   return *this;

@@ -35,6 +35,8 @@ class ProgramOption {
   ProgramOption& between(int least, int most);
   /// Takes as many values as there are names, which the help text shows.
   ProgramOption& values(const std::vector<std::string>& names);
+  /// Takes one value each time that it is given, which the help text names.
+  ProgramOption& may_repeat(const std::string& name);
   /// The help text shows the value that the variable has now.
   ProgramOption& show_default();
   ProgramOption& needs(const ProgramOption& other);

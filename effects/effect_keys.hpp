@@ -10,6 +10,7 @@
 ///                          a number, vector, function of time, three of these, or a frame
 ///   place(key, s_bar...), angle(key, angle...)
 ///                          a vector or number whose size alone says nothing: near zero it counts as zero
+///   turns(key, angle...)   full turns that the angle of a joint begins with (JointAngle), a part of `joint`
 ///
 /// What `may`, `place` and `angle` show is 0, or the global frame, where a file says nothing: so must the
 /// members begin.
@@ -27,6 +28,7 @@ struct KeyVisitor {
   void may(std::string_view, auto&...) const {}
   void place(std::string_view, auto&...) const {}
   void angle(std::string_view, auto&...) const {}
+  void turns(std::string_view, auto&...) const {}
 };
 
 /// For a visitor to whom all values are alike: visitor.value(key, value...).
@@ -36,6 +38,7 @@ struct ValueVisitor {
   void may(std::string_view key, auto&... value) { visitor().value(key, value...); }
   void place(std::string_view key, auto&... value) { visitor().value(key, value...); }
   void angle(std::string_view key, auto&... value) { visitor().value(key, value...); }
+  void turns(std::string_view, auto&...) const {}
 
  private:
   Visitor& visitor() { return static_cast<Visitor&>(*this); }

@@ -120,6 +120,11 @@ class Effects {
       }
     });
   }
+  /// Calls visit(angle) for every angle of a joint that an effect counts over turns (JointAngle).
+  template <class Visit>
+  void for_each_angle(const Visit& visit) {
+    std::apply([&](auto&... list) { (visit_angles(list, visit), ...); }, lists_);
+  }
   /// Tells effects that count turns where the motion is.
   void follow(const EffectView<Scalar>& view) {
     std::apply([&](auto&... list) { (follow_list(list, view), ...); }, lists_);
@@ -150,6 +155,16 @@ class Effects {
   static void follow_list(Of& list, const EffectView<Scalar>& view) {
     if constexpr (requires { list.front().follow(view); })
       for (auto& effect : list) effect.follow(view);
+  }
+  template <class Visit>
+  struct AngleVisitor : KeyVisitor {
+    const Visit& visit;
+    explicit AngleVisitor(const Visit& use) : visit(use) {}
+    void joint(std::string_view, auto& angle) const { visit(angle); }
+  };
+  template <class Of, class Visit>
+  static void visit_angles(Of& list, const Visit& visit) {
+    for (auto& effect : list) Of::value_type::keys(AngleVisitor<Visit>(visit), effect);
   }
   template <class Visit>
   void for_each(const Visit& visit) const {

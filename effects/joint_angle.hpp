@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "bodies/numbers/lanewise.hpp"
@@ -17,8 +18,12 @@ struct JointAngle {
   int i = 0, j = 0;
   Vector3<Scalar> u_bar_i = Vector3<Scalar>::Zero(), v_bar_i = Vector3<Scalar>::Zero(),
                   z_bar_i = Vector3<Scalar>::Zero(), u_bar_j = Vector3<Scalar>::Zero();  ///< body frames
-  Scalar tracked{0};  ///< where theta was last [rad]
+  Scalar tracked{0};  ///< where theta was last [rad]; full turns at the start
   bool operator==(const JointAngle&) const = default;
+
+  void set_turns(int turns) { tracked = Scalar(2 * std::numbers::pi * turns); }
+  /// Those nearest to an angle [rad]: the angle is within half a turn of them.
+  static int turns_of(double theta) { return static_cast<int>(std::lround(theta / (2 * std::numbers::pi))); }
 
   /// use(part...) for every part of one angle or of several side by side.
   template <class Use, class... Part>
@@ -33,7 +38,7 @@ struct JointAngle {
     use(p.tracked...);
   }
 
-  /// theta [rad], in (-pi, pi] of where it was last (0 at the start).
+  /// theta [rad], in (-pi, pi] of where it was last (of full turns at the start).
   Scalar value(const EffectView<Scalar>& view) const {
     using std::atan2, std::cos, std::sin;
     const Matrix3<Scalar>& A_i = view.motion[i].A;

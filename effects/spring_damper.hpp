@@ -2,6 +2,8 @@
 /// A spring, damper and actuator along the line between two body-fixed points: tension k (l - l0) + c l' +
 /// h(t). Haug (1989), translational spring-damper-actuator.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -114,11 +116,9 @@ struct SpringDamper {
   /// direction.
   Line at_zero_length(const Scalar& t) const {
     if (stiffness * free_length != Scalar(0) || damping != Scalar(0) || actuator(t).f != Scalar(0))
-      throw ModelError(
-          fmt::format("spring_damper \"{}\": its two ends coincide at t = {}, so its force has no direction; "
-                      "move an end, or "
-                      "give it free_length 0, damping 0 and no actuator",
-                      name, static_cast<double>(t)));
+      throw ModelError({fmt::format("spring_damper \"{}\"", name), static_cast<double>(t)},
+                       "its two ends coincide, so its force has no direction; move an end, or give it "
+                       "free_length 0, damping 0 and no actuator");
     return {Scalar(0), Scalar(0), Vector3<Scalar>::Zero()};
   }
   Scalar tension(const Line& line, const Scalar& t) const {

@@ -30,6 +30,7 @@ struct TorsionalSpringDamper {
     show.may("damping", e.damping...);
     show.angle("free_angle", e.free_angle...);
     show.may("actuator", e.actuator...);
+    show.turns("turns", e.angle...);
   }
 
   void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {

@@ -2,6 +2,8 @@
 /// The definitions behind body_state.hpp and equations_of_motion.hpp, compiled once a Scalar in instances/.
 /// Who needs another Scalar, as a batch, includes this file.
 
+#include <fmt/format.h>
+
 #include "base/error.hpp"
 #include "constraints/constraint_row.hpp"
 #include "formulations/equations_of_motion.hpp"
@@ -21,7 +23,8 @@ std::vector<BodyState<F>> to_coordinates(const Mechanism<typename F::Scalar, Typ
       const typename F::Chart chart = F::choose_chart(options, pose.p);
       bodies.push_back({pose.r, twist.r_dot, chart, F::from_pose(chart, pose.p, twist.omega_bar)});
     } catch (const ModelError& error) {
-      throw ModelError(fmt::format("body \"{}\": {}", mechanism.body_names[b], error.what()));
+      throw ModelError({fmt::format("body \"{}\"", mechanism.body_names[b]), static_cast<double>(state.t)},
+                       error);
     }
   }
   return bodies;

@@ -5,6 +5,8 @@
 /// its singularity; then it is the first of the list below that keeps 0.3 away: quarter turns about x, y, z.
 /// One always does, because the quarter turns put three orthogonal directions where the sequence looks.
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <string>
@@ -50,6 +52,18 @@ Matrix3<S> reframing_rotation(int index) {
   C(m, n) = S(-1);
   C(n, m) = S(1);
   return C;
+}
+
+/// The chart of that name; returns whether there is one.
+template <class S>
+bool read_chart(std::string_view name, EulerChart<S>& chart) {
+  const auto sequence = parse_euler_sequence(name.substr(0, 3));
+  if (!sequence) return false;
+  for (int index = 0; index < static_cast<int>(reframings.size()); ++index) {
+    chart = {*sequence, index, reframing_rotation<S>(index)};
+    if (chart.name() == name) return true;
+  }
+  return false;
 }
 
 /// |sin theta| (iji) or |cos theta| (ijk) of A(epsilon): 0 where the sequence is singular, from the entries

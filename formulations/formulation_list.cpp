@@ -1,5 +1,7 @@
 #include "formulations/formulation_list.hpp"
 
+#include <fmt/format.h>
+
 #include "base/error.hpp"
 
 namespace trivium {

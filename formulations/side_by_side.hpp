@@ -3,6 +3,8 @@
 /// same in all of them. Each is solved as printed; discrepancies are relative, and their bound is 100 u kappa
 /// (analysis/comparison.hpp). Formulations are told apart at run time here and nowhere below.
 
+#include <fmt/format.h>
+
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -67,9 +69,13 @@ struct SideBySide {
   double lambda_bound() const {
     return trivium::lambda_bound(static_cast<double>(unit_roundoff<Scalar>()), rows.kappa);
   }
-  /// The largest difference between any two formulations that solved.
+  /// The largest difference between any two formulations that solved; NaN where the norms are not known.
   Discrepancy discrepancy() const {
     Discrepancy worst;
+    if (rows.E.size() != static_cast<Eigen::Index>(rows.unique.size())) {
+      constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+      return {unknown, unknown, unknown};
+    }
     for (std::size_t a = 0; a < formulations.size(); ++a)
       for (std::size_t b = a + 1; b < formulations.size(); ++b) {
         if (!formulations[a].error.empty() || !formulations[b].error.empty()) continue;

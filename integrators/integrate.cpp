@@ -34,28 +34,30 @@ void checked_step(AnySystem<S>& system, AnyMethod<S>& method, S& t, StateVector<
     } catch (const UsageError&) {
       throw;
     } catch (const std::runtime_error& error) {
+      const auto* known = dynamic_cast<const Error*>(&error);
+      const Place place{known ? known->where() : "",
+                        known && known->when() ? known->when() : static_cast<double>(before_t)};
       std::string why = error.what();
       if (!trouble.empty()) why += "; longer ones had failed so: " + trouble;
       // what fails in a step of given length may be the model's coordinates
       const std::string diagnose = system.diagnose(before_t, before);
       if (!diagnose.empty() && why.find(diagnose) == std::string::npos) why += "; " + diagnose;
-      throw IntegrationError(why);
+      throw IntegrationError(why, place);
     }
     const auto stepped = y;
     try {
       require_finite(y, t);
       if (!(t - before_t <= 2 * system.longest_step(t, y)))
-        throw IntegrationError(
-            fmt::format("at t = {}: the step is too long to follow how far springs turn; take smaller steps, "
-                        "or leave their length to tolerances",
-                        static_cast<double>(t)));
+        throw IntegrationError({{}, static_cast<double>(t)},
+                               "the step is too long to follow how far springs turn; take smaller steps, or "
+                               "leave their length to "
+                               "tolerances");
       if (!projects) return;
       const int row = project(system, t, y, report);
       if (!system.projection_is_too_large(before, stepped, y)) return;
-      throw IntegrationError(fmt::format(
-          "row \"{}\" at t = {}: its projection moved the bodies by more than a tenth of the step; take "
-          "smaller steps, or leave their length to tolerances",
-          system.row_name(row), static_cast<double>(t)));
+      throw IntegrationError({fmt::format("row \"{}\"", system.row_name(row)), static_cast<double>(t)},
+                             "its projection moved the bodies by more than a tenth of the step; take smaller "
+                             "steps, or leave their length to tolerances");
     } catch (const IntegrationError& error) {
       if (!method.shorten()) throw;
       trouble = error.what();
@@ -71,22 +73,20 @@ template <class S>
 bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid, bool projects,
                ProjectionReport<S>& report,
                const std::function<Continue(const S& t, const StateVector<S>& y)>& at_step,
-               const std::function<void(const S& t, const StateVector<S>& y)>& at_output) {
-  S t(grid.start());
+               const std::function<Continue(const S& t, const StateVector<S>& y)>& at_output) {
+  S t(grid.begin());
   StateVector<S> y = system.start();
   ProjectionIteration<AnySystem<S>> project;
-  if (projects) {
+  if (projects && !grid.goes_on()) {
     ProjectionReport<S> of_the_start;  // which need not hold to the last digit of this arithmetic
     project(system, t, y, of_the_start);
     system.accept_state(t, y);
   }
-  at_output(t, y);
+  if (at_output(t, y) == Continue::no) return false;
   TimeGrid::Walk<S> walk(grid);
   std::deque<S> passed;  // outputs to step over
   constexpr std::size_t most_passed = 1000;
   using std::abs, std::max;
-  const S little =
-      8 * std::numeric_limits<S>::epsilon() * max(S(abs(S(grid.start()))), S(abs(S(grid.end()))));
   while (auto stop = walk.next()) {
     while (method.interpolates() && !stop->is_event && stop->t < S(grid.end()) &&
            passed.size() < most_passed) {
@@ -94,20 +94,22 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
       stop = walk.next();
     }
     // up to an event all is as it was before it: what jumps there has its earlier value
+    const S little = 8 * std::numeric_limits<S>::epsilon() * max(S(abs(S(grid.start()))), S(abs(stop->t)));
     const S target = stop->is_event ? stop->t - little : stop->t;
     while (t < target) {
       checked_step(system, method, t, y, target, projects, project, report);
-      for (; !passed.empty() && passed.front() < t; passed.pop_front()) {
+      bool goes_on = true;  // one who stops at an output within the step is given its end
+      for (; goes_on && !passed.empty() && passed.front() < t; passed.pop_front()) {
         StateVector<S> between;
         method.interpolate(passed.front(), between);
         if (projects) project(system, passed.front(), between, report);
-        at_output(passed.front(), between);
+        goes_on = at_output(passed.front(), between) == Continue::yes;
       }
       if (system.accept_state(t, y)) method.restart();
-      const bool goes_on = at_step(t, y) == Continue::yes,
-                 is_output = !passed.empty() && !(t < passed.front());
+      if (at_step(t, y) == Continue::no) goes_on = false;
+      const bool is_output = !passed.empty() && !(t < passed.front());
       if (is_output) passed.pop_front();
-      if (is_output || !goes_on) at_output(t, y);
+      if ((is_output || !goes_on) && at_output(t, y) == Continue::no) goes_on = false;
       if (!goes_on) return false;
     }
     if (stop->is_event) {
@@ -115,7 +117,7 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
       if (system.pass_discontinuity(before, t, y)) system.accept_state(t, y);
       method.restart();
     }
-    if (stop->is_output) at_output(t, y);
+    if (stop->is_output && at_output(t, y) == Continue::no && !walk.is_done()) return false;
   }
   return true;
 }
@@ -123,10 +125,10 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
 template bool integrate<double>(AnySystem<double>&, AnyMethod<double>&, const TimeGrid&, bool,
                                 ProjectionReport<double>&,
                                 const std::function<Continue(const double&, const StateVector<double>&)>&,
-                                const std::function<void(const double&, const StateVector<double>&)>&);
+                                const std::function<Continue(const double&, const StateVector<double>&)>&);
 template bool integrate<Quad>(AnySystem<Quad>&, AnyMethod<Quad>&, const TimeGrid&, bool,
                               ProjectionReport<Quad>&,
                               const std::function<Continue(const Quad&, const StateVector<Quad>&)>&,
-                              const std::function<void(const Quad&, const StateVector<Quad>&)>&);
+                              const std::function<Continue(const Quad&, const StateVector<Quad>&)>&);
 
 }  // namespace trivium::integrators

@@ -26,12 +26,13 @@ namespace trivium::integrators {
 enum class Continue { yes, no };
 
 /// Projects the start and after every step unless told not to, and shows `at_step(t, y)` every step and
-/// `at_output(t, y)` the start, every output and the end, where it was told to stop or came to it. Returns
-/// which: true at the end. Compiled once for each Scalar.
+/// `at_output(t, y)` the start, every output and the end, where it was told to stop or came to it. A grid
+/// that goes on has its start projected already. Returns which: true at the end. Compiled once for each
+/// Scalar.
 template <class S>
 bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid, bool projects,
                ProjectionReport<S>& report,
                const std::function<Continue(const S& t, const StateVector<S>& y)>& at_step,
-               const std::function<void(const S& t, const StateVector<S>& y)>& at_output);
+               const std::function<Continue(const S& t, const StateVector<S>& y)>& at_output);
 
 }  // namespace trivium::integrators

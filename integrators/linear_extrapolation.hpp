@@ -17,6 +17,7 @@ class LinearExtrapolation {
   const StateVector<S>& now() const { return now_; }
   /// So many of the last step's lengths ahead.
   void ahead(const S& steps, StateVector<S>& value) const { value = now_ + steps * (now_ - before_); }
+  void show_memory(auto&& show) { show(now_, before_); }
   void push(const StateVector<S>& value) {
     before_.swap(now_);
     now_ = value;

@@ -32,6 +32,7 @@ Walked run(System& system, const std::string& name, Steps steps, const TimeGrid&
       [&](double t, const StateVector<double>& y) {
         out.t.push_back(t);
         out.y.push_back(y);
+        return Continue::yes;
       });
   out.counters = method->counters();
   return out;

@@ -62,10 +62,11 @@ class ProjectionIteration {
     }
     raise(left, off.size);
     if (!(off.relative <= S(1e-6)))
-      throw IntegrationError(fmt::format(
-          "row \"{}\" at t = {}: the step left its {} too far off to project back; take smaller steps or "
-          "tighter tolerances",
-          system.row_name(off.row), static_cast<double>(t), what));
+      throw IntegrationError(
+          {fmt::format("row \"{}\"", system.row_name(off.row)), static_cast<double>(t)},
+          fmt::format("the step left its {} too far off to project back; take smaller steps or tighter "
+                      "tolerances",
+                      what));
     return off.row;
   }
 

@@ -56,7 +56,10 @@ End<S> run(AnyMethod<S>& method, bool projects, std::optional<double> h) {
   integrate<S>(
       system, method, TimeGrid(0, t_end, {}, h), projects, report,
       [](const S&, const StateVector<S>&) { return Continue::yes; },
-      [&](const S&, const StateVector<S>& y) { end.y = y; });
+      [&](const S&, const StateVector<S>& y) {
+        end.y = y;
+        return Continue::yes;
+      });
   if (const StateVector<S>* lambda = method.lambda()) end.lambda = (*lambda)[0];
   return end;
 }

@@ -104,8 +104,8 @@ class StepSizeControl {
 template <class S>
 void require_finite(const StateVector<S>& y, const S& t) {
   if (!y.allFinite() || !(y.cwiseAbs().maxCoeff() < S(1e100)))
-    throw IntegrationError(fmt::format("at t = {}: the motion is not finite any more; take smaller steps",
-                                       static_cast<double>(t)));
+    throw IntegrationError({{}, static_cast<double>(t)},
+                           "the motion is not finite any more; take smaller steps");
 }
 
 /// Ends the run, with the reason that is known.
@@ -117,8 +117,8 @@ template <FirstOrderSystem System>
   if (why.ends_with(advice)) why.resize(why.size() - advice.size());
   const std::string diagnose = system.diagnose(t, y);
   throw IntegrationError(
-      fmt::format("at t = {}: the steps have shrunk to nothing{}{}", static_cast<double>(t),
-                  why.empty() ? "" : ": " + why,
+      {{}, static_cast<double>(t)},
+      fmt::format("the steps have shrunk to nothing{}{}", why.empty() ? "" : ": " + why,
                   diagnose.empty() ? "; looser tolerances or another method may pass" : "; " + diagnose));
 }
 

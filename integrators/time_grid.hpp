@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "integrators/contract/errors.hpp"
@@ -59,14 +60,41 @@ class TimeGrid {
   double start() const { return start_; }
   double end() const { return end_; }
 
+  /// Where a run begins: at the start, or on the way, where it goes on.
+  double begin() const { return begin_; }
+  bool goes_on() const { return begin_ != start_; }
+  /// The same times, of which those after t are to come. Throws a UsageError where none is.
+  TimeGrid from(double t) const {
+    if (!(t >= start_)) throw UsageError(fmt::format("the state at {} is before the start {}", t, start_));
+    if (!(t < end_)) throw UsageError(fmt::format("the end {} is not after the state at {}", end_, t));
+    TimeGrid grid = *this;
+    grid.begin_ = t;
+    return grid;
+  }
+
   /// The next stop after t: an output, an event, the end of a fixed step, or the end of the run.
   template <class S>
   class Walk {
    public:
-    explicit Walk(const TimeGrid& grid) : grid_(grid) {}
+    explicit Walk(const TimeGrid& grid) : grid_(grid) {
+      if (!grid.goes_on()) return;
+      // the numbers of outputs and steps are found from their times, then set right by what their times are
+      const auto before = [&](double step) {
+        return std::max(1L, static_cast<long>((grid.begin_ - grid.start_) / step) - 1);
+      };
+      output_ = before(grid.output_step_);
+      if (grid.step_) step_ = before(*grid.step_);
+      while (Walk(*this).next_of_all().t <= S(grid.begin_)) next_of_all();
+    }
 
+    bool is_done() const { return done_; }
     std::optional<Stop<S>> next() {
       if (done_) return {};
+      return next_of_all();
+    }
+
+   private:
+    Stop<S> next_of_all() {
       Stop<S> stop{S(grid_.end_), true, false};
       const S output = grid_.at<S>(output_, grid_.output_step_), step = next_step();
       const bool more_outputs = output_ <= grid_.outputs_ && !is_end(output);
@@ -82,12 +110,15 @@ class TimeGrid {
         if (stop.is_event) ++event_;
       }
       if (more_outputs && are_same(output, stop.t)) ++output_;
-      if (grid_.step_ && are_same(step, stop.t)) ++step_;
+      if (grid_.step_ && are_same(step, stop.t)) {
+        // steps then do not depend on outputs and the end; in more digits a step that a double rounds would
+        // miss it
+        if constexpr (std::is_same_v<S, double>) stop.t = step;
+        ++step_;
+      }
       done_ = is_end(stop.t);
       return stop;
     }
-
-   private:
     S next_step() const { return grid_.step_ ? grid_.at<S>(step_, *grid_.step_) : S(grid_.end_); }
     bool is_end(const S& t) const { return !(t < S(grid_.end_)) || are_same(t, S(grid_.end_)); }
     /// To rounding of a double: the grid's numbers are doubles.
@@ -123,7 +154,7 @@ class TimeGrid {
                       what, length, length / std::max(1.0, nearest)));
   }
 
-  double start_, end_, output_step_;
+  double start_, end_, output_step_, begin_ = start_;
   std::optional<double> step_;
   long outputs_ = 0;
   std::vector<double> events_;

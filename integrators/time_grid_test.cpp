@@ -15,8 +15,7 @@ std::vector<Stop<double>> stops(const TimeGrid& grid) {
 TEST(TimeGrid, TimesAreMultiplesAndNeverSums) {
   const auto all = stops(TimeGrid(0, 1, {}, 0.1));
   ASSERT_EQ(all.size(), 10u);
-  for (std::size_t k = 0; k < all.size(); ++k)
-    EXPECT_EQ(all[k].t, k + 1 == all.size() ? 1.0 : 0.1 * static_cast<double>(k + 1));
+  for (std::size_t k = 0; k < all.size(); ++k) EXPECT_EQ(all[k].t, 0.1 * static_cast<double>(k + 1));
 }
 
 TEST(TimeGrid, OutputsStandAtTheirOwnMultiplesAndAtTheEnd) {
@@ -40,6 +39,32 @@ TEST(TimeGrid, EventsWithinTheRunAreStopsOnce) {
   EXPECT_TRUE(all[1].t == 0.5 && all[1].is_event && all[1].is_output);
   EXPECT_TRUE(all[2].t == 0.7 && all[2].is_event);
   EXPECT_TRUE(all[3].t == 1 && all[3].is_event && all[3].is_output);
+}
+
+/// From every stop on the way, those that are left are those of the whole run.
+TEST(TimeGrid, OnTheWayTheSameTimesAreToCome) {
+  for (const TimeGrid& grid : {TimeGrid(0.1, 1.1, 0.2, 0.01), TimeGrid(-3, 1, 0.3),
+                               TimeGrid(0, 1, 0.25, 0.05, {0.3, 0.52, 0.25}), TimeGrid(1, 2, {}, 1e-3)}) {
+    const auto all = stops(grid);
+    for (std::size_t k = 0; k + 1 < all.size(); ++k) {
+      const auto rest = stops(grid.from(all[k].t));
+      ASSERT_EQ(rest.size(), all.size() - k - 1) << k;
+      for (std::size_t n = 0; n < rest.size(); ++n) {
+        EXPECT_EQ(rest[n].t, all[k + 1 + n].t);
+        EXPECT_EQ(rest[n].is_output, all[k + 1 + n].is_output);
+        EXPECT_EQ(rest[n].is_event, all[k + 1 + n].is_event);
+      }
+      // between two as well
+      EXPECT_EQ(stops(grid.from((all[k].t + all[k + 1].t) / 2)).size(), rest.size());
+    }
+    EXPECT_THROW(grid.from(grid.end()), UsageError);
+    EXPECT_THROW(grid.from(grid.start() - 1), UsageError);
+  }
+}
+
+/// So that a run to 0.3 and one that goes on from there step alike: 3 x 0.1 is not 0.3.
+TEST(TimeGrid, GivenStepsDoNotDependOnTheEnd) {
+  EXPECT_EQ(stops(TimeGrid(0, 0.3, {}, 0.1)).back().t, stops(TimeGrid(0, 1, {}, 0.1))[2].t);
 }
 
 TEST(TimeGrid, AStepThatDoesNotDivideTheRunIsAnErrorThatNamesOneThatDoes) {

@@ -13,6 +13,7 @@ template <class S>
 class WorkQuadrature {
  public:
   void begin(const S& rate) { rate_ = rate; }
+  void show_memory(auto&& show) { show(rate_); }
   /// Over a step of h to y, where the system is evaluated.
   template <HasResidual System>
   void add(System& system, const typename System::Evaluation& at, const StateVector<S>& lambda, const S& h,

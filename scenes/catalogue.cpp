@@ -48,7 +48,7 @@ namespace {
 
 }  // namespace
 
-scenes::Scene load_scene(const std::string& path_or_name, double t) {
+scenes::Scene load_scene(const std::string& path_or_name, std::optional<double> t) {
   std::error_code error;
   const bool is_there = fs::exists(path_or_name, error);
   if (path_or_name.find('/') == std::string::npos && (!is_there || fs::is_directory(path_or_name, error))) {

@@ -3,6 +3,7 @@
 /// where the catalogue is looked for, and that a file's path comes before a name.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,8 @@ std::filesystem::path catalogue_directory();
 /// All scene files of the catalogue, sorted by name.
 std::vector<std::filesystem::path> catalogue();
 
-/// The state at t of a path as given, or of the catalogue's scene of that name, which no folder of the same
-/// name hides. Throws scenes::SceneError.
-scenes::Scene load_scene(const std::string& path_or_name, double t);
+/// The scene of a path as given, its state at t (scenes::time_of), or of the catalogue's scene of that name,
+/// which no folder of the same name hides. Throws scenes::SceneError.
+scenes::Scene load_scene(const std::string& path_or_name, std::optional<double> t = {});
 
 }  // namespace trivium

@@ -154,6 +154,7 @@ struct EffectCast {
     to = narrowed.place(from, key);
   }
   void angle(std::string_view key, const double& from, Scalar& to) const { to = narrowed.angle(from, key); }
+  void turns(std::string_view, const auto&, auto&) const {}  // of the joint's angle
 
  private:
   void cast(std::string_view key, const double& from, Scalar& to) const { to = narrowed.number(from, key); }

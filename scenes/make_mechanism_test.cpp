@@ -1,6 +1,8 @@
 #include "scenes/make_mechanism.hpp"
 #include "mechanism/additions.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 
 #include "bodies/inertia.hpp"

@@ -4,6 +4,7 @@
 /// it.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "bodies/rotations/euler_sequence.hpp"
 #include "constraints/basic_constraint.hpp"
 #include "effects/effect_list.hpp"
+#include "mechanism/saved_run.hpp"
 #include "scenes/side.hpp"
 
 namespace trivium::scenes {
@@ -76,6 +78,7 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<Constraint> constraints;
   std::vector<Effect> effects;
+  std::optional<SavedRun> saved;  ///< of a run that ended in this state
   bool operator==(const Scene&) const = default;
 
   const std::string& body_name(int body) const {
@@ -83,5 +86,10 @@ struct Scene {
     return body == ground ? ground_name : bodies[static_cast<std::size_t>(body)].name;
   }
 };
+
+/// The time [s] of a scene's state: that asked for, else that of a saved run, else 0.
+inline double time_of(const Scene& scene, std::optional<double> t) {
+  return t ? *t : scene.saved ? scene.saved->t : 0.0;
+}
 
 }  // namespace trivium::scenes

@@ -3,6 +3,7 @@
 namespace trivium {
 
 void set_state(scenes::Scene& scene, const MechanismState<double>& state) {
+  scene.saved.reset();
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     scenes::Body& body = scene.bodies[b];
     const auto store = [](const Vector3<double>& v) { return scenes::Vector3{v[0], v[1], v[2]}; };

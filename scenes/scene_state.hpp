@@ -7,7 +7,7 @@
 
 namespace trivium {
 
-/// Writes poses and velocities back into a scene, rounded to double.
+/// Writes poses and velocities back into a scene, rounded to double. A saved run of another state is dropped.
 void set_state(scenes::Scene& scene, const MechanismState<double>& state);
 
 }  // namespace trivium

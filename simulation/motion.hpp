@@ -10,6 +10,7 @@
 #include "integrators/contract/method.hpp"
 #include "integrators/projection_report.hpp"
 #include "mechanism/mechanism_state.hpp"
+#include "mechanism/saved_run.hpp"
 #include "simulation/system/motion_log.hpp"
 
 namespace trivium {
@@ -18,14 +19,24 @@ namespace trivium {
 /// leaves of a state and of lambda.
 struct MotionSample {
   MechanismState<double> state;
+  std::vector<Vector3<double>> r_ddot, omega_bar_dot;  ///< per body; global, body frame
   std::vector<Reaction<double>> reactions;  ///< on body j of every joint: global, about its point on i
   VectorX<double>
       lambda;  ///< of (q, v); where rows are dependent those of least |E lambda|, where they can be had
-  VectorX<double> raw_lambda;   ///< the method's own; empty where it has none
-  double energy = 0;            ///< kinetic and potential [J]
-  double phi = 0, phi_dot = 0;  ///< largest violation of any row, m or rad (per second)
+  VectorX<double> raw_lambda;       ///< the method's own; empty where it has none
+  double energy = 0;                ///< kinetic and potential [J]
+  double phi = 0, phi_dot = 0;      ///< largest violation of any row, m or rad (per second)
+  std::vector<std::string> charts;  ///< per body; empty for formulations without
+  std::vector<double> angles;       ///< where joint angles were counted last [rad], effect by effect
   std::optional<MechanismState<double>> state_rest = {};
   VectorX<double> lambda_rest = {}, raw_lambda_rest = {};
+};
+
+/// Where a run stands when it ends, for another to go on from.
+struct RunEnd {
+  MechanismState<double> state;
+  std::vector<int> turns;  ///< of every joint angle that effects count, by its effect, in their order
+  SavedRun run;
 };
 
 struct SimulationReport {
@@ -48,20 +59,25 @@ struct SimulationReport {
   std::vector<SingularPassage> passages;
   std::string near_singular_chart;  ///< where charts are kept: the first body that came near one, and when
   std::vector<Impulse<double>> impulses;
+  RunEnd end;
 };
 
-/// Sees a run go by. `step` is asked after every step whether to go on.
+/// Sees a run go by, and is asked after every step and at every output whether to go on. Where it is not at
+/// an output between two steps, the run goes to the end of the step.
 class SimulationObserver {
  public:
   virtual ~SimulationObserver() = default;
-  virtual void sample(const MotionSample&) {}
+  virtual bool sample(const MotionSample&) { return true; }
   virtual bool step(double /*t*/) { return true; }
 };
 
 /// Keeps what it sees.
 class Samples : public SimulationObserver {
  public:
-  void sample(const MotionSample& s) override { all.push_back(s); }
+  bool sample(const MotionSample& s) override {
+    all.push_back(s);
+    return true;
+  }
   std::vector<MotionSample> all;
 };
 

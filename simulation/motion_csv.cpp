@@ -6,9 +6,7 @@
 
 namespace trivium {
 
-namespace {
-
-std::vector<std::string> header(const Mechanism<double>& mechanism, bool has_raw_lambda) {
+std::vector<std::string> motion_columns(const Mechanism<double>& mechanism, bool has_raw_lambda) {
   std::vector<std::string> names{"t"};
   for (int b = 0; b < mechanism.nb(); ++b)
     for (const char* part : {"x", "y", "z", "e0", "e1", "e2", "e3", "vx", "vy", "vz", "wx", "wy", "wz"})
@@ -21,6 +19,29 @@ std::vector<std::string> header(const Mechanism<double>& mechanism, bool has_raw
     for (int k = 0; k < mechanism.nc(); ++k) names.push_back(fmt::format("raw_lambda[{}]", k));
   return names;
 }
+
+std::vector<double> motion_numbers(const MotionSample& sample, bool has_raw_lambda) {
+  std::vector<double> numbers;
+  const auto put = [&](const auto& v) { numbers.insert(numbers.end(), v.begin(), v.end()); };
+  numbers.push_back(sample.state.t);
+  for (std::size_t b = 0; b < sample.state.pose.size(); ++b) {
+    put(sample.state.pose[b].r);
+    put(sample.state.pose[b].p);
+    put(sample.state.twist[b].r_dot);
+    put(sample.state.twist[b].omega_bar);
+  }
+  for (const Reaction<double>& reaction : sample.reactions) {
+    put(reaction.force);
+    put(reaction.torque);
+  }
+  put(sample.lambda);
+  numbers.insert(numbers.end(), {sample.energy, sample.phi, sample.phi_dot});
+  // at the start an implicit method has none but those of (q, v)
+  if (has_raw_lambda) put(sample.raw_lambda.size() > 0 ? sample.raw_lambda : sample.lambda);
+  return numbers;
+}
+
+namespace {
 
 /// The file that the path names, through links.
 std::filesystem::path target_of(const std::string& path) {
@@ -35,35 +56,20 @@ std::filesystem::path target_of(const std::string& path) {
 
 MotionCsv::MotionCsv(const Mechanism<double>& mechanism, bool has_raw_lambda, const std::string& file)
     : name_(file), file_(target_of(file)), has_raw_lambda_(has_raw_lambda) {
-  file_.write(csv_line(header(mechanism, has_raw_lambda)));
+  file_.write(csv_line(motion_columns(mechanism, has_raw_lambda)));
 }
 
 void MotionCsv::add(const MotionSample& sample) {
-  std::string line;
-  const auto put = [&](double x) { line += fmt::format("{}{:.17g}", line.empty() ? "" : ",", x); };
-  const auto put_all = [&](const auto& v) {
-    for (const double x : v) put(x);
-  };
+  MotionSample shown = sample;
   p_.resize(sample.state.pose.size(), Vector4<double>::Zero());
-  put(sample.state.t);
   for (std::size_t b = 0; b < p_.size(); ++b) {
-    const auto& [r, p] = sample.state.pose[b];
-    p_[b] = p.dot(p_[b]) < 0 ? Vector4<double>(-p) : p;
-    put_all(r);
-    put_all(p_[b]);
-    put_all(sample.state.twist[b].r_dot);
-    put_all(sample.state.twist[b].omega_bar);
+    Vector4<double>& p = shown.state.pose[b].p;
+    if (p.dot(p_[b]) < 0) p = -p;
+    p_[b] = p;
   }
-  for (const Reaction<double>& reaction : sample.reactions) {
-    put_all(reaction.force);
-    put_all(reaction.torque);
-  }
-  put_all(sample.lambda);
-  put(sample.energy);
-  put(sample.phi);
-  put(sample.phi_dot);
-  // at the start an implicit method has none but those of (q, v)
-  if (has_raw_lambda_) put_all(sample.raw_lambda.size() > 0 ? sample.raw_lambda : sample.lambda);
+  std::string line;
+  for (const double x : motion_numbers(shown, has_raw_lambda_))
+    line += fmt::format("{}{:.17g}", line.empty() ? "" : ",", x);
   file_.write(line + "\n");
 }
 

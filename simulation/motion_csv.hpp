@@ -13,6 +13,11 @@
 
 namespace trivium {
 
+/// What a line of it holds: names, and the numbers of an output. Without `has_raw_lambda` the method's own
+/// lambda is left out.
+std::vector<std::string> motion_columns(const Mechanism<double>& mechanism, bool has_raw_lambda);
+std::vector<double> motion_numbers(const MotionSample& sample, bool has_raw_lambda);
+
 class MotionCsv {
  public:
   /// The file stays as it was until `keep`.

@@ -64,14 +64,21 @@ class MotionWatch {
   }
 
   /// A sample with all that there is to say of a state.
-  void show(const S& t, const StateVector& y) {
+  bool show(const S& t, const StateVector& y) {
     const Seen seen = watch(t, y);
     MotionSample sample;
     sample.energy = static_cast<double>(seen.energy.total());
     sample.phi = seen.phi;
     sample.phi_dot = seen.phi_dot;
+    sample.charts = first_order().charts();
+    sample.angles = first_order().counted_angles();
     const VectorX<S> lambda = lambda_at(t, y);
+    const AccelerationSolver<F>& solver = first_order().solved(t, y);
     sample.lambda = scalar_cast<double>(lambda);
+    for (int b = 0; b < first_order().nb(); ++b) {
+      sample.r_ddot.push_back(scalar_cast<double>(solver.r_ddot(b)));
+      sample.omega_bar_dot.push_back(scalar_cast<double>(solver.omega_bar_dot(b)));
+    }
     sample.lambda_rest = rest_of(lambda);
     if (const VectorX<S>* raw = method_.lambda()) {
       sample.raw_lambda = scalar_cast<double>(*raw);
@@ -90,12 +97,26 @@ class MotionWatch {
     if constexpr (is_beyond_double)
       sample.state_rest =
           in_double(first_order().to_mechanism_state(t, y), [](const auto& x) { return rest_of(x); });
-    observer_.sample(sample);
+    return observer_.sample(sample);
   }
 
   /// A sample of the state alone.
-  void show_state(const S& t, const StateVector& y) {
-    observer_.sample({.state = state_at(t, y), .reactions = {}, .lambda = {}, .raw_lambda = {}});
+  bool show_state(const S& t, const StateVector& y) {
+    MotionSample sample;
+    sample.state = state_at(t, y);
+    return observer_.sample(sample);
+  }
+
+  /// Where the run stands, for another to go on from.
+  RunEnd end(const S& start, const S& t, const StateVector& y) {
+    RunEnd end{state_at(t, y), {}, first_order().save(y)};
+    end.run.t = static_cast<double>(t);
+    end.run.start = static_cast<double>(start);
+    end.run.phi = static_cast<double>(first_order().position_violation(t, y).size);
+    end.run.phi_dot = static_cast<double>(first_order().velocity_violation(t, y).size);
+    for (const double theta : first_order().joint_angles(t, y))
+      end.turns.push_back(JointAngle<S>::turns_of(theta));
+    return end;
   }
 
  private:

@@ -29,6 +29,10 @@ struct SimulationOptions {
   bool watches = true;
   std::optional<Baumgarte> baumgarte;
   ChartOptions charts;
+  /// A run that ended at the model's state, to go on from in its own numbers: methods that keep nothing from
+  /// step to step then take given steps as if it had not ended. Of another formulation than this one: not
+  /// used.
+  std::optional<SavedRun> from;
 };
 
 /// Whether the mass matrix of a formulation does not depend on positions. Throws a ModelError where there is

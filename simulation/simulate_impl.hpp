@@ -2,6 +2,8 @@
 /// The one definition behind the simulations in each formulation and Scalar. The equations, a method and a
 /// watch are set up, the method integrates, and the report is filled.
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <type_traits>
 
@@ -33,15 +35,21 @@ class Simulation {
             entry_, options.step ? integrators::Steps::given : integrators::Steps::chosen, options.tolerances,
             parameters(options, projects_))),
         equations_(model.mechanism, model.state,
-                   {options.charts, options.baumgarte, projects_ || is_implicit_}) {}
+                   {options.charts, options.baumgarte, projects_ || is_implicit_, saved_run(options)}) {}
 
   SimulationReport run() {
     using namespace integrators;
-    const TimeGrid grid(static_cast<double>(start_), options_.end, options_.output_step, options_.step,
-                        equations_.first_order().mechanism().kinks());
+    const SavedRun* const from = saved_run(options_);
+    const double begin = static_cast<double>(start_);
+    TimeGrid grid(from ? from->start : begin, options_.end, options_.output_step, options_.step,
+                  equations_.first_order().mechanism().kinks());
+    if (from) grid = grid.from(begin);
     MotionWatch<F> watch(equations_, *method_, options_, observer_, report_, start_);
     SystemAdapter<ConstrainedEquations<F>> system(equations_);
     ProjectionReport<S> projection;
+    if (from && from->integrator == entry_.info.name && options_.step) recall(system, *from);
+    S end_t = start_;
+    StateVector end_y;
     const double start = cpu_seconds();
     report_.complete = integrate<S>(
         system, *method_, grid, projects_, projection,
@@ -51,12 +59,15 @@ class Simulation {
           return observer_.step(report_.reached) ? Continue::yes : Continue::no;
         },
         [&](const S& t, const StateVector& y) {
-          if (options_.watches)
-            watch.show(t, y);
-          else
-            watch.show_state(t, y);
+          const bool goes_on = options_.watches ? watch.show(t, y) : watch.show_state(t, y);
+          end_t = t;
+          end_y = y;
+          return goes_on ? Continue::yes : Continue::no;
         });
     report_.seconds = cpu_seconds() - start;
+    report_.end = watch.end(S(grid.start()), end_t, end_y);
+    report_.end.run.integrator = entry_.info.name;
+    report_.end.run.memory = method_->memory();
     report_the_run(projection);
     return report_;
   }
@@ -88,10 +99,25 @@ class Simulation {
     return is;
   }
 
+  static const SavedRun* saved_run(const SimulationOptions& options) {
+    return options.from && options.from->formulation == F::name ? &*options.from : nullptr;
+  }
   static integrators::MethodParameters parameters(const SimulationOptions& options, bool projects) {
     integrators::MethodParameters given = options.parameters;
     given.projects = projects;
     return given;
+  }
+
+  /// The method begins with what it kept of its last step.
+  void recall(integrators::AnySystem<S>& system, const SavedRun& from) {
+    if (from.memory.empty()) return;
+    try {
+      method_->recall(system, start_, system.start(), start_ + S(*options_.step), from.memory);
+    } catch (const std::invalid_argument& error) {
+      throw integrators::UsageError(fmt::format(
+          "the saved run's memory is none of {}: {}; leave out its key \"memory\" to begin the method anew",
+          entry_.info.name, error.what()));
+    }
   }
 
   void report_the_run(const integrators::ProjectionReport<S>& projection) {

@@ -1,5 +1,7 @@
 #include "formulations/analysis/consistency.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -68,10 +68,12 @@ VectorX<double> least_direction(const MatrixX<double>& H) {
     return std::abs(x) < rounding_of_eigenvectors ? 0.0 : x;
   });
   throw ModelError(
-      fmt::format("body \"{}\" has no inertia about its axis ({:.3g}, {:.3g}, {:.3g}) and no constraint "
-                  "holds it there, so its "
-                  "acceleration is not determined; give it inertia about that axis or constrain the rotation",
-                  s.body_names[worst], axis[0], axis[1], axis[2]));
+      {fmt::format("body \"{}\"", s.body_names[worst])},
+      fmt::format(
+          "it has no inertia about its axis ({:.3g}, {:.3g}, {:.3g}) and no constraint holds it there, "
+          "so its acceleration is not determined; give it inertia about that axis or constrain the "
+          "rotation",
+          axis[0], axis[1], axis[2]));
 }
 
 }  // namespace

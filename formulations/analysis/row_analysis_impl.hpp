@@ -32,10 +32,11 @@ RowAnalysis analyse_rows(const Model<double, Types>& model) {
   const int unknowns = 6 * mechanism.nb() + mechanism.nc();
   if (unknowns > most_dense_unknowns)
     throw ModelError(
-        fmt::format("{}: {} bodies and {} rows make a dense augmented matrix of {} unknowns, beyond the {} "
-                    "that the printed form is "
-                    "solved for; take fewer bodies",
-                    mechanism.name, mechanism.nb(), mechanism.nc(), unknowns, most_dense_unknowns));
+        {mechanism.name},
+        fmt::format(
+            "{} bodies and {} rows make a dense augmented matrix of {} unknowns, beyond the {} that the "
+            "printed form is solved for; take fewer bodies",
+            mechanism.nb(), mechanism.nc(), unknowns, most_dense_unknowns));
   try {
     TangentSystem system = tangent_system(mechanism, state);
     add_magnitude_bounds(mechanism, state, system);
@@ -43,7 +44,7 @@ RowAnalysis analyse_rows(const Model<double, Types>& model) {
     if (!rows.contradictory.empty()) throw ModelError(detail::contradiction(mechanism.row_names, rows));
     return rows;
   } catch (const ModelError& error) {
-    throw ModelError(fmt::format("{} at t = {}: {}", mechanism.name, state.t, error.what()));
+    throw ModelError({mechanism.name, state.t}, error);
   }
 }
 

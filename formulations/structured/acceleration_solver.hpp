@@ -127,9 +127,7 @@ class AccelerationSolver {
   }
   /// Tells rows that depend on others from those that nearly do, and solves for these as well; once a state.
   void decide_dependent_rows();
-  const std::string& row_name(const EdgeRow& row) const {
-    return mechanism_.row_names[plan().graph.edges[row.edge].rows[row.k]];
-  }
+  Place place_of(const EdgeRow& row) const;
   [[noreturn]] void throw_violated(const EdgeRow& row) const;
 
   // unique multipliers (unique_multipliers_impl.hpp)

@@ -145,9 +145,9 @@ template <Formulation F>
 ModelError AccelerationSolver<F>::named(const SingularLink& link, const S& t) const {
   require_numbers();
   return ModelError(
-      fmt::format("body \"{}\" at t = {}: {}; its links cannot be eliminated one by one: solve the printed "
-                  "system instead",
-                  mechanism_.body_names[link.body()], static_cast<double>(t), link.what()));
+      {fmt::format("body \"{}\"", mechanism_.body_names[link.body()]), static_cast<double>(t)},
+      fmt::format("{}; its links cannot be eliminated one by one: solve the printed system instead",
+                  link.what()));
 }
 
 template <Formulation F>
@@ -157,8 +157,8 @@ void AccelerationSolver<F>::require_numbers() const {
     const AngularMotion<S>& turning = assembly_.angular_motion()[b];
     const Body& body = assembly_.body()[b];
     if (!isfinite(S(turning.A.sum() + turning.omega.sum() + body.r.sum() + body.r_dot.sum())))
-      throw ModelError(fmt::format("body \"{}\" at t = {}: its state is not finite", mechanism_.body_names[b],
-                                   static_cast<double>(t_)));
+      throw ModelError({fmt::format("body \"{}\"", mechanism_.body_names[b]), static_cast<double>(t_)},
+                       "its state is not finite");
   }
 }
 

@@ -2,6 +2,8 @@
 /// AccelerationSolver: whether its solution satisfies the dependent rows. A part of
 /// acceleration_solver.hpp.
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "bodies/numbers/scalar.hpp"
@@ -60,16 +62,23 @@ AccelerationSize<typename F::Scalar> AccelerationSolver<F>::size_of_causes(int b
 }
 
 template <Formulation F>
+Place AccelerationSolver<F>::place_of(const EdgeRow& row) const {
+  const int of_mechanism = plan().graph.edges[row.edge].rows[row.k];
+  return {fmt::format("row \"{}\"", mechanism_.row_names[of_mechanism]), static_cast<double>(t_)};
+}
+
+template <Formulation F>
 void AccelerationSolver<F>::decide_dependent_rows() {
   if (std::exchange(rows_are_decided_, true)) return;
   try {
     if (!solver_.restore_independent_rows()) return;
   } catch (const NearlyDependentRows& e) {
-    throw ModelError(fmt::format(
-        "row \"{}\" at t = {}: it is one of more than {} that depend on others nearly, but not quite, as "
-        "where positions miss their constraints by a little: assemble them first, or solve the printed "
-        "system",
-        row_name(e.first_too_many), static_cast<double>(t_), solver_.most_restored));
+    throw ModelError(
+        place_of(e.first_too_many),
+        fmt::format(
+            "it is one of more than {} that depend on others nearly, but not quite, as where positions "
+            "miss their constraints by a little: assemble them first, or solve the printed system",
+            solver_.most_restored));
   }
   solver_.solve(right_side_, solution_);
   if (refinement_ == Refinement::as_needed) refine_as_needed();
@@ -79,11 +88,10 @@ template <Formulation F>
 [[noreturn]] void AccelerationSolver<F>::throw_violated(const EdgeRow& row) const {
   require_numbers();
   throw ModelError(
-      fmt::format("row \"{}\" at t = {}: it depends on other rows and asks for another acceleration than "
-                  "they do. Either none satisfies all: remove a row, or make their functions of time "
-                  "agree; or what is left of it beside them is rounding: take a wider Scalar, or solve the "
-                  "printed system",
-                  row_name(row), static_cast<double>(t_)));
+      place_of(row),
+      "it depends on other rows and asks for another acceleration than they do. Either none "
+      "satisfies all: remove a row, or make their functions of time agree; or what is left of it "
+      "beside them is rounding: take a wider Scalar, or solve the printed system");
 }
 
 }  // namespace trivium

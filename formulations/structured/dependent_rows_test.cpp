@@ -1,6 +1,8 @@
 /// What the solver along the graph makes of rows that depend on each other, and of states that have no
 /// answer.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <string>

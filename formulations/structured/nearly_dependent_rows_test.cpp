@@ -1,5 +1,7 @@
 /// What the solver along the graph makes of rows that depend on each other nearly, but not quite.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 #include <tuple>

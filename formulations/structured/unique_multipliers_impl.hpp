@@ -2,6 +2,8 @@
 /// AccelerationSolver: which multipliers are unique, and a choice among the others. A part of
 /// acceleration_solver.hpp.
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
@@ -91,10 +93,10 @@ VectorX<typename F::Scalar> AccelerationSolver<F>::minimum_norm_lambda() {
     const Matrix3<S> J = assembly_.matrix().H[b].xx.template topRows<3>();
     const S moments = J.trace() / 3;
     if (!(J.determinant() > unit_roundoff<S>() * moments * moments * moments))
-      throw ModelError(
-          fmt::format("body \"{}\" has no inertia about an axis, so that its share in E is not "
-                      "defined: ask the printed system for the minimum norm",
-                      mechanism_.body_names[b]));
+      throw ModelError({fmt::format("body \"{}\"", mechanism_.body_names[b]), static_cast<double>(t_)},
+                       "it has no inertia about an axis, so that its share in E is not defined: ask the "
+                       "printed system for "
+                       "the minimum norm");
     return S(r.squaredNorm() / mechanism_.bodies[b].mass + x.dot(J.inverse() * x));
   });
   const MatrixX<S> gram = N.transpose() * E2.asDiagonal() * N;

@@ -4,8 +4,10 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "integrators/contract/any_system.hpp"
+#include "integrators/contract/memory.hpp"
 #include "integrators/contract/method.hpp"
 
 namespace trivium::integrators {
@@ -25,6 +27,12 @@ class AnyMethod {
   virtual bool interpolates() const { return false; }
   /// y and lambda at a time of the last step.
   virtual void interpolate(const S& /*t*/, StateVector<S>& /*y*/) {}
+  /// What it keeps from step to step, as numbers (memory.hpp); none where it keeps nothing or begins anew.
+  virtual std::vector<double> memory() { return {}; }
+  /// Begins at a state with the memory of another of its kind, given steps to `stop`. Throws a
+  /// std::invalid_argument where the memory is none of such a method.
+  virtual void recall(AnySystem<S>& /*system*/, const S& /*t*/, const StateVector<S>& /*y*/,
+                      const S& /*stop*/, const std::vector<double>& /*memory*/) {}
 };
 
 template <class S, Method<AnySystem<S>> M>
@@ -52,8 +60,27 @@ class MethodAdapter final : public AnyMethod<S> {
   void interpolate(const S& t, StateVector<S>& y) override {
     if constexpr (requires { method_.interpolate(t, y); }) method_.interpolate(t, y);
   }
+  std::vector<double> memory() override {
+    std::vector<double> numbers;
+    if constexpr (has_memory)
+      if (method_.has_begun()) method_.show_memory(MemorySaver<S>(numbers));
+    return numbers;
+  }
+  void recall(AnySystem<S>& system, const S& t, const StateVector<S>& y, const S& stop,
+              const std::vector<double>& memory) override {
+    if constexpr (has_memory) {
+      MemoryReader<S> reader(memory);
+      method_.begin(system, t, y, stop);
+      method_.show_memory(reader);
+      reader.end();
+    }
+  }
 
  private:
+  static constexpr bool has_memory = requires(M & method, MemoryReader<S>& show) {
+    method.show_memory(show);
+  };
+
   M method_;
 };
 

@@ -13,6 +13,10 @@ class IntegrationError : public Error {
  public:
   explicit IntegrationError(const std::string& what, ErrorKind kind = ErrorKind::integration)
       : Error(kind, what) {}
+  IntegrationError(const Place& place, const std::string& why) : Error(ErrorKind::integration, place, why) {}
+  /// `what` is all of the message.
+  IntegrationError(const std::string& what, const Place& place)
+      : Error(ErrorKind::integration, what, place) {}
 };
 
 /// What was asked for cannot be: times that do not fit together, a method with steps that it does not take.

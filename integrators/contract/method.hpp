@@ -21,7 +21,9 @@ struct Counters {
 /// whether it can. Throws an IntegrationError where it gives up.
 ///
 /// A method may have more, which AnyMethod asks for: `lambda`, a pointer to multipliers of its own, null
-/// where there are none; and `interpolates` with `interpolate(t, y)`, the state at a time of its last step.
+/// where there are none; `interpolates` with `interpolate(t, y)`, the state at a time of its last step; and,
+/// where it keeps something from step to step, `begin(system, t, y, stop)`, `has_begun()` and
+/// `show_memory(show)`, by which a run goes on exactly (memory.hpp).
 template <class M, class System>
 concept Method = requires(M& method, const M& constant, System& system, typename System::Scalar& t,
                           StateVector<typename System::Scalar>& y, const typename System::Scalar& stop) {

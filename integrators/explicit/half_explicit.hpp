@@ -14,6 +14,8 @@
 /// solves for both by repetition, which falls by about the angle that bodies turn between the two. `solve`
 /// decides when the rows count as met, and that the repetition diverges.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,7 +41,7 @@ class HalfExplicit {
   explicit HalfExplicit(std::optional<Tolerances> tolerances = {}) : tolerances_(tolerances) {}
 
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
-    if (!has_begun_) begin(system, t, y);
+    if (!has_begun_) begin(system, t, y, stop);
     if (!tolerances_) {
       advance(system, t, stop - t, y);
       require_finite(reached_, stop);
@@ -72,16 +74,8 @@ class HalfExplicit {
   /// Of the last stage, at the step's end.
   const StateVector<S>* lambda() const { return has_stepped_ ? &last_lambda_ : nullptr; }
 
- private:
-  static constexpr int stages = Coefficients::stages, end = Coefficients::end;
-  static constexpr bool first_is_known = Coefficients::first_is_known;
-
-  struct Stage {
-    StateVector<S> q_dot, v_dot;
-    S work_rate{0};
-  };
-
-  void begin(System& system, const S& t, const StateVector<S>& y) {
+  bool has_begun() const { return has_begun_; }
+  void begin(System& system, const S& t, const StateVector<S>& y, const S& /*stop*/) {
     nq_ = system.position_size();
     nv_ = system.velocity_size();
     if constexpr (first_is_known) {
@@ -95,6 +89,19 @@ class HalfExplicit {
       step_size_.begin(first_step(system, t, y, 5, *tolerances_, counters_.right_sides));
     has_begun_ = true;
   }
+
+  void show_memory(auto&& show) {
+    if constexpr (first_is_known) show(stage_[0].v_dot, stage_[0].work_rate);
+  }
+
+ private:
+  static constexpr int stages = Coefficients::stages, end = Coefficients::end;
+  static constexpr bool first_is_known = Coefficients::first_is_known;
+
+  struct Stage {
+    StateVector<S> q_dot, v_dot;
+    S work_rate{0};
+  };
 
   /// The stages of a step, and where they lead; y stays.
   void advance(System& system, const S& t, const S& h, const StateVector<S>& y) {
@@ -187,10 +194,10 @@ class HalfExplicit {
       next_.segment(nq_, nv_) += share * change_;
       ++counters_.iterations;
     }
-    throw IntegrationError(
-        fmt::format("at t = {}: velocities of the next stage do not come to meet row \"{}\"; take smaller "
-                    "steps, or another method where rows are dependent",
-                    static_cast<double>(t), system.row_name(missed.row)));
+    throw IntegrationError({fmt::format("row \"{}\"", system.row_name(missed.row)), static_cast<double>(t)},
+                           "velocities of the next stage do not come to meet it; take smaller steps, or "
+                           "another method where rows "
+                           "are dependent");
   }
 
   const Coefficients of_;

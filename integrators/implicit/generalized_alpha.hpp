@@ -39,7 +39,7 @@ class GeneralizedAlpha {
 
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
     const S h = stop - t;
-    if (!last_h_) begin(system, t, y, h);
+    if (!last_h_) begin(system, t, y, stop);
     const S per_a = (1 - alpha_f_) / (1 - alpha_m_);
     const Shares<S> shares{h * h * beta_ * per_a, h * gamma_ * per_a};
     const int nq = system.position_size(), nv = system.velocity_size();
@@ -73,8 +73,9 @@ class GeneralizedAlpha {
   const Counters& counters() const { return counters_; }
   const StateVector<S>* lambda() const { return last_h_ ? &lambda_.now() : nullptr; }
 
- private:
-  void begin(System& system, const S& t, const StateVector<S>& y, const S& h) {
+  bool has_begun() const { return last_h_.has_value(); }
+  void begin(System& system, const S& t, const StateVector<S>& y, const S& stop) {
+    const S h = stop - t;
     const InitialAcceleration<S> start(system, t, y, h, counters_);
     v_dot_.begin(start.v_dot, start.v_ddot, h);
     lambda_.begin(start.lambda, start.lambda_dot, h);
@@ -82,7 +83,14 @@ class GeneralizedAlpha {
     last_h_ = h;
     work_.begin(start.work_rate);
   }
+  void show_memory(auto&& show) {
+    v_dot_.show_memory(show);
+    lambda_.show_memory(show);
+    work_.show_memory(show);
+    show(a_, *last_h_);
+  }
 
+ private:
   const bool is_stabilised_;
   const S alpha_m_, alpha_f_, gamma_, beta_;
   Newton<System> newton_;

@@ -29,7 +29,7 @@ class HHT {
 
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
     const S h = stop - t;
-    if (!last_h_) begin(system, t, y, h);
+    if (!last_h_) begin(system, t, y, stop);
     const int nq = system.position_size(), nv = system.velocity_size();
     v_ = y.segment(nq, nv);
     from_ = y;
@@ -67,8 +67,9 @@ class HHT {
   const Counters& counters() const { return counters_; }
   const StateVector<S>* lambda() const { return last_h_ ? &lambda_.now() : nullptr; }
 
- private:
-  void begin(System& system, const S& t, const StateVector<S>& y, const S& h) {
+  bool has_begun() const { return last_h_.has_value(); }
+  void begin(System& system, const S& t, const StateVector<S>& y, const S& stop) {
+    const S h = stop - t;
     const InitialAcceleration<S> start(system, t, y, h, counters_);
     a_.begin(start.v_dot, start.v_ddot, h);
     lambda_.begin(start.lambda, start.lambda_dot, h);
@@ -79,7 +80,14 @@ class HHT {
     last_h_ = h;
     work_.begin(start.work_rate);
   }
+  void show_memory(auto&& show) {
+    a_.show_memory(show);
+    lambda_.show_memory(show);
+    work_.show_memory(show);
+    show(g_, *last_h_);
+  }
 
+ private:
   const S alpha_, gamma_, beta_;
   Newton<System> newton_;
   LinearExtrapolation<S> a_, lambda_;

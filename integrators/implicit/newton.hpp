@@ -41,10 +41,10 @@ template <HasResidual System>
   constexpr double met =
       1e-8;  // half of a double's digits; what does not converge is far above or at rounding
   const bool of_rows = !(violation.relative <= S(met));
-  throw IntegrationError(fmt::format(
-      "at t = {}: Newton's method does not converge: {}; take smaller steps", static_cast<double>(t),
-      of_rows ? fmt::format("row \"{}\" is not met", system.row_name(violation.row))
-              : std::string("forces do not balance")));
+  throw IntegrationError({of_rows ? fmt::format("row \"{}\"", system.row_name(violation.row)) : std::string(),
+                          static_cast<double>(t)},
+                         fmt::format("Newton's method does not converge: {}; take smaller steps",
+                                     of_rows ? "it is not met" : "forces do not balance"));
 }
 
 template <HasNewtonMatrix System>

@@ -95,15 +95,7 @@ class Radau {
   const Counters& counters() const { return counters_; }
   const StateVector<S>* lambda() const { return has_begun_ ? &stages_.last().lambda : nullptr; }
 
- private:
-  using Stages = RadauStages<System, s>;
-  using Stage = typename Stages::Stage;
-
-  /// Of displacements, beside their own size: many short steps then miss no more than a few long ones.
-  static S placed_within(const std::optional<Tolerances>& tolerances) {
-    return std::max(2 * std::numeric_limits<S>::epsilon(), tolerances ? S(1e-3 * tolerances->rtol) : S(0));
-  }
-
+  bool has_begun() const { return has_begun_; }
   void begin(System& system, const S& t, const StateVector<S>& y, const S& stop) {
     nq_ = system.position_size();
     nv_ = system.velocity_size();
@@ -116,6 +108,16 @@ class Radau {
     if (error_ && !step_size_.has_begun())
       step_size_.begin(first_step(system, t, y, s, error_->tolerances(), counters_.right_sides));
     has_begun_ = true;
+  }
+  void show_memory(auto&& show) { stages_.show_memory(show); }
+
+ private:
+  using Stages = RadauStages<System, s>;
+  using Stage = typename Stages::Stage;
+
+  /// Of displacements, beside their own size: many short steps then miss no more than a few long ones.
+  static S placed_within(const std::optional<Tolerances>& tolerances) {
+    return std::max(2 * std::numeric_limits<S>::epsilon(), tolerances ? S(1e-3 * tolerances->rtol) : S(0));
   }
 
   /// Solves the stages of a step; y stays. Returns the estimated error, in tolerances.

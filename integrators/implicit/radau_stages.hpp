@@ -88,6 +88,13 @@ class RadauStages {
   void begin_with(const StateVector<S>& v_dot, const StateVector<S>& lambda) {
     for (int i = 0; i < s; ++i) begin_stage(i, v_dot, lambda);
   }
+  void show_memory(auto&& show) {
+    for (Known& known : known_) show(known.v_dot, known.lambda);
+    S h = known_h_.value_or(S(0));  // 0: no step yet
+    show(h);
+    if (h > S(0)) known_h_ = h;
+    stage_.back().lambda = known_.back().lambda;  // the method's own
+  }
   /// The step was taken.
   void accept(const S& h) {
     std::copy(stage_.begin(), stage_.end(), known_.begin());

@@ -65,6 +65,8 @@ class Arkode final : public OdeStepper {
     if (!chooses_steps_) accept(ARKStepSetFixedStep(memory(), stop - t), "a step");
     return ARKStepEvolve(memory(), stop, numbers(), &t, ARK_ONE_STEP);
   }
+  /// So that a run of given steps goes on exactly.
+  bool keeps_nothing() const override { return !chooses_steps_; }
   double planned() const override { return chooses_steps_ ? Stepper::planned() : 0; }
 
   const bool chooses_steps_;

@@ -30,7 +30,7 @@ void Stepper::step(AnySystem<double>& system, double& t, StateVectorD& y, const 
   system_ = &system;
   trouble_.clear();
   message_.clear();
-  if (has_begun_) {
+  if (has_begun_ && !keeps_nothing()) {
     offset_ += y - returned_;
   } else {
     offset_.setZero(y.size());

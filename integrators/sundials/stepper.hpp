@@ -54,6 +54,8 @@ class Stepper : public AnyMethod<double> {
   virtual void begin(double t, const StateVectorD& y, double first_step) = 0;
   /// One step from t, at most to `stop`; leaves the library's state in numbers(). Returns the library's flag.
   virtual int advance(double stop, double& t) = 0;
+  /// Whether it keeps nothing of a step for the next: each is then the first.
+  virtual bool keeps_nothing() const { return false; }
   /// The length it would take next; 0 where steps are given.
   virtual double planned() const;
   /// A x = b with what was factored last.

@@ -39,7 +39,7 @@ class Rattle {
     if (!system.inertia_is_constant())
       throw UsageError("rattle needs coordinates in which the mass matrix does not depend on positions");
     const S h = stop - t;
-    if (!has_begun_) begin(system, t, y, h);
+    if (!has_begun_) begin(system, t, y, stop);
     if (is_composed_) {
       const S part = 1 / (4 - pow(S(4), S(1) / 3)) * h, back = h - 4 * part;
       advance(system, t, S(t + part), y);
@@ -61,9 +61,9 @@ class Rattle {
   const Counters& counters() const { return counters_; }
   const StateVector<S>* lambda() const { return has_begun_ ? &lambda_ : nullptr; }
 
- private:
-  void begin(System& system, const S& t, const StateVector<S>& y, const S& h) {
-    const InitialAcceleration<S> start(system, t, y, h, counters_);
+  bool has_begun() const { return has_begun_; }
+  void begin(System& system, const S& t, const StateVector<S>& y, const S& stop) {
+    const InitialAcceleration<S> start(system, t, y, stop - t, counters_);
     none_.setZero(system.velocity_size());
     lambda_ = last_mu_ = start.lambda;
     last_h_ = S(0);
@@ -76,7 +76,12 @@ class Rattle {
     work_.begin(start.work_rate);
     has_begun_ = true;
   }
+  void show_memory(auto&& show) {
+    work_.show_memory(show);
+    show(held_, lambda_, last_h_);
+  }
 
+ private:
   void advance(System& system, const S& t, const S& t_next, StateVector<S>& y) {
     const S h = t_next - t;
     const int nq = system.position_size(), nv = system.velocity_size();
@@ -158,8 +163,8 @@ class Rattle {
       move();
       ++counters_.iterations;
     }
-    throw IntegrationError(fmt::format("row \"{}\" at t = {}: the step does not meet it; take smaller steps",
-                                       system.row_name(rows.row), static_cast<double>(t)));
+    throw IntegrationError({fmt::format("row \"{}\"", system.row_name(rows.row)), static_cast<double>(t)},
+                           "the step does not meet it; take smaller steps");
   }
 
   void factor(System& system) {

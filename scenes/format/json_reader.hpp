@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "scenes/format/json.hpp"
@@ -52,6 +53,14 @@ void read_value(const Json& json, const Path& at, TimeFunction& out);
 const Json::Array& read_items(const Json& json, const Path& at, std::string_view items,
                               std::optional<std::size_t> size = {});
 
+template <class Item>
+requires(std::is_same_v<Item, double> ||
+         std::is_same_v<Item, std::string>) void read_value(const Json& json, const Path& at,
+                                                            std::vector<Item>& out) {
+  const Json::Array& items = read_items(json, at, std::is_same_v<Item, double> ? "numbers" : "texts");
+  out.resize(items.size());
+  for (std::size_t k = 0; k < items.size(); ++k) read_value(items[k], at / k, out[k]);
+}
 template <std::size_t n>
 void read_value(const Json& json, const Path& at, std::array<double, n>& out) {
   const Json::Array& items = read_items(json, at, "numbers", n);

@@ -120,6 +120,11 @@ void check_scene(const Scene& scene, const Path& root) {
     std::visit([&](const auto& effect) { effect_names.add(effect.name, at); }, scene.effects[k]);
     visit_keys(EffectChecks(scene, at), scene.effects[k]);
   }
+  const Path saved = root / "saved";
+  if (const std::size_t charts = scene.saved ? scene.saved->charts.size() : 0;
+      charts != 0 && charts != scene.bodies.size())
+    fail(saved / "charts", fmt::format("{} charts", charts),
+         fmt::format("one for each of the {} bodies, or none", scene.bodies.size()));
 }
 
 }  // namespace trivium::scenes

@@ -50,7 +50,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 SceneError::SceneError(std::string file, std::string path, std::string found, std::string accepted,
                        std::string suggestion)
-    : Error(ErrorKind::input, sentence(file, path, found, accepted, suggestion)),
+    : Error(ErrorKind::input, sentence(file, path, found, accepted, suggestion),
+            Place{path.empty() ? file : file + ": " + path}),
       file_(std::move(file)),
       path_(std::move(path)),
       found_(std::move(found)),

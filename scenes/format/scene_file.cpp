@@ -46,9 +46,9 @@ Scene parse_scene(std::string_view text, std::string_view file_name) {
   return scene;
 }
 
-Scene read_scene_file(const fs::path& path, double t) {
+Scene read_scene_file(const fs::path& path, std::optional<double> t) {
   Scene scene = parse_scene(read_text(path), path.native());
-  check_functions(scene, t, Path(path.native()));
+  check_functions(scene, time_of(scene, t), Path(path.native()));
   return scene;
 }
 

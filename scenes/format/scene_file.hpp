@@ -5,6 +5,7 @@
 /// values, 64 levels of nesting; tolerances and magnitudes stand in scene_checks.hpp.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,9 +14,9 @@
 
 namespace trivium::scenes {
 
-/// Throws SceneError, and nothing else, for what is not a scene; its functions of time must be finite at t
-/// too.
-Scene read_scene_file(const std::filesystem::path& path, double t = 0);
+/// Throws SceneError, and nothing else, for what is not a scene; its functions of time must be finite
+/// at the time of its state too (time_of).
+Scene read_scene_file(const std::filesystem::path& path, std::optional<double> t = {});
 Scene parse_scene(std::string_view text, std::string_view file_name);
 
 /// The scene as its file would have it: keys in the order of the format, defaults left out. Throws SceneError

@@ -51,7 +51,11 @@ class Shape {
 
 inline constexpr Shape scene_shape{"scene",
                                    {need("trivium"), may("name"), may("description"), may("reference"),
-                                    need("bodies"), may("constraints"), may("effects")}};
+                                    need("bodies"), may("constraints"), may("effects"), may("saved")}};
+inline constexpr Shape saved_shape{
+    "saved",
+    {need("t"), need("start"), need("formulation"), need("integrator"), need("phi"), need("phi_dot"),
+     may("began_singular"), may("charts"), need("y"), may("angles"), may("memory")}};
 inline constexpr Shape body_shape{
     "body",
     {need("name"), need("mass"), need("inertia"), may("unphysical_inertia"), need("position"),
@@ -139,6 +143,7 @@ struct EffectKeyList {
   void may(std::string_view key, auto&) const { shape.add(scenes::may(key)); }
   void place(std::string_view key, auto&) const { shape.add(scenes::may(key)); }
   void angle(std::string_view key, auto&) const { shape.add(scenes::may(key)); }
+  void turns(std::string_view key, auto&) const { shape.add(scenes::may(key)); }
 };
 
 /// None behind the last type of joint.

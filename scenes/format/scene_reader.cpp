@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string_view>
 #include <unordered_map>
 
@@ -128,6 +129,8 @@ void read_value(const Json& json, const Path& at, Constraint& out, const Names& 
   object.read("angle", out.angle);
 }
 
+constexpr int most_turns = 1'000'000;
+
 /// Reads what an effect shows.
 struct EffectReader : ValueVisitor<EffectReader> {
   const ObjectReader& object;
@@ -147,6 +150,14 @@ struct EffectReader : ValueVisitor<EffectReader> {
   void joint(std::string_view key, JointAngle<double>& angle) const {
     angle.joint = joints.find(*object.find(key), at / key);
   }
+  void turns(std::string_view key, JointAngle<double>& angle) const {
+    const Json* json = object.find(key);
+    if (!json) return;
+    const double* number = json->number();
+    if (!number || *number != std::round(*number) || std::abs(*number) > most_turns)
+      fail_type(*json, at / key, fmt::format("a whole number of turns, up to {}", most_turns));
+    angle.set_turns(static_cast<int>(*number));
+  }
   void value(std::string_view key, auto& value) const { object.read(key, value); }
   void value(std::string_view key, ComponentFrame& frame) const {
     if (const Json* json = object.find(key))
@@ -163,6 +174,21 @@ void read_value(const Json& json, const Path& at, Effect& out, const Names& bodi
   std::visit([&](auto& effect) { object.read("name", effect.name); }, out);
   if (const Json* name = object.find("name"); name && name->text()->empty())
     fail(at / "name", "an empty name", "a name, or no key \"name\"");
+}
+
+void read_value(const Json& json, const Path& at, SavedRun& out) {
+  const ObjectReader object(json, at, saved_shape);
+  object.read("t", out.t);
+  object.read("start", out.start);
+  object.read("formulation", out.formulation);
+  object.read("integrator", out.integrator);
+  object.read("phi", out.phi);
+  object.read("phi_dot", out.phi_dot);
+  object.read("memory", out.memory);
+  object.read("began_singular", out.began_singular);
+  object.read("charts", out.charts);
+  object.read("y", out.y);
+  object.read("angles", out.angles);
 }
 
 template <class Item, class... Context>
@@ -192,6 +218,7 @@ Scene read_scene(const Json& json, const Path& root) {
   const Names bodies = names_of_bodies(scene.bodies);
   read_list(object, root, "constraints", scene.constraints, bodies);
   read_list(object, root, "effects", scene.effects, bodies, names_of_joints(scene.constraints));
+  if (const Json* saved = object.find("saved")) read_value(*saved, root / "saved", scene.saved.emplace());
   return scene;
 }
 

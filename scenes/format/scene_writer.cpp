@@ -59,6 +59,7 @@ bool is_default(const std::array<TimeFunction, 3>& f) {
   return is_default(f[0]) && is_default(f[1]) && is_default(f[2]);
 }
 bool is_default(const std::string& text) { return text.empty(); }
+bool is_default(const std::vector<double>& numbers) { return numbers.empty(); }
 bool is_default(ComponentFrame frame) { return frame == ComponentFrame::global; }
 
 class ObjectWriter {
@@ -128,6 +129,10 @@ struct EffectWriter : ValueVisitor<EffectWriter> {
   void joint(std::string_view key, const JointAngle<double>& angle) const {
     object.set(key, scene.constraints[static_cast<std::size_t>(angle.joint)].name);
   }
+  void turns(std::string_view key, const JointAngle<double>& angle) const {
+    if (const int turns = angle.turns_of(angle.tracked); turns != 0)
+      object.set(key, static_cast<double>(turns));
+  }
   void value(std::string_view key, const auto& value) const { object.add(key, value); }
 };
 
@@ -137,6 +142,18 @@ Json to_json(const Effect& effect, const Scene& scene) {
   object.set("type", shape.name());
   std::visit([&](const auto& one) { object.add("name", one.name); }, effect);
   visit_keys(EffectWriter(scene, object), effect);
+  return object.done();
+}
+
+Json to_json(const SavedRun& saved) {
+  ObjectWriter object(saved_shape);
+  object.add("t", saved.t).add("start", saved.start).add("formulation", saved.formulation);
+  object.add("integrator", saved.integrator).add("phi", saved.phi).add("phi_dot", saved.phi_dot);
+  if (saved.began_singular) object.set("began_singular", true);
+  if (!saved.charts.empty()) object.set("charts", to_json(saved.charts));
+  object.add("y", saved.y);
+  if (!saved.angles.empty()) object.set("angles", to_json(saved.angles));
+  if (!saved.memory.empty()) object.set("memory", to_json(saved.memory));
   return object.done();
 }
 
@@ -151,6 +168,7 @@ Json to_json(const Scene& scene) {
   object.set("bodies", std::move(bodies));
   if (!constraints.empty()) object.set("constraints", std::move(constraints));
   if (!effects.empty()) object.set("effects", std::move(effects));
+  if (scene.saved) object.set("saved", to_json(*scene.saved));
   return object.done();
 }
 

@@ -19,8 +19,8 @@ json schema() {
 }
 
 std::vector<Shape> shapes() {
-  std::vector<Shape> all{body_shape,        orientation_shape, axis_angle_shape, joint_side,
-                         vector_point_side, point_side,        axis_side,        frame_side};
+  std::vector<Shape> all{body_shape, orientation_shape, axis_angle_shape, joint_side, vector_point_side,
+                         point_side, axis_side,         frame_side,       saved_shape};
   all.insert(all.end(), function_shapes.begin(), function_shapes.end());
   for (const ConstraintShape& constraint : constraint_shapes()) all.push_back(constraint.shape);
   all.insert(all.end(), effect_shapes().begin(), effect_shapes().end());

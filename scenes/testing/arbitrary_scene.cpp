@@ -177,6 +177,7 @@ struct ArbitraryEffect : ValueVisitor<ArbitraryEffect> {
     for (std::size_t k = 0; k < scene.constraints.size(); ++k)
       if (properties_of(scene.constraints[k].type).has_an_angle) angle.joint = static_cast<int>(k);
   }
+  void turns(std::string_view, JointAngle<double>& angle) { angle.set_turns(random.below(7) - 3); }
   void value(std::string_view, double& number) { number = random.number(); }
   void value(std::string_view, trivium::Vector3<double>& v) {
     v = trivium::Vector3<double>(random.vector().data());
@@ -220,6 +221,20 @@ Scene arbitrary_scene() {
   for (int k = random.below(13); k > 0; --k)
     scene.constraints.push_back(arbitrary_constraint(random, k, bodies));
   for (int k = random.below(13); k > 0; --k) scene.effects.push_back(arbitrary_effect(random, k, scene));
+  if (random.flip()) {
+    SavedRun& saved = scene.saved.emplace();
+    saved.t = random.number();
+    saved.start = random.number();
+    saved.formulation = "r-epsilon";
+    saved.integrator = "radau5";
+    saved.phi = random.positive();
+    saved.phi_dot = random.positive();
+    saved.began_singular = random.flip();
+    for (int k = random.below(3); k > 0; --k) saved.memory.push_back(random.number());
+    if (random.flip()) saved.charts.assign(scene.bodies.size(), "313 Rx(90)");
+    for (int k = random.below(30); k > 0; --k) saved.y.push_back(random.number());
+    for (int k = random.below(3); k > 0; --k) saved.angles.push_back(random.number());
+  }
   return scene;
 }
 

@@ -120,6 +120,7 @@ struct EffectLaws : ValueVisitor<EffectLaws> {
     require(properties_of(scene.constraints.at(static_cast<std::size_t>(angle.joint)).type).has_an_angle,
             "a joint with an angle");
   }
+  void turns(std::string_view, const JointAngle<double>& angle) const { require_finite({angle.tracked}); }
   void value(std::string_view, double x) const { require_finite({x}); }
   void value(std::string_view, ComponentFrame) const {}
   void value(std::string_view, const trivium::Vector3<double>& v) const {

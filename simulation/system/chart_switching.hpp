@@ -41,8 +41,8 @@ class ChartSwitching {
       try {
         body.chart = F::choose_chart(options_, p);
       } catch (const ModelError& error) {
-        throw ModelError(fmt::format("body \"{}\" at t = {}: {}", mechanism.body_names[b],
-                                     static_cast<double>(t), error.what()));
+        throw ModelError({fmt::format("body \"{}\"", mechanism.body_names[b]), static_cast<double>(t)},
+                         error);
       }
       body.q = F::from_pose(body.chart, p, omega_bar);
       layout.place(y, b).tail(F::orientation_size) = F::orientation_of(body.chart, p);

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/raise.hpp"
+#include "mechanism/saved_run.hpp"
 #include "simulation/system/branch_check.hpp"
 #include "simulation/system/chart_switching.hpp"
 #include "simulation/system/constraint_projection.hpp"
@@ -31,7 +32,8 @@ namespace trivium {
 struct FirstOrderOptions {
   ChartOptions charts;
   std::optional<Baumgarte> baumgarte;
-  bool is_projected = true;  ///< after every step; if not, violations hide which rows depend on others
+  bool is_projected = true;        ///< after every step; if not, violations hide which rows depend on others
+  const SavedRun* from = nullptr;  ///< of this formulation, at the start: its numbers are gone on with
 };
 
 template <Formulation F>
@@ -60,6 +62,10 @@ class FirstOrderEquations {
     for (int b = 0; b < nb(); ++b) {
       layout_.place(start_, b) << state_[b].r, F::orientation_of(state_[b].chart, start.pose[b].p);
       layout_.rate(start_, b) << state_[b].r_dot, F::velocity_of(state_[b].chart, state_[b].q);
+    }
+    if (options.from) {
+      go_on_from(*options.from, start, options.is_projected);
+      return;
     }
     accept_state(start.t, start_);
     // a motion may pass positions where rows are nearly dependent; one that starts there lives with them
@@ -213,6 +219,42 @@ class FirstOrderEquations {
   int reframings() const { return charts_.changes(); }
   const MotionLog<S>& log() const { return log_; }
 
+  // to go on later, in the same numbers
+  SavedRun save(const StateVector& y) {
+    SavedRun saved;
+    saved.formulation = F::name;
+    const VectorX<double> numbers = scalar_cast<double>(y);
+    saved.y.assign(numbers.begin(), numbers.end());
+    saved.began_singular = detection_ == DependentRows::detect;
+    saved.charts = charts();
+    saved.angles = counted_angles();
+    return saved;
+  }
+  /// Per body; none in formulations without.
+  std::vector<std::string> charts() const {
+    std::vector<std::string> names;
+    for (const BodyState<F>& body : state_)
+      if (const std::string chart(body.chart.name()); !chart.empty()) names.push_back(chart);
+    return names;
+  }
+  /// Where effects counted joint angles last [rad], effect by effect.
+  std::vector<double> counted_angles() {
+    std::vector<double> angles;
+    mechanism_.effects.for_each_angle(
+        [&](const JointAngle<S>& angle) { angles.push_back(static_cast<double>(angle.tracked)); });
+    return angles;
+  }
+  /// The angles of joints that effects count [rad], effect by effect.
+  std::vector<double> joint_angles(const S& t, const StateVector& y) {
+    load(y);
+    projection_.move(state_, t);
+    take_motion();
+    std::vector<double> angles;
+    mechanism_.effects.for_each_angle(
+        [&](const JointAngle<S>& angle) { angles.push_back(static_cast<double>(angle.value(view(t)))); });
+    return angles;
+  }
+
   // for the equations with constraints, which speak of the same bodies
   AccelerationSolver<F>& solver() { return solver_; }
   const EnergyAccount<S, MechanismTypesOf<F>>& account() const { return account_; }
@@ -250,6 +292,9 @@ class FirstOrderEquations {
     ++factorisations_;
     solver_.solve(state_, t, refinement, how);
   }
+
+  /// Takes the numbers of a saved run, which must be those of the state.
+  void go_on_from(const SavedRun& saved, const MechanismState<S>& state, bool is_projected);
 
   bool reframe(const S& t, StateVector& y) {
     load(y);
@@ -289,5 +334,54 @@ class FirstOrderEquations {
   DependentRows detection_ = DependentRows::detect;  ///< how dependent rows are found at accepted states
   long factorisations_ = 0;
 };
+
+template <Formulation F>
+void FirstOrderEquations<F>::go_on_from(const SavedRun& saved, const MechanismState<S>& state,
+                                        bool is_projected) {
+  const auto refuse = [&](const std::string& why) {
+    throw Error(
+        ErrorKind::input, {mechanism_.name, saved.t},
+        fmt::format("the saved run cannot go on: {}; leave out the key \"saved\" to begin anew from the "
+                    "state of the bodies",
+                    why));
+  };
+  if (static_cast<double>(state.t) != saved.t)
+    refuse(fmt::format("the state is taken at t = {}", static_cast<double>(state.t)));
+  if (static_cast<int>(saved.y.size()) != size())
+    refuse(fmt::format("{} numbers make no state of {} bodies in {}, which has {}", saved.y.size(), nb(),
+                       F::name, size()));
+  for (int b = 0; b < nb(); ++b) {
+    const std::string chart = saved.charts.empty() ? std::string() : saved.charts[b];
+    bool is_known = false;
+    if constexpr (requires { read_chart(chart, state_[b].chart); })
+      is_known = read_chart(chart, state_[b].chart);
+    if (!is_known) refuse(fmt::format("{} has no chart \"{}\" that a name tells all of", F::name, chart));
+  }
+  std::size_t counted = 0;
+  mechanism_.effects.for_each_angle([&](JointAngle<S>& angle) {
+    if (counted < saved.angles.size()) angle.tracked = S(saved.angles[counted]);
+    ++counted;
+  });
+  if (counted != saved.angles.size())
+    refuse(fmt::format("effects count {} angles, not {}", counted, saved.angles.size()));
+  for (int k = 0; k < size(); ++k) start_[k] = S(saved.y[k]);
+  // whoever moved a body by hand means the body
+  const MechanismState<S> at = to_mechanism_state(state.t, start_);
+  for (int b = 0; b < nb(); ++b) {
+    const Pose<S>&pose = state.pose[b], &kept = at.pose[b];
+    const Twist<S>&twist = state.twist[b], &kept_twist = at.twist[b];
+    const auto is_near = [](const auto& x, const auto& y) {
+      return S((x - y).norm()) <= S(1e-12) * S(x.norm());
+    };
+    if (!(is_near(pose.r, kept.r) && is_near(pose.p, kept.p) && is_near(twist.r_dot, kept_twist.r_dot) &&
+          is_near(twist.omega_bar, kept_twist.omega_bar)))
+      refuse(fmt::format("body \"{}\" is not where it left it", mechanism_.body_names[b]));
+  }
+  // the state may miss its rows by the method's error, which hides what depends on others from a strict look
+  detection_ = saved.began_singular ? DependentRows::detect : DependentRows::detect_near_singular;
+  log_.begin();
+  accept_state(state.t, start_);
+  if (!is_projected) detection_ = DependentRows::keep_count;
+}
 
 }  // namespace trivium

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/json_writer.hpp"
+#include "base/raise.hpp"
 #include "base/table.hpp"
 #include "scenes/format/scene_keys.hpp"
 
@@ -25,67 +26,49 @@ std::string joint_summary(const scenes::Scene& scene) {
 
 }  // namespace
 
-std::vector<std::string> CheckReport::row_names(bool (*chosen)(const RowAnalysis&, int)) const {
+std::vector<std::string> CheckReport::row_names(bool (*chosen)(const RowCheck&)) const {
   std::vector<std::string> out;
-  if (!analysis) return out;
-  for (int k = 0; k < mechanism.nc(); ++k)
-    if (chosen(*analysis, k)) out.push_back(mechanism.row_names[k]);
+  for (std::size_t k = 0; k < check.rows.size(); ++k)
+    if (chosen(check.rows[k])) out.push_back(check.names.rows[k]);
   return out;
 }
 
 std::vector<std::string> CheckReport::redundant() const {
-  return row_names([](const RowAnalysis& r, int k) {
-    return std::find(r.dependent.begin(), r.dependent.end(), k) != r.dependent.end();
-  });
+  return row_names([](const RowCheck& row) { return row.is_redundant; });
 }
 
 std::vector<std::string> CheckReport::not_unique() const {
-  return row_names([](const RowAnalysis& r, int k) { return !r.unique[k]; });
-}
-
-std::vector<std::string> CheckReport::contradictory() const {
-  return row_names([](const RowAnalysis& r, int k) {
-    return std::find(r.contradictory.begin(), r.contradictory.end(), k) != r.contradictory.end();
-  });
-}
-
-std::vector<std::string> CheckReport::unphysical() const {
-  std::vector<std::string> out;
-  for (const scenes::Body& body : scene.bodies)
-    if (body.unphysical_inertia) out.push_back(body.name);
-  return out;
+  return row_names([](const RowCheck& row) { return !row.is_unique; });
 }
 
 std::string CheckReport::json() const {
   JsonWriter json;
   json.begin_object()
       .text("scene", scene.name)
-      .number("t", t)
-      .number("nb", mechanism.nb())
-      .number("nc", mechanism.nc());
-  if (analysis)
-    json.number("dof", 6 * mechanism.nb() - analysis->rank)
-        .number("rank", analysis->rank)
-        .number("condition", analysis->kappa)
-        .numbers("mu", analysis->mu)
-        .texts("redundant", redundant())
-        .texts("not_unique", not_unique())
-        .texts("contradictory", contradictory());
-  json.texts("unphysical_inertia", unphysical())
-      .flag("consistent", consistency.holds())
-      .texts("wrong_branches", consistency.wrong_branches)
-      .number("kinetic_energy", energy.kinetic)
-      .number("potential_energy", energy.potential)
-      .number("effect_power", energy.power);
+      .number("t", check.t)
+      .number("nb", check.names.bodies.size())
+      .number("nc", check.rows.size())
+      .text("solver", check.solver);
+  if (check.rank) json.number("dof", *check.degrees_of_freedom).number("rank", *check.rank);
+  if (check.condition) json.number("condition", *check.condition);
+  json.numbers("mu", check.mu)
+      .texts("redundant", redundant())
+      .texts("not_unique", not_unique())
+      .texts("contradictory", check.contradictory)
+      .texts("unphysical_inertia", check.unphysical_inertia)
+      .flag("consistent", check.is_consistent)
+      .texts("wrong_branches", check.wrong_branches)
+      .number("kinetic_energy", check.kinetic_energy)
+      .number("potential_energy", check.potential_energy)
+      .number("effect_power", check.effect_power);
   json.begin_array("rows");
-  for (int k = 0; k < mechanism.nc(); ++k) {
+  for (std::size_t k = 0; k < check.rows.size(); ++k)
     json.begin_object()
-        .text("name", mechanism.row_names[k])
-        .number("position_residual", consistency.positions[k].residual)
-        .number("velocity_residual", consistency.velocities[k].residual);
-    if (analysis) json.flag("unique", analysis->unique[k]);
-    json.end_object();
-  }
+        .text("name", check.names.rows[k])
+        .number("position_residual", check.rows[k].position_residual)
+        .number("velocity_residual", check.rows[k].velocity_residual)
+        .flag("unique", check.rows[k].is_unique)
+        .end_object();
   json.end_array().begin_array("augmented_matrix");
   for (const Sparsity& s : sparsity)
     json.begin_object()
@@ -100,28 +83,41 @@ std::string CheckReport::json() const {
 std::string CheckReport::text() const {
   std::string out = fmt::format("{}: {}\n", scene.name, scene.description);
   if (!scene.reference.empty()) out += fmt::format("reference: {}\n", scene.reference);
-  out += fmt::format("\nbodies              {}\nconstraints         {} ({})\n", mechanism.nb(),
+  out += fmt::format("\nbodies              {}\nconstraints         {} ({})\n", check.names.bodies.size(),
                      scene.constraints.size(), joint_summary(scene));
-  if (analysis)
-    out += fmt::format("rows, rank          {}, {}\ndegrees of freedom  {}\ncondition           {:.2e}\n",
-                       mechanism.nc(), analysis->rank, 6 * mechanism.nb() - analysis->rank, analysis->kappa);
+  if (check.rank)
+    out += fmt::format("rows, rank          {}, {}\ndegrees of freedom  {}\n", check.rows.size(), *check.rank,
+                       *check.degrees_of_freedom);
   else
-    out += fmt::format("rows, rank          {}, not determined\n", mechanism.nc());
-  if (analysis && analysis->mu.size() > 0 && analysis->mu.maxCoeff() > 0)
-    out += fmt::format("singular mass       norms use M + Phi^T diag(mu) Phi, mu from {:.3g} to {:.3g}\n",
-                       analysis->mu.minCoeff(), analysis->mu.maxCoeff());
-  for (const std::string& body : unphysical())
+    out +=
+        fmt::format("rows, rank          {}, not determined: the state misses its rows\n", check.rows.size());
+  if (check.condition)
+    out += fmt::format("condition           {:.2e}\n", *check.condition);
+  else
+    out += fmt::format(
+        "condition           not determined: too large for the dense solver, rank by the {} one\n",
+        check.solver);
+  if (!check.mu.empty())
+    if (const auto [least, most] = std::minmax_element(check.mu.begin(), check.mu.end()); *most > 0)
+      out += fmt::format("singular mass       norms use M + Phi^T diag(mu) Phi, mu from {:.3g} to {:.3g}\n",
+                         *least, *most);
+  for (const std::string& body : check.unphysical_inertia)
     out += fmt::format("unphysical inertia  body \"{}\", by its own word\n", body);
-  if (analysis && !analysis->dependent.empty()) {
-    out += fmt::format("redundant rows      {}\n", fmt::join(redundant(), ", "));
+  if (const auto rows = redundant(); !rows.empty()) {
+    out += fmt::format("redundant rows      {}\n", fmt::join(rows, ", "));
     out += fmt::format("not unique lambda   {}\n", fmt::join(not_unique(), ", "));
+  }
+  double position = 0, velocity = 0;
+  for (const RowCheck& row : check.rows) {
+    raise(position, row.position_violation);
+    raise(velocity, row.velocity_violation);
   }
   out += fmt::format(
       "position residual   {:.2e} m or rad at worst\nvelocity residual   {:.2e} m/s or rad/s at worst\n",
-      worst_size(consistency.positions), worst_size(consistency.velocities));
+      position, velocity);
   out +=
       fmt::format("energy              kinetic {:.9g} J, potential {:.9g} J, power of the effects {:.9g} W\n",
-                  energy.kinetic, energy.potential, energy.power);
+                  check.kinetic_energy, check.potential_energy, check.effect_power);
   Table table({"augmented matrix", "size", "nonzeros", "percent"});
   for (const Sparsity& s : sparsity)
     table.add(

@@ -15,6 +15,7 @@ struct Command {
 
 Command add_solve_command(ProgramOptions& program);
 Command add_simulate_command(ProgramOptions& program);
+Command add_compare_command(ProgramOptions& program);
 Command add_check_command(ProgramOptions& program);
 Command add_list_command(ProgramOptions& program);
 Command add_generate_command(ProgramOptions& program);

@@ -1,4 +1,4 @@
-/// trivium: solve, simulate, check, list and generate scenes from the command line.
+/// trivium: solve, simulate, compare, check, list and generate scenes from the command line.
 
 #include <fmt/format.h>
 
@@ -35,9 +35,9 @@ int main(int argc, char** argv) {
   ProgramOptions program(
       "Constrained rigid-multibody dynamics in three formulations on one constraint library", "trivium");
   program.describe_help("Print this help and exit");
-  const std::vector<Command> commands{add_solve_command(program), add_simulate_command(program),
-                                      add_check_command(program), add_list_command(program),
-                                      add_generate_command(program)};
+  const std::vector<Command> commands{add_solve_command(program),   add_simulate_command(program),
+                                      add_compare_command(program), add_check_command(program),
+                                      add_list_command(program),    add_generate_command(program)};
   if (const std::string message = misuse(commands, argc, argv); !message.empty()) {
     complain(message);
     return exit_input_error;

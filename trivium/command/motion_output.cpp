@@ -26,10 +26,11 @@ MotionOutput::MotionOutput(const Mechanism<double>& mechanism, double t_start,
                   fmt::format("{}: {}, {}", mechanism.name, options.formulation, options.integrator));
 }
 
-void MotionOutput::sample(const MotionSample& sample) {
+bool MotionOutput::sample(const MotionSample& sample) {
   if (csv_) csv_->add(sample);
   if (plot_) plot_->add(sample);
   last_ = sample.state.t;
+  return true;
 }
 
 bool MotionOutput::step(double t) {

@@ -20,7 +20,7 @@ class MotionOutput : public SimulationObserver {
   MotionOutput(const Mechanism<double>& mechanism, double t_start, const SimulationOptions& options,
                const std::string& csv, const std::string& figure);
 
-  void sample(const MotionSample& sample) override;
+  bool sample(const MotionSample& sample) override;
   bool step(double t) override;
 
   /// Writes what it has; says on stderr what it could not. Returns whether it could.

@@ -1,6 +1,6 @@
 #pragma once
 /// The summary of a run of `trivium simulate`, as text and as JSON: counters of the method, drift off the
-/// constraints, the balance of energy. Decides what is warned about.
+/// constraints, the balance of energy. What is warned about is decided in motion_warnings.hpp.
 
 #include <optional>
 #include <string>
@@ -12,9 +12,6 @@
 #include "simulation/simulate.hpp"
 
 namespace trivium {
-
-/// What deserves a warning: singular positions passed, energy that is not accounted for, drift.
-std::vector<std::string> warnings_of(const SimulationReport& report);
 
 /// What was asked for, to which a run's report is added.
 struct MotionReport {

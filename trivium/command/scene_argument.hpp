@@ -1,12 +1,11 @@
 #pragma once
 /// The scene that a subcommand works on: its options, and the state that they ask for, read and assembled.
-/// Decides whether the state is fit to be solved: it must satisfy its constraints.
+/// Whether the state is fit to be solved is the front door's to say (state_check.hpp).
 
-#include <functional>
+#include <optional>
 #include <string>
 
 #include "base/program_options.hpp"
-#include "formulations/analysis/consistency.hpp"
 #include "mechanism/model.hpp"
 #include "scenes/scene.hpp"
 
@@ -14,7 +13,7 @@ namespace trivium {
 
 struct SceneArguments {
   std::string scene;
-  double t = 0;
+  std::optional<double> t;  ///< of the state [s]; else that of a saved run, or 0
   bool assemble = false;
   std::string save;  ///< file for the assembled scene; empty for none
 };
@@ -30,11 +29,5 @@ struct LoadedScene {
 
 /// Reads the scene and, with `assemble`, projects its state onto the constraints and saves it if asked.
 LoadedScene load(const SceneArguments& arguments);
-
-/// Says on stderr what does not hold; true if all does.
-bool report_consistency(const SceneArguments& arguments, const Consistency& consistency);
-
-/// Runs a subcommand; a ModelError carries the scene as the command line names it.
-int naming_scene(const SceneArguments& arguments, const std::function<int()>& run);
 
 }  // namespace trivium

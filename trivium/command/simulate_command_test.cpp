@@ -208,5 +208,40 @@ TEST(Simulate, DrawsTheMotion) {
   EXPECT_NE(slurp(file).find("</svg>"), std::string::npos);
 }
 
+TEST(Simulate, GoesOnFromWhereAnotherRunEndedToTheSameBits) {
+  const fs::path half = fresh("half.json"), rest = fresh("rest.csv"), whole = fresh("whole.csv");
+  const std::string how = " --formulation r-epsilon --integrator radau5 --step 0.002 ";
+  EXPECT_EQ(
+      run("trivium simulate spatial_slider_crank --t-end 0.1 --save-end " + half.string() + how).exit_code,
+      0);
+  EXPECT_EQ(run("trivium simulate " + half.string() + " --t-end 0.2 --out " + rest.string() + how).exit_code,
+            0);
+  EXPECT_EQ(run("trivium simulate spatial_slider_crank --t-end 0.2 --out " + whole.string() + how).exit_code,
+            0);
+  EXPECT_EQ(csv_lines(rest).back(), csv_lines(whole).back());
+  EXPECT_EQ(csv_lines(rest)[1][0], "0.10000000000000001");
+  // every other command takes it as a scene, at its time
+  const Outcome solved = run("trivium solve " + half.string() + " --json");
+  ASSERT_EQ(solved.exit_code, 0) << solved.err;
+  EXPECT_EQ(json::parse(solved.out)["t"], 0.1);
+}
+
+TEST(Simulate, RefusesASavedRunThatIsNotItsScenes) {
+  const fs::path file = fresh("end.json");
+  EXPECT_EQ(run("trivium simulate heavy_top --t-end 0.1 --save-end " + file.string()).exit_code, 0);
+  const Outcome early = run("trivium simulate " + file.string() + " --t 0 --t-end 1");
+  EXPECT_EQ(early.exit_code, 2);
+  EXPECT_NE(
+      early.err.find("the saved run cannot go on: the state is taken at t = 0; leave out the key \"saved\""),
+      std::string::npos)
+      << early.err;
+  json scene = json::parse(slurp(file));
+  scene["saved"]["y"].push_back(1);
+  const std::string longer = temporary_scene("longer.json", scene.dump());
+  EXPECT_EQ(run("trivium simulate " + longer + " --t-end 1").exit_code, 2);
+  // another formulation goes on from the bodies
+  EXPECT_EQ(run("trivium simulate " + longer + " --t-end 0.2 --formulation r-p").exit_code, 0);
+}
+
 }  // namespace
 }  // namespace trivium::test

@@ -18,6 +18,7 @@
 #include "trivium/command/commands.hpp"
 #include "trivium/command/scene_argument.hpp"
 #include "trivium/command/solve_report.hpp"
+#include "trivium/state_check.hpp"
 
 namespace trivium {
 
@@ -28,37 +29,44 @@ struct SolveArguments : SceneArguments {
   bool raw_chart = false, json = false;
 };
 
+/// What one of the scalars made of it.
 template <class Scalar>
-int solve(const SolveArguments& arguments, const scenes::Scene& scene, const Model<Scalar>& model,
-          const RowAnalysis& rows, const SolveOptions& options) {
-  using Higher = NextPrecisionT<Scalar>;
-  const auto judge = make_model(scene, Higher(arguments.t));
-  const SideBySide<Scalar> result = side_by_side(model, rows, options, &judge);
-  const SolveReport<Scalar> report{scene, arguments.t, arguments.scalar, model.mechanism, result};
-  for (const std::string& warning : report.warnings()) fmt::print(stderr, "warning: {}\n", warning);
+int report(const SolveArguments& arguments, const LoadedScene& loaded, const char* solver,
+           const Mechanism<Scalar>& mechanism, const SideBySide<Scalar>& answer) {
+  const SolveReport<Scalar> report{loaded.scene, loaded.model.state.t, arguments.scalar, solver, mechanism,
+                                   answer};
+  for (const std::string& warning : warnings_of(loaded.scene, answer))
+    fmt::print(stderr, "warning: {}\n", warning);
   fmt::print("{}", arguments.json ? report.json() : report.text());
-  const bool any = std::any_of(result.formulations.begin(), result.formulations.end(),
+  const bool any = std::any_of(answer.formulations.begin(), answer.formulations.end(),
                                [](const auto& f) { return f.error.empty(); });
   return any ? exit_done : exit_solver_failed;
 }
 
+/// As printed, in other arithmetic than double.
+template <class Scalar>
+int solve_in(const SolveArguments& arguments, const LoadedScene& loaded, const SolveOptions& options) {
+  using Higher = NextPrecisionT<Scalar>;
+  const double t = loaded.model.state.t;
+  const auto rows = analyse_rows(loaded.model);
+  const auto model = make_model(loaded.scene, static_cast<Scalar>(t));
+  const auto judge = make_model(loaded.scene, static_cast<Higher>(t));
+  return report(arguments, loaded, "printed", model.mechanism, side_by_side(model, rows, options, &judge));
+}
+
 int run_solve(const SolveArguments& arguments) {
   const LoadedScene loaded = load(arguments);
-  const scenes::Scene& scene = loaded.scene;
-  const Model<double>& model = loaded.model;
-  if (!report_consistency(arguments, check_consistency(model.mechanism, model.state)))
-    return exit_input_error;
+  require_consistent(arguments.scene, loaded.model);
   SolveOptions options;
   if (arguments.formulation != "all") options.formulations = {arguments.formulation};
   options.charts = {*parse_euler_sequence(arguments.sequence), !arguments.raw_chart};
-  const RowAnalysis rows = analyse_rows(model);
-  const auto solve_in = [&]<class Scalar>(Scalar t) {
-    return solve(arguments, scene, make_model(scene, t), rows, options);
-  };
-  if (arguments.scalar == "double") return solve(arguments, scene, model, rows, options);
-  if (arguments.scalar == "float") return solve_in(static_cast<float>(arguments.t));
-  if (arguments.scalar == "quad") return solve_in(Quad(arguments.t));
-  return solve_in(Real50(arguments.t));
+  if (arguments.scalar == "double") {
+    const auto& [solver, answer] = solve_state(loaded.scene, loaded.model, options);
+    return report(arguments, loaded, solver, loaded.model.mechanism, answer);
+  }
+  if (arguments.scalar == "float") return solve_in<float>(arguments, loaded, options);
+  if (arguments.scalar == "quad") return solve_in<Quad>(arguments, loaded, options);
+  return solve_in<Real50>(arguments, loaded, options);
 }
 
 }  // namespace
@@ -82,7 +90,8 @@ Command add_solve_command(ProgramOptions& program) {
       .one_of({"float", "double", "quad", "50"})
       .show_default();
   options.add_flag("--json", &arguments->json, "JSON on stdout");
-  return {options, [arguments] { return naming_scene(*arguments, [&] { return run_solve(*arguments); }); }};
+  return {options,
+          [arguments] { return naming_errors(arguments->scene, [&] { return run_solve(*arguments); }); }};
 }
 
 }  // namespace trivium

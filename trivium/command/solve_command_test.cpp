@@ -134,5 +134,22 @@ TEST(Solve, RowsThatNoAccelerationSatisfiesAreAnErrorThatNamesThemAndTheFile) {
   EXPECT_EQ(run("trivium check " + scene).exit_code, 2);
 }
 
+TEST(Solve, MechanismsTooLargeForTheDenseSolverAreSolvedAlongTheirGraph) {
+  const std::string file = temporary("chain.json").string();
+  ASSERT_EQ(run("trivium generate chain 1000 --out " + file).exit_code, 0);
+  const Outcome r = run("trivium solve " + file + " --json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  const json s = json::parse(r.out);
+  EXPECT_EQ(s["solver"], "structured");
+  EXPECT_TRUE(s["condition"].is_null());
+  EXPECT_LE(s["discrepancy"]["lambda"], 1e-10);
+  EXPECT_NE(run("trivium solve " + file).out.find("solved by the structured solver"), std::string::npos);
+  // in other arithmetic there is the printed one alone
+  const Outcome quad = run("trivium solve " + file + " --scalar quad");
+  EXPECT_EQ(quad.exit_code, 3);
+  EXPECT_NE(quad.err.find("dense augmented matrix"), std::string::npos) << quad.err;
+}
+
 }  // namespace
 }  // namespace trivium::test

@@ -3,20 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string_view>
 
 #include "base/number_text.hpp"
 #include "base/table.hpp"
 #include "bodies/numbers/quad.hpp"
 #include "bodies/numbers/real50.hpp"
 #include "bodies/numbers/scalar.hpp"
+#include "trivium/state_check.hpp"
 
 namespace trivium {
 
 namespace {
-
-/// An estimated error or a residual above this is warned about; a residual only where it is not rounding of a
-/// narrow Scalar. Neighbour: the drift that motion_report.cpp warns about.
-constexpr double warn_above = 1e-6, rounding_units = 1e6;
 
 template <class Vectors>
 void write_vectors(JsonWriter& json, std::string_view key, const Vectors& vectors) {
@@ -26,29 +25,6 @@ void write_vectors(JsonWriter& json, std::string_view key, const Vectors& vector
 }
 
 }  // namespace
-
-template <class Scalar>
-std::vector<std::string> SolveReport<Scalar>::warnings() const {
-  std::vector<std::string> out;
-  for (const auto& f : result.formulations) {
-    if (!f.error.empty()) out.push_back(fmt::format("{}: not solved: {}", f.name, f.error));
-    if (!(f.estimate.lambda <= warn_above))
-      out.push_back(
-          fmt::format("{}: lambda is uncertain: estimated relative error {:.1e}", f.name, f.estimate.lambda));
-    if (!(f.estimate.acceleration <= warn_above))
-      out.push_back(fmt::format("{}: accelerations are uncertain: estimated relative error {:.1e}", f.name,
-                                f.estimate.acceleration));
-    const double residual = f.residual.worst();
-    const double rounding = rounding_units * static_cast<double>(unit_roundoff<Scalar>());
-    if (f.error.empty() && !(residual <= std::max(warn_above, rounding)))
-      out.push_back(
-          fmt::format("{}: the matrix-free equations are not met: residual {:.1e}", f.name, residual));
-  }
-  for (const scenes::Body& body : scene.bodies)
-    if (body.unphysical_inertia)
-      out.push_back(fmt::format("body \"{}\" declares an unphysical inertia", body.name));
-  return out;
-}
 
 template <class Scalar>
 std::vector<const FormulationResult<Scalar>*> SolveReport<Scalar>::solved() const {
@@ -91,6 +67,7 @@ std::string SolveReport<Scalar>::json() const {
       .text("scene", scene.name)
       .number("t", t)
       .text("scalar", scalar)
+      .text("solver", solver)
       .number("nb", mechanism.nb())
       .number("nc", mechanism.nc())
       .number("dof", dof())
@@ -107,7 +84,7 @@ std::string SolveReport<Scalar>::json() const {
   json.number("condition", result.rows.kappa).texts("rows", mechanism.row_names);
   std::vector<std::string> redundant;
   for (int k : result.rows.dependent) redundant.push_back(mechanism.row_names[k]);
-  json.texts("redundant", redundant).texts("warnings", warnings()).end_object();
+  json.texts("redundant", redundant).texts("warnings", warnings_of(scene, result)).end_object();
   return json.str();
 }
 
@@ -157,10 +134,12 @@ std::string SolveReport<Scalar>::reaction_table() const {
 template <class Scalar>
 std::string SolveReport<Scalar>::text() const {
   std::string out = fmt::format(
-      "{}: t = {}, {}, {} of rank {}, {}, condition {:.1e}\n", scene.name, t,
+      "{}: t = {}, {}, {} of rank {}, {}, condition {}\n", scene.name, t,
       counted(mechanism.bodies.size(), "body", "bodies"), counted(mechanism.rows.size(), "row", "rows"),
       result.rows.rank, counted(static_cast<std::size_t>(dof()), "degree of freedom", "degrees of freedom"),
-      result.rows.kappa);
+      std::isnan(result.rows.kappa) ? "not determined" : fmt::format("{:.1e}", result.rows.kappa));
+  if (solver != std::string_view("printed"))
+    out += fmt::format("solved by the {} solver: too large for the dense one\n", solver);
   if (solved().empty()) return out;
   if (mechanism.nc() > 0) out += "\nlambda\n" + lambda_table();
   out += "\naccelerations [m/s^2, global; rad/s^2, body frame]\n" + acceleration_table();

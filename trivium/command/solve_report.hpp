@@ -1,6 +1,7 @@
 #pragma once
 /// What `trivium solve` says of the solution at one state, as text and as JSON: accelerations, lambda and
-/// reactions of every formulation, their estimated errors, redundant rows. Decides what is warned about.
+/// reactions of every formulation, their estimated errors, redundant rows. What is warned about is decided in
+/// state_check.hpp.
 
 #include <string>
 #include <vector>
@@ -17,10 +18,10 @@ struct SolveReport {
   const scenes::Scene& scene;
   double t;
   const std::string& scalar;  ///< its name on the command line
+  const char* solver;         ///< "printed" or "structured"
   const Mechanism<Scalar>& mechanism;
   const SideBySide<Scalar>& result;
 
-  std::vector<std::string> warnings() const;
   std::string text() const;
   std::string json() const;
 

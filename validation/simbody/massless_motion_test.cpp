@@ -140,7 +140,7 @@ TEST(MasslessMotion, ComparesTheTwinAndSaysWhy) {
   for (const SimbodyComparison& c : compare_with_simbody({scene.name, scene, 0.0})) {
     SCOPED_TRACE(name_of(c.way));
     EXPECT_TRUE(c.twin);
-    EXPECT_NE(c.refusal.find("body \"body\" has no inertia about an axis"), std::string::npos) << c.refusal;
+    EXPECT_NE(c.refusal.find("has no inertia about an axis"), std::string::npos) << c.refusal;
     EXPECT_TRUE(c.agrees());
   }
 }

@@ -132,7 +132,7 @@ struct EffectTranslation {
   }
   void operator()(const TorsionalSpringDamper<double>& e) const {
     model.torsional_springs.push_back(
-        {e.angle.joint, e.stiffness, e.damping, e.free_angle, plain(e.actuator)});
+        {e.angle.joint, e.stiffness, e.damping, e.free_angle - e.angle.tracked, plain(e.actuator)});
   }
   /// One that Simbody's model has no counterpart of yet.
   template <class Other>

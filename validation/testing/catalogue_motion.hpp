@@ -35,7 +35,10 @@ struct Motion : SimulationObserver {
     report = quad ? simulate(make_model<Quad>(scene), options, *this)
                   : simulate(make_model<double>(scene), options, *this);
   }
-  void sample(const MotionSample& s) override { samples.push_back(s); }
+  bool sample(const MotionSample& s) override {
+    samples.push_back(s);
+    return true;
+  }
   const MotionSample& end() const { return samples.back(); }
 };
 

@@ -1,0 +1,61 @@
+/// The comparison along the graph says what the dense one does, where both can be asked.
+
+#include "formulations/structured_side_by_side.hpp"
+
+#include "formulations/testing/printed_and_structured.hpp"
+
+namespace trivium {
+namespace {
+
+void expect_the_same(const Model<double>& model) {
+  const SideBySide<double> dense = side_by_side(model, analyse_rows(model));
+  const SideBySide<double> sparse = structured_side_by_side(model);
+  const double allowed = std::max(1e-11, dense.lambda_bound());
+  EXPECT_EQ(sparse.rows.rank, dense.rows.rank);
+  EXPECT_EQ(sparse.rows.unique, dense.rows.unique);
+  EXPECT_TRUE(std::isnan(sparse.rows.kappa));
+  if (sparse.rows.E.size() == 0) {  // an inertia is singular
+    EXPECT_TRUE(sparse.rows.unique.empty() || std::isnan(sparse.discrepancy().lambda));
+    return;
+  }
+  EXPECT_LE((sparse.rows.E - dense.rows.E).norm(), 1e-12 * dense.rows.E.norm());
+  EXPECT_LE((sparse.rows.acceleration_scale - dense.rows.acceleration_scale).norm(),
+            1e-12 * dense.rows.acceleration_scale.norm());
+  // the dense bound also knows what cancels, by magnitudes
+  for (Eigen::Index k = 0; k < sparse.rows.E.size(); ++k)
+    EXPECT_LE(sparse.rows.schur_rhs_bound[k], dense.rows.schur_rhs_bound[k] * (1 + 1e-10) + 1e-12);
+  for (std::size_t f = 0; f < dense.formulations.size(); ++f) {
+    const FormulationResult<double>&d = dense.formulations[f], &s = sparse.formulations[f];
+    ASSERT_EQ(s.name, d.name);
+    ASSERT_EQ(s.error.empty(), d.error.empty()) << s.error << d.error;
+    if (!d.error.empty()) continue;
+    EXPECT_EQ(s.charts, d.charts);
+    EXPECT_LE(lambda_distance(dense.rows, s.solution.lambda, d.solution.lambda),
+              allowed * dense.cancellation());
+    EXPECT_LE(acceleration_distance(dense.rows, s.solution, d.solution).all, allowed);
+    EXPECT_LE(s.residual.worst(), 1e-10);
+    ASSERT_EQ(s.lambda_internal.size(), d.lambda_internal.size());
+    EXPECT_LE((s.lambda_internal - d.lambda_internal).norm(), 1e-8 * (1 + d.lambda_internal.norm()));
+    // the sum over a mechanism of what joints do is as unique as its accelerations
+    for (std::size_t k = 0; k < s.reactions.size(); ++k)
+      EXPECT_LE((s.reactions[k].point - d.reactions[k].point).norm(),
+                1e-12 * (1 + d.reactions[k].point.norm()));
+  }
+}
+
+TEST(StructuredSideBySide, SaysWhatTheDenseOneDoesOfRandomMechanisms) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    expect_the_same(make_model<double>(test::varied_scene(seed)));
+  }
+}
+
+TEST(StructuredSideBySide, SolvesInTheFormulationsThatAreNamed) {
+  const Model<double> model = make_model<double>(test::varied_scene(1));
+  const SideBySide<double> one = structured_side_by_side(model, {{"r-p"}, {}});
+  ASSERT_EQ(one.formulations.size(), 1u);
+  EXPECT_EQ(one.formulations.front().name, "r-p");
+}
+
+}  // namespace
+}  // namespace trivium

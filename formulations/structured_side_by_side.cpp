@@ -1,0 +1,146 @@
+#include "formulations/structured_side_by_side.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "bodies/inertia.hpp"
+#include "formulations/r_omega.hpp"
+#include "formulations/structured/acceleration_solver.hpp"
+
+namespace trivium {
+
+namespace {
+
+using Equations = EquationsOfMotion<ROmega<double>>;
+
+Equations equations_at(const Model<double>& model) {
+  return equations_of_motion<ROmega<double>>(
+      model.mechanism, to_coordinates<ROmega<double>>(model.mechanism, model.state, {}), model.state.t);
+}
+
+/// The norms of row_norms.hpp, row by row, where M is block diagonal and regular; left empty where it is not.
+void find_norms(const Equations& eom, RowNorms& out) {
+  std::vector<Eigen::LLT<Matrix3<double>>> J;
+  VectorX<double> reach = VectorX<double>::Zero(6 * (eom.nb() + 1));  // M^-1 |Q|; the ground's is 0
+  VectorX<double> scale(6 * eom.nb());
+  double bound = 0;
+  for (int b = 0; b < eom.nb(); ++b) {
+    const Matrix3<double>& inertia = eom.mass_block[b];
+    J.emplace_back(inertia);
+    if (J.back().info() != Eigen::Success || !(J.back().rcond() > inertia_tolerance)) return;
+    scale.segment<3>(6 * b).setConstant(std::sqrt(eom.mass[b]));
+    scale.segment<3>(6 * b + 3) = inertia.diagonal().cwiseSqrt();
+    reach.segment<3>(6 * b) = eom.F_applied[b].cwiseAbs() / eom.mass[b];
+    reach.segment<3>(6 * b + 3) = J[b].solve(Vector3<double>(eom.tau[b].cwiseAbs())).cwiseAbs();
+    bound += eom.F_applied[b].squaredNorm() / eom.mass[b] + eom.tau[b].dot(J[b].solve(eom.tau[b]));
+  }
+  out.acceleration_scale = scale;
+  out.mu = VectorX<double>::Zero(eom.nc());
+  out.E.resize(eom.nc());
+  out.schur_rhs_bound.resize(eom.nc());
+  double of_rows = 0;
+  for (int k = 0; k < eom.nc(); ++k) {
+    const auto& row = eom.row[k];
+    double square = 0, size = std::abs(row.gamma);
+    const auto add = [&](int b, const auto& r, const auto& rot) {
+      size += r.cwiseAbs().dot(reach.segment<3>(6 * b)) + rot.cwiseAbs().dot(reach.segment<3>(6 * b + 3));
+      if (b == eom.nb()) return;
+      square += r.squaredNorm() / eom.mass[b] + rot.dot(J[b].solve(Vector3<double>(rot.transpose())));
+    };
+    add(eom.pair[k].i, row.r_i, row.rot_i);
+    add(eom.pair[k].j, row.r_j, row.rot_j);
+    out.E[k] = std::sqrt(square);
+    out.schur_rhs_bound[k] = size;
+    if (square > 0) of_rows += row.gamma * row.gamma / square;
+  }
+  out.acceleration_bound = std::sqrt(bound) + std::sqrt(of_rows);
+}
+
+template <Formulation F>
+RowAnalysis rows_of(const Model<double>& model, AccelerationSolver<F>& solver) {
+  RowAnalysis rows;
+  rows.dependent = solver.dependent_rows();
+  std::sort(rows.dependent.begin(), rows.dependent.end());
+  for (int k = 0; k < model.mechanism.nc(); ++k)
+    if (!std::binary_search(rows.dependent.begin(), rows.dependent.end(), k)) rows.independent.push_back(k);
+  rows.rank = static_cast<int>(rows.independent.size());
+  rows.unique = rows.dependent.empty() ? std::vector<bool>(model.mechanism.nc(), true) : solver.unique();
+  rows.kappa = std::numeric_limits<double>::quiet_NaN();
+  find_norms(equations_at(model), rows);
+  return rows;
+}
+
+template <Formulation F>
+FormulationResult<double> solve_one(const Model<double>& model, const RowAnalysis& rows,
+                                    const ChartOptions& charts) {
+  const Mechanism<double>& mechanism = model.mechanism;
+  const auto state = to_coordinates<F>(mechanism, model.state, charts);
+  AccelerationSolver<F> solver(mechanism);
+  solver.solve(state, model.state.t);
+  const auto eom = equations_of_motion<F>(mechanism, state, model.state.t);
+  FormulationResult<double> result;
+  Unknowns<F> found;
+  found.body.resize(mechanism.nb() + 1);  // the ground's are zero
+  for (int b = 0; b < mechanism.nb(); ++b) {
+    found.body[b] = {solver.r_ddot(b), solver.q_ddot(b)};
+    result.solution.r_ddot.push_back(solver.r_ddot(b));
+    result.solution.omega_bar_dot.push_back(solver.omega_bar_dot(b));
+    if (const std::string chart(state[b].chart.name()); !chart.empty()) result.charts.push_back(chart);
+  }
+  found.lambda = solver.lambda();
+  // the internal rows' multipliers are what the bodies' own equations leave
+  constexpr int internal = F::internal_constraints;
+  std::vector<typename F::Unknown> left(mechanism.nb() + 1, F::Unknown::Zero());
+  for (int b = 0; b < mechanism.nb(); ++b) left[b] = eom.tau[b] - eom.mass_block[b] * found.body[b].q_ddot;
+  for (int k = 0; k < mechanism.nc(); ++k) {
+    left[eom.pair[k].i] -= found.lambda[k] * eom.row[k].rot_i.transpose();
+    left[eom.pair[k].j] -= found.lambda[k] * eom.row[k].rot_j.transpose();
+  }
+  found.lambda_internal.resize(internal * mechanism.nb());
+  if constexpr (internal > 0)
+    for (int b = 0; b < mechanism.nb(); ++b) {
+      const Matrix<double, internal, F::rotational_unknowns> P = F::internal_jacobian(eom.body[b]);
+      found.lambda_internal.template segment<internal>(internal * b) =
+          (P * P.transpose()).llt().solve(P * left[b]);
+    }
+  result.lambda_internal = found.lambda_internal;
+  result.residual = matrix_free_residual<F>(mechanism, eom, found, rows.dependent);
+  const double u = unit_roundoff<double>();
+  result.estimate = {solver.corrections().lambda + u, solver.corrections().acceleration + u};
+  result.solution.lambda = rows.dependent.empty() ? found.lambda : solver.minimum_norm_lambda();
+  for (const Joint<double>& joint : mechanism.joints)
+    result.reactions.push_back(
+        joint_reaction<F>(eom, joint, result.solution.lambda, End::j).about(joint_point<F>(eom, joint)));
+  return result;
+}
+
+}  // namespace
+
+RowAnalysis structured_row_analysis(const Model<double>& model) {
+  AccelerationSolver<ROmega<double>> solver(model.mechanism);
+  solver.solve(to_coordinates<ROmega<double>>(model.mechanism, model.state, {}), model.state.t);
+  return rows_of(model, solver);
+}
+
+SideBySide<double> structured_side_by_side(const Model<double>& model, const SolveOptions& options) {
+  SideBySide<double> out{structured_row_analysis(model), {}};
+  for (const std::string& name : formulation_names()) {
+    const auto& wanted = options.formulations;
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
+    FormulationResult<double> result;
+    try {
+      result = with_formulation<double>(
+          name, [&]<Formulation F>() { return solve_one<F>(model, out.rows, options.charts); });
+    } catch (const ModelError& error) {
+      result.error = error.what();
+    }
+    result.name = name;
+    out.formulations.push_back(std::move(result));
+  }
+  return out;
+}
+
+}  // namespace trivium

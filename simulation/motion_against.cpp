@@ -1,0 +1,232 @@
+#include "simulation/motion_against.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/raise.hpp"
+#include "formulations/analysis/row_analysis.hpp"
+#include "formulations/structured_side_by_side.hpp"
+#include "simulation/motion_csv.hpp"
+#include "simulation/neighbouring_start.hpp"
+
+namespace trivium {
+
+namespace {
+
+/// Lines of numbers (motion_csv.hpp), one a time.
+using Lines = std::vector<std::vector<double>>;
+
+class Recorder : public SimulationObserver {
+ public:
+  bool sample(const MotionSample& sample) override {
+    samples.push_back(sample);
+    return true;
+  }
+  std::vector<MotionSample> samples;
+};
+
+/// Of what kind the numbers of a column are: those have one size.
+std::string kind_of(const std::string& column) {
+  const std::size_t dot = column.rfind('.');
+  if (dot == std::string::npos) return column.substr(0, column.find('['));
+  const std::string part = column.substr(dot + 1);
+  return part.size() == 1 ? "place" : part.substr(0, 1);
+}
+
+/// The length of a step between times that are evenly spaced, but for rounding.
+std::optional<double> even_step(const std::vector<double>& t) {
+  const double span = t.back() - t.front(), step = span / static_cast<double>(t.size() - 1);
+  for (std::size_t k = 0; k < t.size(); ++k)
+    if (!(std::abs(t[k] - (t.front() + static_cast<double>(k) * step)) <= 1e-9 * span)) return {};
+  return step;
+}
+
+/// A formulation at given times, with the run that led there.
+class Walker {
+ public:
+  Walker(const ComparedFormulation& formulation, const SimulationOptions& options)
+      : formulation_(formulation), options_(options) {
+    options_.formulation = formulation.name;
+  }
+
+  Lines walk(Model<double> model, const std::vector<double>& t) {
+    if (t.front() > model.state.t) go_on(model, t.front(), {});
+    if (const auto step = even_step(t)) {
+      Recorder record;
+      go(model, t.back(), step, record);
+      for (const MotionSample& sample : record.samples) lines.push_back(motion_numbers(sample, false));
+    } else {
+      Recorder record;
+      for (std::size_t k = 0; k + 1 < t.size(); ++k) {
+        Recorder part;
+        go(model, t[k + 1], {}, part);
+        if (k == 0) lines.push_back(motion_numbers(part.samples.front(), false));
+        lines.push_back(motion_numbers(part.samples.back(), false));
+      }
+    }
+    return std::move(lines);
+  }
+
+  long steps = 0;
+  SimulationReport last;
+
+ private:
+  void go_on(Model<double>& model, double end, std::optional<double> output_step) {
+    Recorder nobody;
+    go(model, end, output_step, nobody);
+  }
+  /// The model moves along.
+  void go(Model<double>& model, double end, std::optional<double> output_step, Recorder& record) {
+    options_.end = end;
+    options_.output_step = output_step;
+    last = formulation_.simulate(model, options_, record);
+    steps += last.counters.steps;
+    model.state = last.end.state;
+    model.state.t = end;
+    std::size_t next = 0;
+    model.mechanism.effects.for_each_angle(
+        [&](JointAngle<double>& angle) { angle.tracked = last.end.run.angles[next++]; });
+  }
+
+  const ComparedFormulation& formulation_;
+  SimulationOptions options_;
+  Lines lines;
+};
+
+/// Why a column has no bound: what it says is a choice, or not of the motion.
+std::string reason_not_to_judge(const std::string& column, const Model<double>& model,
+                                const std::vector<bool>& unique) {
+  if (column.starts_with("phi")) return "not of the motion";
+  const auto is_open = [&](int first, int count) {
+    return std::find(unique.begin() + first, unique.begin() + first + count, false) !=
+           unique.begin() + first + count;
+  };
+  if (column.starts_with("lambda[")) return is_open(std::stoi(column.substr(7)), 1) ? "not unique" : "";
+  for (const Joint<double>& joint : model.mechanism.joints)
+    if (column.starts_with(joint.name + ".") && column.size() == joint.name.size() + 3)
+      return is_open(joint.first_row, joint.rows) ? "not unique" : "";
+  return "";
+}
+
+/// Euler parameters of one sign: ours are turned to theirs where all four are there.
+void turn_to(const OtherMotion& other, const std::map<std::string, std::size_t>& place, Lines& lines) {
+  for (const OtherMotion::Column& first : other.columns) {
+    if (!first.ours.ends_with(".e0")) continue;
+    const std::string body = first.ours.substr(0, first.ours.size() - 1);
+    std::vector<std::pair<const OtherMotion::Column*, std::size_t>> all;
+    for (const OtherMotion::Column& column : other.columns)
+      if (column.ours.size() == body.size() + 1 && column.ours.starts_with(body))
+        all.emplace_back(&column, place.at(column.ours));
+    if (all.size() != 4) continue;
+    for (std::size_t n = 0; n < lines.size(); ++n) {
+      double dot = 0;
+      for (const auto& [column, at] : all) dot += column->value[n] * lines[n][at];
+      if (dot < 0)
+        for (const auto& [column, at] : all) lines[n][at] = -lines[n][at];
+    }
+  }
+}
+
+}  // namespace
+
+bool MotionAgainst::complete() const {
+  return std::all_of(runs.begin(), runs.end(), [](const ComparedRun& run) { return run.error.empty(); });
+}
+
+bool MotionAgainst::holds() const {
+  return complete() &&
+         std::all_of(columns.begin(), columns.end(), [](const ColumnAgainst& c) { return c.holds(); });
+}
+
+MotionAgainst compare_against(const std::vector<ComparedFormulation>& formulations,
+                              const Model<double>& model, const OtherMotion& other,
+                              const SimulationOptions& options) {
+  if (other.t.front() < model.state.t)
+    throw Error(ErrorKind::input,
+                fmt::format("the other motion begins at t = {}, before the scene's state at t = {}",
+                            other.t.front(), model.state.t));
+  const std::vector<std::string> names = motion_columns(model.mechanism, false);
+  std::map<std::string, std::size_t> place;
+  for (std::size_t k = 0; k < names.size(); ++k) place.emplace(names[k], k);
+  MotionAgainst out;
+  std::vector<Lines> all;
+  long steps = 1;
+  for (const ComparedFormulation& formulation : formulations) {
+    ComparedRun& run = out.runs.emplace_back();
+    run.formulation = formulation.name;
+    try {
+      Walker walker(formulation, options);
+      all.push_back(walker.walk(model, other.t));
+      run.report = walker.last;
+      run.report.counters.steps = walker.steps;
+      steps = std::max(steps, walker.steps);
+      turn_to(other, place, all.back());
+    } catch (const Error& error) {
+      run.error = error.what();
+    }
+  }
+  if (!out.complete()) return out;
+
+  // what the motion makes of an error: of a start nearby, or of half the step
+  const Lines& ours = all.front();
+  const double tolerance = options.tolerances.rtol + options.tolerances.atol;
+  Lines near;
+  if (options.step) {
+    SimulationOptions halved = options;
+    halved.step = *options.step / 2;
+    near = Walker(formulations.front(), halved).walk(model, other.t);
+  } else if (const NeighbouringStart start = neighbouring_start(model, tolerance); start.distance > 0) {
+    out.neighbour_distance = start.distance;
+    near = Walker(formulations.front(), options).walk({model.mechanism, start.state}, other.t);
+  }
+  if (!near.empty()) turn_to(other, place, near);
+
+  std::map<std::string, double> size;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    for (const auto& line : ours) raise(size[kind_of(names[k])], std::abs(line[k]));
+  constexpr double small_difference = 0.1;
+  for (std::size_t n = 0; n < near.size() && !out.judged_until; ++n)
+    for (std::size_t k = 1; k < names.size(); ++k)
+      if (kind_of(names[k]) == "place" &&
+          !(std::abs(near[n][k] - ours[n][k]) <= small_difference * size["place"]))
+        out.judged_until = other.t[n];
+
+  const std::vector<bool> unique =
+      is_beyond_dense(model.mechanism) ? structured_row_analysis(model).unique : analyse_rows(model).unique;
+  const double span = other.t.back() - model.state.t;
+  for (const OtherMotion::Column& column : other.columns) {
+    const std::size_t k = place.at(column.ours);
+    ColumnAgainst& c = out.columns.emplace_back();
+    c.theirs = column.theirs;
+    c.ours = column.ours;
+    c.size = size[kind_of(column.ours)];
+    c.not_judged = reason_not_to_judge(column.ours, model, unique);
+    double moved = 0, worst = -1;
+    for (std::size_t n = 0; n < other.t.size(); ++n) {
+      if (out.judged_until && other.t[n] >= *out.judged_until) break;
+      if (!near.empty()) raise(moved, std::abs(near[n][k] - ours[n][k]));
+      const double so_far = std::max(1.0, static_cast<double>(steps) * (other.t[n] - model.state.t) / span);
+      // both err: twice; by at least the tolerance of the column's own size
+      const double amplified = options.step ? moved
+                               : out.neighbour_distance > 0
+                                   ? so_far * tolerance * std::max(c.size, moved / out.neighbour_distance)
+                                   : so_far * tolerance * c.size;
+      const double bound = 2 * amplified + 1e-12 * c.size;
+      double difference = 0;
+      for (const Lines& lines : all) raise(difference, std::abs(lines[n][k] - column.value[n]));
+      const double ratio = bound > 0 ? difference / bound : difference > 0 ? INFINITY : 0;
+      if (!(ratio <= worst)) {
+        worst = ratio;
+        c.difference = difference;
+        c.bound = bound;
+        c.t = other.t[n];
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace trivium

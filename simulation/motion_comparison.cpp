@@ -1,0 +1,292 @@
+#include "simulation/motion_comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/raise.hpp"
+#include "formulations/structured_side_by_side.hpp"
+#include "integrators/methods.hpp"
+#include "simulation/neighbouring_start.hpp"
+
+namespace trivium {
+
+namespace {
+
+using Motion = std::vector<MotionSample>;
+
+/// Keeps a run's outputs, and tells how far it is.
+class Recorder : public SimulationObserver {
+ public:
+  explicit Recorder(const std::function<void(double)>& tell = {}) : tell_(tell) {}
+  bool sample(const MotionSample& sample) override {
+    motion.push_back(sample);
+    return true;
+  }
+  bool step(double t) override {
+    if (tell_) tell_(t);
+    return true;
+  }
+  Motion motion;
+
+ private:
+  std::function<void(double)> tell_;
+};
+
+/// The model at a state of a motion, its joint angles counted on.
+Model<double> at(const Model<double>& model, const MotionSample& sample) {
+  Model<double> moved{model.mechanism, sample.state};
+  std::size_t next = 0;
+  moved.mechanism.effects.for_each_angle(
+      [&](JointAngle<double>& angle) { angle.tracked = sample.angles[next++]; });
+  return moved;
+}
+
+/// Norms of the rows and which multipliers are unique; without a dense matrix where that is possible.
+RowAnalysis norms_at(const Model<double>& model) {
+  if (model.mechanism.nc() > 0) {
+    RowAnalysis rows = structured_row_analysis(model);
+    if (rows.E.size() > 0) return rows;
+  }
+  return analyse_rows(model);
+}
+
+class Comparer {
+ public:
+  Comparer(const std::vector<ComparedFormulation>& formulations, const Model<double>& model,
+           const ComparisonOptions& options)
+      : formulations_(formulations), model_(model), options_(options), run_(options.run) {
+    if (!run_.output_step) run_.output_step = (run_.end - model.state.t) / options.outputs;
+    // every formulation, one more for the bound (or each again), and the states
+    const double runs = static_cast<double>(formulations.size());
+    all_ = (run_.step ? 3 * runs : runs + 1) + runs;
+  }
+
+  MotionComparison compare() {
+    for (const ComparedFormulation& formulation : formulations_) run(formulation);
+    if (!out_.complete()) return std::move(out_);
+    find_norms();
+    for (std::size_t k = 0; k < norms_.size(); ++k) compare_output(k);
+    if (run_.step)
+      bound_by_halved_steps();
+    else
+      bound_by_neighbour();
+    mark_singular_positions();
+    compare_states();
+    return std::move(out_);
+  }
+
+ private:
+  Motion& motion(std::size_t f) { return out_.samples[f]; }
+
+  Recorder recorder(double share) {
+    const double start = model_.state.t, span = run_.end - start, from = done_;
+    done_ += share;
+    if (!options_.progress) return Recorder();
+    return Recorder([this, start, span, from, share](double t) {
+      options_.progress((from + share * (t - start) / span) / all_);
+    });
+  }
+
+  void run(const ComparedFormulation& formulation) {
+    ComparedRun& one = out_.runs.emplace_back();
+    one.formulation = formulation.name;
+    Recorder record = recorder(1);
+    SimulationOptions options = run_;
+    options.formulation = formulation.name;
+    try {
+      one.report = formulation.simulate(model_, options, record);
+    } catch (const Error& error) {
+      one.error = error.what();
+    }
+    for (const MotionSample& sample : record.motion)
+      for (const std::string& chart : sample.charts)
+        if (std::find(one.charts.begin(), one.charts.end(), chart) == one.charts.end())
+          one.charts.push_back(chart);
+    out_.samples.push_back(std::move(record.motion));
+  }
+
+  void find_norms() {
+    out_.has_unique_lambda = false;
+    for (const MotionSample& sample : motion(0)) {
+      norms_.push_back(norms_at(at(model_, sample)));
+      for (const bool unique : norms_.back().unique)
+        out_.has_unique_lambda = out_.has_unique_lambda || unique;
+    }
+  }
+
+  void compare_output(std::size_t k) {
+    ComparedInstant& now = out_.instants.emplace_back();
+    now.t = motion(0)[k].state.t;
+    for (std::size_t a = 0; a < formulations_.size(); ++a)
+      for (std::size_t b = a + 1; b < formulations_.size(); ++b) {
+        const MotionSample &x = motion(a)[k], &y = motion(b)[k];
+        raise(now.lambda, lambda_distance(norms_[k], x.lambda, y.lambda));
+        for (std::size_t n = 0; n < x.state.pose.size(); ++n) {
+          raise(now.position, (x.state.pose[n].r - y.state.pose[n].r).norm());
+          raise(now.rotation, turn_between(x.state.pose[n].p, y.state.pose[n].p));
+        }
+      }
+  }
+
+  /// Every step of a run may err by the tolerance, and the motion makes of an error what it makes of a start
+  /// that is off by it.
+  void bound_by_neighbour() {
+    const double tolerance = run_.tolerances.rtol + run_.tolerances.atol;
+    const NeighbouringStart start = neighbouring_start(model_, tolerance);
+    out_.neighbour_distance = start.distance;
+    const bool is_free = start.distance > 0;
+    Recorder record = recorder(1);
+    if (is_free) {
+      SimulationOptions options = run_;
+      options.formulation = formulations_.front().name;
+      formulations_.front().simulate({model_.mechanism, start.state}, options, record);
+    }
+    long steps = 0;
+    for (const ComparedRun& one : out_.runs) steps = std::max(steps, one.report.counters.steps);
+    double amplification = 1;
+    const double span = run_.end - model_.state.t;
+    for (std::size_t k = 0; k < out_.instants.size(); ++k) {
+      ComparedInstant& now = out_.instants[k];
+      if (is_free) {
+        const double apart = lambda_distance(norms_[k], motion(0)[k].lambda, record.motion[k].lambda);
+        raise(amplification, apart / out_.neighbour_distance);
+        if (!(apart <= small_difference) && !out_.judged_until) out_.judged_until = now.t;
+      }
+      now.amplification = amplification;
+      const double steps_so_far = std::max(1.0, static_cast<double>(steps) * (now.t - model_.state.t) / span);
+      now.lambda_bound = steps_so_far * tolerance * amplification;
+    }
+  }
+
+  /// What half the step changes is the error of the step, but for a share that twice it is more than.
+  void bound_by_halved_steps() {
+    std::vector<std::vector<double>> error(formulations_.size());
+    for (std::size_t f = 0; f < formulations_.size(); ++f) {
+      Recorder record = recorder(2);
+      SimulationOptions options = run_;
+      options.formulation = formulations_[f].name;
+      options.step = *run_.step / 2;
+      formulations_[f].simulate(model_, options, record);
+      double largest = 0;
+      for (std::size_t k = 0; k < out_.instants.size(); ++k) {
+        raise(largest, lambda_distance(norms_[k], motion(f)[k].lambda, record.motion[k].lambda));
+        error[f].push_back(2 * largest);
+      }
+    }
+    for (std::size_t k = 0; k < out_.instants.size(); ++k) {
+      double first = 0, second = 0;  // the two largest
+      for (const std::vector<double>& of : error) {
+        const double x = std::max(of[k], rounding_of_lambda);
+        second = std::max(second, std::min(first, x));
+        first = std::max(first, x);
+      }
+      out_.instants[k].lambda_bound = first + second;
+      if (!(first <= small_difference) && !out_.judged_until) out_.judged_until = out_.instants[k].t;
+    }
+  }
+
+  /// Outputs within two steps, on average, of a position where rows depend on others that do not elsewhere.
+  void mark_singular_positions() {
+    const double span = run_.end - model_.state.t;
+    for (const ComparedRun& one : out_.runs)
+      for (const SingularPassage& passage : one.report.passages)
+        for (ComparedInstant& now : out_.instants)
+          if (std::abs(now.t - passage.t) <= 2 * span / static_cast<double>(one.report.counters.steps))
+            now.is_singular = true;
+  }
+
+  /// Every formulation at the states of all others.
+  void compare_states() {
+    if (is_beyond_dense(model_.mechanism)) return;
+    const std::size_t outputs = out_.instants.size(),
+                      states = std::min(outputs, static_cast<std::size_t>(std::max(1, options_.states)));
+    for (std::size_t n = 0; n < states; ++n) {
+      const std::size_t k = states == 1 ? outputs - 1 : n * (outputs - 1) / (states - 1);
+      ComparedInstant::OneState worst;
+      for (std::size_t f = 0; f < formulations_.size(); ++f) {
+        compare_state(at(model_, motion(f)[k]), worst);
+        done_ += 1.0 / static_cast<double>(states);
+        if (options_.progress) options_.progress(std::min(1.0, done_ / all_));
+      }
+      out_.instants[k].one_state = worst;
+    }
+  }
+  void compare_state(const Model<double>& model, ComparedInstant::OneState& worst) const {
+    const RowAnalysis rows = analyse_rows(model);
+    SideBySide<double> side{rows, {}};
+    for (const ComparedFormulation& formulation : formulations_)
+      side.formulations.push_back(formulation.solve(model, rows, run_.charts));
+    const Discrepancy apart = side.discrepancy();
+    // what cancels is rounding of the data
+    const double bound = side.lambda_bound() * side.cancellation();
+    for (std::size_t a = 0; a < side.formulations.size(); ++a)
+      for (std::size_t b = a + 1; b < side.formulations.size(); ++b)
+        raise(worst.acceleration,
+              acceleration_distance(rows, side.formulations[a].solution, side.formulations[b].solution).all);
+    raise(worst.kappa, rows.kappa);
+    if (worst.bound == 0 || !(apart.lambda / bound <= worst.lambda / worst.bound)) {
+      worst.lambda = apart.lambda;
+      worst.bound = bound;
+    }
+  }
+
+  /// Of lambda, relative, up to which differences are in proportion.
+  static constexpr double small_difference = 0.1;
+  /// Of a solution in double.
+  static constexpr double rounding_of_lambda = 1e-12;
+
+  const std::vector<ComparedFormulation>& formulations_;
+  const Model<double>& model_;
+  const ComparisonOptions& options_;
+  SimulationOptions run_;
+  std::vector<RowAnalysis> norms_;  ///< at every output, at the first formulation's state
+  MotionComparison out_;
+  double done_ = 0, all_ = 1;  ///< runs
+};
+
+}  // namespace
+
+bool MotionComparison::complete() const {
+  return std::all_of(runs.begin(), runs.end(), [](const ComparedRun& run) { return run.error.empty(); });
+}
+
+bool MotionComparison::is_judged(const ComparedInstant& now) const {
+  return !now.is_singular && !(judged_until && now.t >= *judged_until);
+}
+
+bool MotionComparison::holds_along() const {
+  return complete() && std::all_of(instants.begin(), instants.end(), [&](const ComparedInstant& now) {
+           return !is_judged(now) || now.lambda <= now.lambda_bound;
+         });
+}
+
+bool MotionComparison::holds_at_states() const {
+  return complete() && std::all_of(instants.begin(), instants.end(), [](const ComparedInstant& now) {
+           return !now.one_state || now.is_singular || now.one_state->lambda <= now.one_state->bound;
+         });
+}
+
+std::vector<ComparedFormulation> compared_formulations(const std::vector<std::string>& names,
+                                                       const integrators::MethodInfo& method) {
+  std::vector<ComparedFormulation> all;
+  for (const std::string& name : formulation_names()) {
+    if (!names.empty() && std::find(names.begin(), names.end(), name) == names.end()) continue;
+    if (!goes_with(method, name)) continue;
+    all.push_back({name,
+                   [](const Model<double>& model, const SimulationOptions& options,
+                      SimulationObserver& observer) { return simulate(model, options, observer); },
+                   [name](const Model<double>& model, const RowAnalysis& rows, const ChartOptions& charts) {
+                     SideBySide<double> one = side_by_side(model, rows, {{name}, charts});
+                     one.require_solved();
+                     return std::move(one.formulations.front());
+                   }});
+  }
+  return all;
+}
+
+MotionComparison compare_motion(const std::vector<ComparedFormulation>& formulations,
+                                const Model<double>& model, const ComparisonOptions& options) {
+  return Comparer(formulations, model, options).compare();
+}
+
+}  // namespace trivium

@@ -1,0 +1,79 @@
+#include "simulation/neighbouring_start.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include "base/raise.hpp"
+#include "bodies/rotations/so3.hpp"
+#include "formulations/analysis/assemble.hpp"
+
+namespace trivium {
+
+double turn_between(const Vector4<double>& p, const Vector4<double>& q) {
+  return 2 * std::min((p - q).norm(), (p + q).norm());
+}
+
+namespace {
+
+constexpr double distance_in_tolerances = 100, least_distance = 1e-9;
+
+/// Lengths and speeds by which differences of states are relative.
+struct Scales {
+  double length = 0, speed = 0, rate = 0;
+
+  explicit Scales(const Model<double>& model) {
+    const Extent extent = extent_of(model.mechanism, model.state);
+    length = extent.length > 0 ? extent.length : 1;
+    speed = extent.speed;
+    for (const Twist<double>& twist : model.state.twist) raise(rate, twist.omega_bar.norm());
+    // a mechanism at rest begins to move within a second, or so
+    if (!(speed > 0)) speed = length;
+    if (!(rate > 0)) rate = speed / length;
+  }
+};
+
+double distance(const Scales& scales, const MechanismState<double>& a, const MechanismState<double>& b) {
+  double largest = 0;
+  for (std::size_t n = 0; n < a.pose.size(); ++n) {
+    raise(largest, (a.pose[n].r - b.pose[n].r).norm() / scales.length);
+    raise(largest, turn_between(a.pose[n].p, b.pose[n].p));
+    raise(largest, (a.twist[n].r_dot - b.twist[n].r_dot).norm() / scales.speed);
+    raise(largest, (a.twist[n].omega_bar - b.twist[n].omega_bar).norm() / scales.rate);
+  }
+  return largest;
+}
+
+/// A state at about `size` from the model's, relative, that meets the constraints.
+MechanismState<double> neighbour(const Model<double>& model, const Scales& scales, double size) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto draw = [&](double scale) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    return Vector3<double>(scale * size * Vector3<double>(x, y, z));
+  };
+  MechanismState<double> state = model.state;
+  for (std::size_t n = 0; n < state.pose.size(); ++n) {
+    state.pose[n].r += draw(scales.length);
+    const Vector3<double> half = draw(0.5);
+    Vector4<double> turn(1, half[0], half[1], half[2]);
+    turn.normalize();
+    state.pose[n].p = multiply_parameters(state.pose[n].p, turn);
+    state.twist[n].r_dot += draw(scales.speed);
+    state.twist[n].omega_bar += draw(scales.rate);
+  }
+  return assemble(model.mechanism, state);
+}
+
+}  // namespace
+
+NeighbouringStart neighbouring_start(const Model<double>& model, double tolerance) {
+  const Scales scales(model);
+  const double size = std::max(least_distance, distance_in_tolerances * tolerance);
+  NeighbouringStart start{neighbour(model, scales, size), 0};
+  // what assembling moves by its own rounding is no neighbour
+  if (const double apart = distance(scales, start.state, model.state); apart > 1e-3 * size)
+    start.distance = apart;
+  return start;
+}
+
+}  // namespace trivium

@@ -1,0 +1,216 @@
+/// Motions through the front door: what an observer sees, how a run ends and goes on, and lambda side by
+/// side.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "integrators/methods.hpp"
+#include "scenes/testing/scene_builders.hpp"
+#include "simulation/simulate.hpp"
+#include "trivium/scene_contents.hpp"
+#include "trivium/trivium.hpp"
+
+namespace trivium {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string path_of(const std::string& name) {
+  return std::string(TRIVIUM_SCENES_DIR) + "/" + name + ".json";
+}
+
+fs::path temporary(const std::string& name) {
+  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+  return fs::path(testing::TempDir()) / (std::string(test.name()) + "." + name);
+}
+
+Scene scene_of(scenes::Scene scene) {
+  auto contents = std::make_shared<Scene::Contents>();
+  contents->source = scene.name;
+  contents->scene = std::move(scene);
+  return Scene(std::shared_ptr<const Scene::Contents>(contents));
+}
+
+/// Of p and -p, which are one orientation, that with a first number that is not negative.
+std::vector<double> numbers_of(const Output& at) {
+  std::vector<double> all{at.t, at.energy, at.phi, at.phi_dot};
+  for (const BodyInstant& body : at.bodies) {
+    const double sign = std::signbit(body.p[0]) ? -1 : 1;
+    for (const auto& v : {body.r, body.r_dot, body.r_ddot, body.omega_bar, body.omega_bar_dot})
+      all.insert(all.end(), v.begin(), v.end());
+    for (const double e : body.p) all.push_back(sign * e);
+  }
+  all.insert(all.end(), at.lambda.begin(), at.lambda.end());
+  all.insert(all.end(), at.own_lambda.begin(), at.own_lambda.end());
+  return all;
+}
+
+/// The largest difference of a position or velocity of a body.
+double apart(const Output& a, const Output& b) {
+  double largest = 0;
+  for (std::size_t n = 0; n < a.bodies.size(); ++n)
+    for (std::size_t x = 0; x < 3; ++x) {
+      largest = std::max(largest, std::abs(a.bodies[n].r[x] - b.bodies[n].r[x]));
+      largest = std::max(largest, std::abs(a.bodies[n].r_dot[x] - b.bodies[n].r_dot[x]));
+    }
+  return largest;
+}
+
+bool keeps_more_than_a_step(std::string_view method) { return method == "abm" || method == "bdf"; }
+
+/// How a scene goes on from a file in the middle of a run of given steps, by every method and formulation.
+void expect_to_go_on(const Scene& scene, double step, int steps) {
+  for (const integrators::MethodInfo& method : integrators::methods())
+    for (const std::string& formulation : formulation_names()) {
+      if (!method.takes_given_steps || !goes_with(method, formulation)) continue;
+      SimulateSettings settings;
+      settings.formulation = formulation;
+      settings.integrator = method.name;
+      settings.step = step;
+      settings.end = steps * step;
+      const Motion whole = simulate(scene, settings);
+      SimulateSettings half = settings;
+      half.end = (steps / 2) * step;
+      const fs::path file = temporary("json");
+      simulate(scene, half).end.write(file);
+      const Motion rest = simulate(read_scene(file), settings);
+      if (keeps_more_than_a_step(method.name))
+        EXPECT_LE(apart(rest.outputs.back(), whole.outputs.back()), 1e-3)
+            << method.name << " " << formulation;
+      else
+        EXPECT_EQ(numbers_of(rest.outputs.back()), numbers_of(whole.outputs.back()))
+            << method.name << " " << formulation;
+    }
+}
+
+TEST(FrontDoorMotions, GoOnFromAFileToTheSameBits) {
+  expect_to_go_on(read_scene(path_of("spatial_slider_crank")), 0.002, 40);
+}
+
+TEST(FrontDoorMotions, GoOnToTheSameBitsWhereRowsAreRedundant) {
+  expect_to_go_on(read_scene(path_of("four_bar")), 0.002, 20);
+}
+
+TEST(FrontDoorMotions, GoOnToTheSameBitsInOtherCharts) {
+  expect_to_go_on(read_scene(path_of("heavy_top")), 0.0005, 100);
+}
+
+TEST(FrontDoorMotions, CountTheTurnsOfASpringOn) {
+  // 30 rad/s: the spring is wound by several turns at the end of the first run
+  const Scene wheel = scene_of(test::sprung_wheel(1, 30, 0.5, 0.01));
+  const Motion first = simulate(wheel, {.end = 1});
+  const Motion rest = simulate(first.end, {.end = 2}), whole = simulate(wheel, {.end = 2});
+  EXPECT_NEAR(rest.outputs.back().energy, whole.outputs.back().energy, 1e-6);
+  // in other numbers it goes on from the bodies and the turns that the file says
+  const fs::path file = temporary("json");
+  first.end.write(file);
+  const Motion other = simulate(read_scene(file), {.formulation = "r-p", .end = 2});
+  EXPECT_NEAR(other.outputs.back().energy, whole.outputs.back().energy, 1e-6);
+  expect_to_go_on(wheel, 0.005, 200);
+}
+
+TEST(FrontDoorMotions, GoOnWithinTheirTolerancesWhereStepsAreChosen) {
+  const Scene scene = read_scene(path_of("spatial_slider_crank"));
+  for (const integrators::MethodInfo& method : integrators::methods()) {
+    if (!method.chooses_steps) continue;
+    SimulateSettings settings;
+    settings.integrator = method.name;
+    settings.end = 1;
+    const Motion whole = simulate(scene, settings);
+    settings.end = 0.4;
+    const Motion first = simulate(scene, settings);
+    settings.end = 1;
+    EXPECT_LE(apart(simulate(first.end, settings).outputs.back(), whole.outputs.back()), 1e-4) << method.name;
+  }
+}
+
+TEST(FrontDoorMotions, AreStoppedFromTheObserverAtAnOutput) {
+  const Scene scene = read_scene(path_of("heavy_top"));
+  int seen = 0;
+  const Motion motion =
+      simulate(scene, {.end = 1, .output_step = 0.125}, [&](const Output& at) { return ++seen, at.t < 0.5; });
+  EXPECT_EQ(seen, 5);
+  EXPECT_EQ(motion.reached, 0.5);
+  EXPECT_FALSE(motion.complete);
+  EXPECT_EQ(motion.end.t(), 0.5);
+  const Motion rest = simulate(motion.end, {.end = 1, .output_step = 0.125});
+  EXPECT_EQ(rest.outputs.front().t, 0.5);
+  EXPECT_EQ(rest.outputs.size(), 5u);
+  EXPECT_TRUE(rest.complete);
+}
+
+TEST(FrontDoorMotions, AreStoppedAfterAStep) {
+  int steps = 0;
+  const Motion motion =
+      simulate(read_scene(path_of("heavy_top")), {.end = 1, .at_step = [&](double) { return ++steps < 7; }});
+  EXPECT_EQ(motion.steps, 7);
+  EXPECT_FALSE(motion.complete);
+}
+
+TEST(FrontDoorMotions, AnObserversOwnExceptionComesThrough) {
+  struct Mine {};
+  EXPECT_THROW(
+      simulate(read_scene(path_of("heavy_top")), {.end = 1}, [](const Output&) -> bool { throw Mine{}; }),
+      Mine);
+}
+
+TEST(FrontDoorMotions, ABodyThatWasMovedByHandIsNotGoneOnWith) {
+  Motion motion = simulate(read_scene(path_of("asymmetric_free_body")), {.end = 0.1});
+  auto edited = std::make_shared<Scene::Contents>(motion.end.contents());
+  edited->scene.bodies[0].angular_velocity[2] += 1e-9;
+  const Scene moved{std::shared_ptr<const Scene::Contents>(edited)};
+  try {
+    simulate(moved, {.end = 1});
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::input);
+    EXPECT_NE(std::string(error.what()).find("body \""), std::string::npos) << error.what();
+  }
+  edited->scene.saved.reset();
+  EXPECT_TRUE(simulate(moved, {.end = 0.2}).complete);
+}
+
+TEST(FrontDoorMotions, APointOfABodyMovesAsItsVelocityAndAccelerationSay) {
+  constexpr double h = 1e-4;
+  for (const std::string& formulation : formulation_names()) {
+    const Motion motion = simulate(read_scene(path_of("spatial_slider_crank")), {.formulation = formulation,
+                                                                                 .integrator = "rkf78",
+                                                                                 .end = 40 * h,
+                                                                                 .output_step = h,
+                                                                                 .rtol = 1e-13,
+                                                                                 .atol = 1e-14});
+    for (std::size_t k = 1; k + 1 < motion.outputs.size(); ++k) {
+      const auto at = [&](std::size_t n) { return motion.outputs[n].point("rod", {0.1, -0.2, 0.3}); };
+      const PointMotion before = at(k - 1), now = at(k), after = at(k + 1);
+      for (std::size_t x = 0; x < 3; ++x) {
+        EXPECT_NEAR(now.velocity[x], (after.position[x] - before.position[x]) / (2 * h), 1e-4);
+        EXPECT_NEAR(now.acceleration[x], (after.velocity[x] - before.velocity[x]) / (2 * h), 1e-3);
+      }
+    }
+  }
+}
+
+TEST(FrontDoorMotions, SayWhatDeservesAWarning) {
+  const Motion drifting = simulate(read_scene(path_of("spatial_slider_crank")),
+                                   {.integrator = "dopri5", .end = 2, .step = 0.01, .projects = false});
+  ASSERT_FALSE(drifting.warnings.empty());
+  EXPECT_NE(drifting.warnings.back().find("constraints are violated"), std::string::npos);
+}
+
+TEST(FrontDoorMotions, CompareLambdaInEveryFormulation) {
+  const ComparedMotions all =
+      compare(read_scene(path_of("spatial_slider_crank")), {.run = {.end = 1}, .states = 5});
+  EXPECT_EQ(all.motions.size(), formulation_names().size());
+  EXPECT_EQ(all.outputs.size(), 101u);
+  EXPECT_TRUE(all.complete && all.has_unique_lambda && all.holds_along && all.holds_at_states);
+  EXPECT_EQ(std::count_if(all.outputs.begin(), all.outputs.end(),
+                          [](const ComparedOutput& at) { return at.one_state.has_value(); }),
+            5);
+  EXPECT_GT(all.outputs.back().lambda_difference, 0);
+  EXPECT_LT(all.outputs.back().lambda_bound, 1e-2);
+}
+
+}  // namespace
+}  // namespace trivium

@@ -1,0 +1,48 @@
+#include "trivium/motion_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number_text.hpp"
+#include "simulation/system/energy_account.hpp"
+
+namespace trivium {
+
+namespace {
+
+bool loses_energy(const SimulationReport& report) {
+  const double energies =
+      std::max({std::abs(report.energy_start), std::abs(report.energy_end), std::abs(report.work)});
+  return energy_is_lost(report.unaccounted_energy, report.largest_kinetic, energies);
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const SimulationReport& report) {
+  std::vector<std::string> out;
+  if (!report.passages.empty()) {
+    out.push_back(
+        fmt::format("the motion passed {}, the first near t = {:.6g}: rows that depend on others there were "
+                    "left out, and it "
+                    "went on as its velocities had it",
+                    counted(report.passages.size(), "singular position", "singular positions"),
+                    report.passages.front().t));
+  }
+  if (loses_energy(report))
+    out.push_back(fmt::format(
+        "{:.1e} J are not accounted for, beside {:.1e} J of kinetic energy: the motion is not accurate; take "
+        "tighter tolerances or smaller steps{}{}",
+        report.unaccounted_energy, report.largest_kinetic, report.near_singular_chart.empty() ? "" : "; ",
+        report.near_singular_chart));
+  // index 3 leaves velocities off by its own error
+  constexpr double warn_above = 1e-6;  // m, rad, or per second
+  const auto drifts = [](double left) { return left > warn_above; };
+  if (drifts(report.phi) || (!report.is_implicit && drifts(report.phi_dot)))
+    out.push_back(fmt::format("constraints are violated by up to {:.1e} (positions) and {:.1e} (velocities)",
+                              report.phi, report.phi_dot));
+  return out;
+}
+
+}  // namespace trivium

@@ -1,0 +1,38 @@
+#pragma once
+/// From the library's types to the plain ones of the front door. The library's own sources include this.
+
+#include "bodies/reaction.hpp"
+#include "mechanism/model.hpp"
+#include "trivium/instant.hpp"
+
+namespace trivium {
+
+inline Components plain(const Vector3<double>& v) { return {v[0], v[1], v[2]}; }
+inline std::vector<double> plain(const VectorX<double>& v) { return {v.begin(), v.end()}; }
+inline JointReaction plain(const Reaction<double>& r) {
+  return {plain(r.force), plain(r.torque), plain(r.point)};
+}
+
+inline Names names_of(const Mechanism<double>& mechanism) {
+  Names names{{}, {}, mechanism.row_names};
+  for (int b = 0; b < mechanism.nb(); ++b) names.bodies.push_back(mechanism.body_names[b]);
+  for (const Joint<double>& joint : mechanism.joints) names.joints.push_back(joint.name);
+  return names;
+}
+
+/// Poses, twists and accelerations. Without accelerations, as where none were asked for, these are 0.
+inline std::vector<BodyInstant> plain_bodies(const MechanismState<double>& state,
+                                             const std::vector<Vector3<double>>& r_ddot,
+                                             const std::vector<Vector3<double>>& omega_bar_dot) {
+  std::vector<BodyInstant> bodies(state.pose.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Vector4<double>& p = state.pose[b].p;
+    bodies[b] = {plain(state.pose[b].r),   plain(state.twist[b].r_dot),     {},
+                 {p[0], p[1], p[2], p[3]}, plain(state.twist[b].omega_bar), {}};
+    if (b < r_ddot.size()) bodies[b].r_ddot = plain(r_ddot[b]);
+    if (b < omega_bar_dot.size()) bodies[b].omega_bar_dot = plain(omega_bar_dot[b]);
+  }
+  return bodies;
+}
+
+}  // namespace trivium

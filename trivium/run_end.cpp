@@ -1,0 +1,27 @@
+#include "trivium/run_end.hpp"
+
+#include "scenes/scene_state.hpp"
+
+namespace trivium {
+
+namespace {
+
+/// Turns are listed by the types of effects, and within one as the scene has them.
+struct TakeTurns : KeyVisitor {
+  std::vector<int>::const_iterator& next;
+  explicit TakeTurns(std::vector<int>::const_iterator& from) : next(from) {}
+  void joint(std::string_view, JointAngle<double>& angle) const { angle.set_turns(*next++); }
+};
+
+}  // namespace
+
+void set_end(scenes::Scene& scene, const RunEnd& end) {
+  set_state(scene, end.state);
+  auto next = end.turns.begin();
+  for (std::size_t type = 0; type < std::variant_size_v<scenes::Effect>; ++type)
+    for (scenes::Effect& effect : scene.effects)
+      if (effect.index() == type) scenes::visit_keys(TakeTurns(next), effect);
+  scene.saved = end.run;
+}
+
+}  // namespace trivium

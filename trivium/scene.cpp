@@ -1,0 +1,186 @@
+#include "trivium/scene.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <utility>
+
+#include "scenes/catalogue.hpp"
+#include "scenes/format/json.hpp"
+#include "scenes/format/scene_checks.hpp"
+#include "scenes/format/scene_file.hpp"
+#include "trivium/scene_contents.hpp"
+
+namespace trivium {
+
+namespace {
+
+std::string json_text(std::string_view text) { return scenes::print_json(text, scenes::Path("text")); }
+
+/// What is no number is left for the reader to find.
+std::string number(double x) { return std::isfinite(x) ? scenes::shortest(x) : fmt::format("\"{}\"", x); }
+
+std::string joined(char open, const std::vector<std::string>& parts, char close) {
+  return fmt::format("{}{}{}", open, fmt::join(parts, ", "), close);
+}
+
+std::string numbers(const double* first, std::size_t count) {
+  std::vector<std::string> parts;
+  for (std::size_t k = 0; k < count; ++k) parts.push_back(number(first[k]));
+  return joined('[', parts, ']');
+}
+
+/// An object of the keys that have a value.
+class Object {
+ public:
+  Object& add(std::string_view key, const Value& value) {
+    if (!value.json().empty()) parts_.push_back(json_text(key) + ": " + value.json());
+    return *this;
+  }
+  Object& add(std::string_view key, const Object& object) {
+    parts_.push_back(json_text(key) + ": " + object.json());
+    return *this;
+  }
+  Object& add(Keys keys) {
+    for (const Key& key : keys) add(key.name, key.value);
+    return *this;
+  }
+  std::string json() const { return joined('{', parts_, '}'); }
+
+ private:
+  std::vector<std::string> parts_;
+};
+
+Object side(const Side& s) {
+  return Object()
+      .add("body", s.body)
+      .add("point", s.point)
+      .add("vector", s.vector)
+      .add("axis", s.axis)
+      .add("x", s.x);
+}
+
+}  // namespace
+
+Value::Value(double x) : json_(number(x)) {}
+Value::Value(bool flag) : json_(flag ? "true" : "false") {}
+Value::Value(std::string_view text) : json_(json_text(text)) {}
+Value::Value(const Components& vector) : json_(numbers(vector.data(), vector.size())) {}
+Value::Value(std::initializer_list<double> list) : json_(numbers(list.begin(), list.size())) {}
+Value::Value(Keys keys) : json_(Object().add(keys).json()) {}
+
+Value list(std::initializer_list<Value> values) {
+  std::vector<std::string> parts;
+  for (const Value& value : values) parts.push_back(value.json());
+  Value all;
+  all.json_ = joined('[', parts, ']');
+  return all;
+}
+
+/// Of what is built: each part as a file has it.
+struct Scene::Parts {
+  std::string name;
+  double t = 0;
+  std::vector<std::string> bodies, constraints, effects;
+
+  std::string json() const {
+    const auto array = [](const std::vector<std::string>& parts) {
+      return fmt::format("[\n{}\n]", fmt::join(parts, ",\n"));
+    };
+    return fmt::format(R"({{"trivium": 1, "name": {}, "bodies": {}, "constraints": {}, "effects": {}}})",
+                       json_text(name), array(bodies), array(constraints), array(effects));
+  }
+};
+
+Scene::Scene(std::string name, double t)
+    : parts_(std::make_shared<const Parts>(Parts{std::move(name), t, {}, {}, {}})) {}
+
+Scene::Parts& Scene::parts() {
+  // copies share what they were built of until one is added to; what was read is taken apart
+  auto own = std::make_shared<Parts>();
+  if (parts_) {
+    *own = *parts_;
+  } else {
+    const scenes::Json all = scenes::parse_json(scenes::write_scene(contents_->scene), scenes::Path("scene"));
+    own->name = contents_->scene.name;
+    own->t = contents_->t;
+    for (const auto& [key, value] : *all.object()) {
+      if (!value.array()) continue;
+      auto& into = key == "bodies" ? own->bodies : key == "constraints" ? own->constraints : own->effects;
+      for (const scenes::Json& part : *value.array())
+        into.push_back(scenes::print_json(part, scenes::Path("scene")));
+    }
+  }
+  contents_.reset();
+  parts_ = own;
+  return *own;
+}
+
+Scene& Scene::add_body(const Body& body) {
+  Object object;
+  object.add("name", body.name)
+      .add("mass", body.mass)
+      .add("inertia", body.inertia)
+      .add("position", body.position)
+      .add("orientation", body.orientation)
+      .add("velocity", body.velocity)
+      .add("angular_velocity", body.angular_velocity);
+  if (body.unphysical_inertia) object.add("unphysical_inertia", true);
+  parts().bodies.push_back(object.json());
+  return *this;
+}
+
+Scene& Scene::add_constraint(std::string_view type, std::string_view name, const Side& i, const Side& j,
+                             Keys more) {
+  parts().constraints.push_back(
+      Object().add("type", type).add("name", name).add("i", side(i)).add("j", side(j)).add(more).json());
+  return *this;
+}
+
+Scene& Scene::add_effect(std::string_view type, Keys keys) {
+  parts().effects.push_back(Object().add("type", type).add(keys).json());
+  return *this;
+}
+
+const Scene::Contents& Scene::contents() const {
+  if (!contents_) {
+    const std::string source = fmt::format("scene \"{}\"", scenes::printable(parts_->name));
+    scenes::Scene scene = scenes::parse_scene(parts_->json(), source);
+    scenes::check_functions(scene, parts_->t, scenes::Path(source));
+    contents_ = std::make_shared<const Contents>(Contents{std::move(scene), parts_->t, source});
+  }
+  return *contents_;
+}
+
+double Scene::t() const { return contents().t; }
+
+std::vector<std::string> Scene::bodies() const {
+  std::vector<std::string> names;
+  for (const scenes::Body& body : contents().scene.bodies) names.push_back(body.name);
+  return names;
+}
+
+std::vector<std::string> Scene::constraints() const {
+  std::vector<std::string> names;
+  for (const scenes::Constraint& constraint : contents().scene.constraints) names.push_back(constraint.name);
+  return names;
+}
+
+void Scene::write(const std::filesystem::path& file) const {
+  scenes::write_scene_file(file, contents().scene);
+}
+
+Scene read_scene(const std::string& path_or_name, std::optional<double> t) {
+  scenes::Scene scene = load_scene(path_or_name, t);
+  const double at = scenes::time_of(scene, t);
+  return Scene(std::make_shared<const Scene::Contents>(Scene::Contents{std::move(scene), at, path_or_name}));
+}
+
+std::vector<std::string> catalogue_scenes() {
+  std::vector<std::string> names;
+  for (const auto& file : catalogue()) names.push_back(file.stem().string());
+  return names;
+}
+
+}  // namespace trivium

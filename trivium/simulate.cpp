@@ -1,0 +1,116 @@
+#include "trivium/simulate.hpp"
+
+#include <cmath>
+
+#include "integrators/methods.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "trivium/choices.hpp"
+#include "trivium/motion_warnings.hpp"
+#include "trivium/plain.hpp"
+#include "trivium/run_end.hpp"
+#include "trivium/scene_contents.hpp"
+#include "trivium/simulation_options.hpp"
+#include "trivium/state_check.hpp"
+
+namespace trivium {
+
+SimulationOptions simulation_options(const SimulateSettings& s) {
+  SimulationOptions o;
+  require_formulation(s.formulation);
+  o.formulation = s.formulation;
+  if (!integrators::find_method(s.integrator))
+    refuse_name("integrator", s.integrator, integrators::method_names());
+  o.integrator = s.integrator;
+  o.end = s.end;
+  o.step = s.step;
+  o.output_step = s.output_step;
+  o.tolerances = {s.rtol, s.atol};
+  o.parameters.order = s.order;
+  o.parameters.rho = s.rho;
+  o.parameters.alpha = s.alpha;
+  if (s.full_newton) o.parameters.full_newton = true;
+  o.projects = s.projects && !s.baumgarte;
+  if (s.baumgarte) o.baumgarte = Baumgarte{(*s.baumgarte)[0], (*s.baumgarte)[1]};
+  o.charts = chart_options(s.sequence, s.reframe);
+  return o;
+}
+
+namespace {
+
+/// Shows outputs as the front door has them; keeps them where nobody looks.
+class PlainObserver : public SimulationObserver {
+ public:
+  PlainObserver(const Mechanism<double>& mechanism, const SimulateSettings& settings,
+                const Observer& observer)
+      : names_(std::make_shared<const Names>(names_of(mechanism))),
+        settings_(settings),
+        observer_(observer) {}
+
+  bool sample(const MotionSample& s) override {
+    Output out;
+    out.names = names_;
+    out.t = s.state.t;
+    out.bodies = plain_bodies(s.state, s.r_ddot, s.omega_bar_dot);
+    out.lambda = plain(s.lambda);
+    for (const Reaction<double>& reaction : s.reactions) out.reactions.push_back(plain(reaction));
+    out.own_lambda = plain(s.raw_lambda);
+    out.energy = s.energy;
+    out.phi = s.phi;
+    out.phi_dot = s.phi_dot;
+    if (observer_) return observer_(out);
+    kept.push_back(std::move(out));
+    return true;
+  }
+  bool step(double t) override { return !settings_.at_step || settings_.at_step(t); }
+
+  std::vector<Output> kept;
+
+ private:
+  const std::shared_ptr<const Names> names_;
+  const SimulateSettings& settings_;
+  const Observer& observer_;
+};
+
+}  // namespace
+
+Motion simulate(const Scene& scene, const SimulateSettings& settings, const Observer& observer) {
+  const Scene::Contents& of = scene.contents();
+  return naming_errors(of.source, [&] {
+    const Model<double> model = make_model<double>(of.scene, of.t);
+    SimulationOptions options = simulation_options(settings);
+    options.from = of.scene.saved;
+    require_consistent(of.source, model, options.from, options.formulation);
+    PlainObserver plain_observer(model.mechanism, settings, observer);
+    const SimulationReport r = simulate(model, options, plain_observer);
+    auto end = std::make_shared<Scene::Contents>(of);
+    set_end(end->scene, r.end);
+    end->t = r.end.run.t;
+    Motion out;
+    out.formulation = options.formulation;
+    out.integrator = options.integrator;
+    out.end = Scene(std::move(end));
+    out.reached = r.reached;
+    out.complete = r.complete;
+    out.outputs = std::move(plain_observer.kept);
+    out.steps = r.counters.steps;
+    out.rejected_steps = r.counters.rejected_steps;
+    out.right_sides = r.counters.right_sides;
+    out.newton_iterations = r.counters.iterations;
+    out.factorisations = r.factorisations;
+    out.chart_changes = r.reframings;
+    out.phi = r.phi;
+    out.phi_dot = r.phi_dot;
+    out.normalisation = r.normalisation;
+    out.energy_start = r.energy_start;
+    out.energy_end = r.energy_end;
+    out.work = r.work;
+    out.unaccounted_energy = r.unaccounted_energy;
+    for (const SingularPassage& passage : r.passages) out.singular_positions.push_back(passage.t);
+    for (const Impulse<double>& impulse : r.impulses) out.jumps.push_back({impulse.t, plain(impulse.lambda)});
+    out.seconds = r.seconds;
+    out.warnings = warnings_of(r);
+    return out;
+  });
+}
+
+}  // namespace trivium

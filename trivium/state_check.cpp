@@ -1,0 +1,89 @@
+#include "trivium/state_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bodies/numbers/quad.hpp"
+#include "bodies/numbers/real50.hpp"
+#include "bodies/numbers/scalar.hpp"
+#include "formulations/analysis/assemble.hpp"
+#include "formulations/analysis/consistency.hpp"
+#include "formulations/structured_side_by_side.hpp"
+#include "scenes/make_mechanism.hpp"
+
+namespace trivium {
+
+namespace {
+
+/// An estimated error or a residual above this is warned about; a residual only where it is not rounding of a
+/// narrow Scalar. Neighbour: the drift that motion_warnings.cpp warns about.
+constexpr double warn_above = 1e-6, rounding_units = 1e6;
+
+}  // namespace
+
+namespace {
+
+void refuse(const std::string& source, const Model<double>& model, const Consistency& consistency) {
+  std::string message = fmt::format("{}: the state at t = {} does not satisfy its constraints:\n{}", source,
+                                    model.state.t, consistency.report());
+  if (!consistency.holds_rows()) message += "--assemble projects it onto them (in C++, assemble)\n";
+  if (!consistency.wrong_branches.empty()) message += fmt::format("{}\n", wrong_branch_advice);
+  while (message.ends_with('\n')) message.pop_back();
+  throw Error(ErrorKind::input, message, Place{source, model.state.t});
+}
+
+}  // namespace
+
+void require_consistent(const std::string& source, const Model<double>& model) {
+  const Consistency consistency = check_consistency(model.mechanism, model.state);
+  if (!consistency.holds()) refuse(source, model, consistency);
+}
+
+void require_consistent(const std::string& source, const Model<double>& model,
+                        const std::optional<SavedRun>& saved, const std::string& formulation) {
+  const Consistency consistency = check_consistency(model.mechanism, model.state);
+  if (consistency.holds()) return;
+  constexpr double rounding = 1 + 1e-6, floor = 1e-12;
+  const bool is_as_left = saved && saved->formulation == formulation && consistency.wrong_branches.empty() &&
+                          worst_size(consistency.positions) <= saved->phi * rounding + floor &&
+                          worst_size(consistency.velocities) <= saved->phi_dot * rounding + floor;
+  if (!is_as_left) refuse(source, model, consistency);
+}
+
+SolvedState solve_state(const scenes::Scene& scene, const Model<double>& model, const SolveOptions& options) {
+  if (is_beyond_dense(model.mechanism)) return {"structured", structured_side_by_side(model, options)};
+  using Higher = NextPrecisionT<double>;
+  const Model<Higher> judge = make_model(scene, Higher(model.state.t));
+  return {"printed", side_by_side(model, analyse_rows(model), options, &judge)};
+}
+
+template <class Scalar>
+std::vector<std::string> warnings_of(const scenes::Scene& scene, const SideBySide<Scalar>& answer) {
+  std::vector<std::string> out;
+  for (const auto& f : answer.formulations) {
+    if (!f.error.empty()) out.push_back(fmt::format("{}: not solved: {}", f.name, f.error));
+    if (!(f.estimate.lambda <= warn_above))
+      out.push_back(
+          fmt::format("{}: lambda is uncertain: estimated relative error {:.1e}", f.name, f.estimate.lambda));
+    if (!(f.estimate.acceleration <= warn_above))
+      out.push_back(fmt::format("{}: accelerations are uncertain: estimated relative error {:.1e}", f.name,
+                                f.estimate.acceleration));
+    const double residual = f.residual.worst();
+    const double rounding = rounding_units * static_cast<double>(unit_roundoff<Scalar>());
+    if (f.error.empty() && !(residual <= std::max(warn_above, rounding)))
+      out.push_back(
+          fmt::format("{}: the matrix-free equations are not met: residual {:.1e}", f.name, residual));
+  }
+  for (const scenes::Body& body : scene.bodies)
+    if (body.unphysical_inertia)
+      out.push_back(fmt::format("body \"{}\" declares an unphysical inertia", body.name));
+  return out;
+}
+
+template std::vector<std::string> warnings_of(const scenes::Scene&, const SideBySide<float>&);
+template std::vector<std::string> warnings_of(const scenes::Scene&, const SideBySide<double>&);
+template std::vector<std::string> warnings_of(const scenes::Scene&, const SideBySide<Quad>&);
+template std::vector<std::string> warnings_of(const scenes::Scene&, const SideBySide<Real50>&);
+
+}  // namespace trivium
