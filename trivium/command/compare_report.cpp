@@ -195,15 +195,15 @@ std::string CompareReport::csv() const {
 }
 
 void CompareReport::plot(const std::string& file) const {
-  constexpr double least = 1e-20;  // a log axis has no zero
+  // a log axis has no zero
+  const auto seen = [](double x) { return x > 0 ? fmt::format("{:.3g}", x) : std::string("NaN"); };
   std::string along, states;
   for (const ComparedInstant& now : comparison.instants) {
-    const auto seen = [&](double x) { return std::max(x, least); };
-    along += fmt::format("{:.9g} {:.3g} {:.3g} {:.3g} {:.3g}\n", now.t, seen(now.lambda),
-                         seen(now.lambda_bound), seen(now.position), seen(now.rotation));
+    along += fmt::format("{:.9g} {} {} {} {}\n", now.t, seen(now.lambda), seen(now.lambda_bound),
+                         seen(now.position), seen(now.rotation));
     if (const auto& at = now.one_state)
-      states += fmt::format("{:.9g} {:.3g} {:.3g} {:.3g}\n", now.t, seen(at->lambda), seen(at->bound),
-                            seen(at->acceleration));
+      states +=
+          fmt::format("{:.9g} {} {} {}\n", now.t, seen(at->lambda), seen(at->bound), seen(at->acceleration));
   }
   const std::string at_states =
       states.empty() ? "set multiplot next\n"
