@@ -23,6 +23,10 @@ struct MotionSample {
   std::vector<Reaction<double>> reactions;  ///< on body j of every joint: global, about its point on i
   VectorX<double>
       lambda;  ///< of (q, v); where rows are dependent those of least |E lambda|, where they can be had
+  std::vector<bool> lambda_unique;  ///< per row
+  /// What the last refinement corrected of lambda and of accelerations, relative: an estimate of their
+  /// errors.
+  double lambda_error = 0, acceleration_error = 0;
   VectorX<double> raw_lambda;       ///< the method's own; empty where it has none
   double energy = 0;                ///< kinetic and potential [J]
   double phi = 0, phi_dot = 0;      ///< largest violation of any row, m or rad (per second)

@@ -72,13 +72,18 @@ class MotionWatch {
     sample.phi_dot = seen.phi_dot;
     sample.charts = first_order().charts();
     sample.angles = first_order().counted_angles();
-    const VectorX<S> lambda = lambda_at(t, y);
-    const AccelerationSolver<F>& solver = first_order().solved(t, y);
-    sample.lambda = scalar_cast<double>(lambda);
+    AccelerationSolver<F>& solver = first_order().solved(t, y);
     for (int b = 0; b < first_order().nb(); ++b) {
       sample.r_ddot.push_back(scalar_cast<double>(solver.r_ddot(b)));
       sample.omega_bar_dot.push_back(scalar_cast<double>(solver.omega_bar_dot(b)));
     }
+    sample.lambda_error = solver.corrections().lambda;
+    sample.acceleration_error = solver.corrections().acceleration;
+    sample.lambda_unique = solver.factors().dependent_row_count() == 0
+                               ? std::vector<bool>(solver.mechanism().nc(), true)
+                               : solver.unique();
+    const VectorX<S> lambda = lambda_at(t, y);
+    sample.lambda = scalar_cast<double>(lambda);
     sample.lambda_rest = rest_of(lambda);
     if (const VectorX<S>* raw = method_.lambda()) {
       sample.raw_lambda = scalar_cast<double>(*raw);

@@ -192,6 +192,19 @@ TEST(FrontDoorMotions, APointOfABodyMovesAsItsVelocityAndAccelerationSay) {
   }
 }
 
+TEST(FrontDoorMotions, SayOfEveryOutputWhichMultipliersAreUniqueAndHowGoodTheyAre) {
+  const Scene scene = read_scene(path_of("bricard")), unique = read_scene(path_of("heavy_top"));
+  const Solution at = solve(scene);
+  for (const Output& now : simulate(scene, {.end = 0.1, .output_step = 0.02}).outputs)
+    EXPECT_EQ(now.lambda_is_unique, at.lambda_is_unique) << now.t;
+  for (const Output& now : simulate(unique, {.formulation = "r-epsilon", .end = 0.1}).outputs) {
+    EXPECT_EQ(now.lambda_is_unique, std::vector<bool>(3, true));
+    EXPECT_EQ(now.charts.size(), 1u);
+    EXPECT_LE(now.lambda_error, 1e-10);
+    EXPECT_LE(now.acceleration_error, 1e-10);
+  }
+}
+
 TEST(FrontDoorMotions, SayWhatDeservesAWarning) {
   const Motion drifting = simulate(read_scene(path_of("spatial_slider_crank")),
                                    {.integrator = "dopri5", .end = 2, .step = 0.01, .projects = false});

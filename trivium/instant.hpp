@@ -40,7 +40,10 @@ struct Instant {
   double t = 0;  ///< [s]
   std::vector<BodyInstant> bodies;
   std::vector<double> lambda;  ///< per row; where rows depend on others, the choice of least |E lambda|
-  std::vector<JointReaction> reactions;  ///< per joint
+  std::vector<bool> lambda_is_unique;               ///< per row
+  std::vector<JointReaction> reactions;             ///< per joint
+  std::vector<std::string> charts;                  ///< per body; empty for formulations without
+  double lambda_error = 0, acceleration_error = 0;  ///< estimates, relative
 
   // By name. Throw an Error that says what there is.
   const BodyInstant& body(std::string_view name) const;

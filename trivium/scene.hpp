@@ -1,6 +1,6 @@
 #pragma once
 /// Scenes from files and scenes built in C++. What is built is what a file of the scene format could hold,
-/// with its words and its checks: the keys, types and defaults are those of docs/scene-format.md.
+/// with its words and its checks: keys, types and defaults are those of scenes/format/scene.schema.json.
 
 #include <array>
 #include <filesystem>

@@ -53,6 +53,10 @@ class PlainObserver : public SimulationObserver {
     out.bodies = plain_bodies(s.state, s.r_ddot, s.omega_bar_dot);
     out.lambda = plain(s.lambda);
     for (const Reaction<double>& reaction : s.reactions) out.reactions.push_back(plain(reaction));
+    out.lambda_is_unique = s.lambda_unique;
+    out.lambda_error = s.lambda_error;
+    out.acceleration_error = s.acceleration_error;
+    out.charts = s.charts;
     out.own_lambda = plain(s.raw_lambda);
     out.energy = s.energy;
     out.phi = s.phi;

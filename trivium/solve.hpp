@@ -52,12 +52,9 @@ struct SolveSettings {
 /// A state solved in one formulation.
 struct Solution : Instant {
   std::string formulation, solver;
-  std::vector<bool> lambda_is_unique;               ///< per row
-  std::vector<double> lambda_p;                     ///< of r-p, per body; else empty
-  std::vector<std::string> charts;                  ///< per body; empty for formulations without
-  double lambda_error = 0, acceleration_error = 0;  ///< estimates, relative
-  std::optional<double> condition;                  ///< kappa
-  std::vector<std::string> redundant;               ///< rows that follow from others
+  std::vector<double> lambda_p;        ///< of r-p, per body; else empty
+  std::optional<double> condition;     ///< kappa
+  std::vector<std::string> redundant;  ///< rows that follow from others
   std::vector<std::string> warnings;
 };
 

@@ -17,6 +17,15 @@ namespace {
 
 std::string brief(double x) { return fmt::format("{:.1e}", x); }
 
+/// Whether an output holds, or why it is not judged.
+std::string note_of(const MotionComparison& comparison, const ComparedInstant& now) {
+  if (now.is_singular) return "singular";
+  const bool is_judged = comparison.is_judged(now);
+  if (is_judged && !(now.lambda <= now.lambda_bound)) return "EXCEEDS along the motion";
+  if (now.one_state && !(now.one_state->lambda <= now.one_state->bound)) return "EXCEEDS at one state";
+  return is_judged ? "holds" : "parted";
+}
+
 /// The instant whose difference is the largest beside its bound.
 template <class Ratio>
 const ComparedInstant* worst_of(const MotionComparison& comparison, const Ratio& ratio) {
@@ -73,7 +82,7 @@ std::string CompareReport::runs_table() const {
 
 std::string CompareReport::instants_table() const {
   Table table({"t [s]", "lambda", "bound", "amplification", "position [m]", "rotation [rad]", "at one state",
-               "bound", "accelerations", "kappa", ""});
+               "bound", "accelerations", "kappa", "verdict"});
   for (const ComparedInstant& now : comparison.instants) {
     const auto& at = now.one_state;
     const bool is_shown = at.has_value() || &now == &comparison.instants.back();
@@ -81,7 +90,7 @@ std::string CompareReport::instants_table() const {
     table.add({fmt::format("{:.6g}", now.t), brief(now.lambda), brief(now.lambda_bound),
                brief(now.amplification), brief(now.position), brief(now.rotation),
                at ? brief(at->lambda) : "-", at ? brief(at->bound) : "-", at ? brief(at->acceleration) : "-",
-               at ? brief(at->kappa) : "-", now.is_singular ? "singular" : ""});
+               at ? brief(at->kappa) : "-", note_of(comparison, now)});
   }
   return table.text();
 }
@@ -158,7 +167,7 @@ std::string CompareReport::json() const {
         .number("amplification", now.amplification)
         .number("position", now.position)
         .number("rotation", now.rotation)
-        .flag("singular", now.is_singular);
+        .text("verdict", note_of(comparison, now));
     if (now.one_state)
       json.number("state_lambda", now.one_state->lambda)
           .number("state_bound", now.one_state->bound)
@@ -177,7 +186,7 @@ std::string CompareReport::json() const {
 
 std::string CompareReport::csv() const {
   std::string out = csv_line({"t", "lambda", "lambda_bound", "amplification", "position", "rotation",
-                              "state_lambda", "state_bound", "state_acceleration", "condition", "singular"});
+                              "state_lambda", "state_bound", "state_acceleration", "condition", "verdict"});
   for (const ComparedInstant& now : comparison.instants) {
     std::vector<std::string> line;
     for (const double x :
@@ -188,7 +197,7 @@ std::string CompareReport::csv() const {
         line.push_back(number_text(x));
     else
       line.resize(line.size() + 4);
-    line.push_back(now.is_singular ? "yes" : "no");
+    line.push_back(note_of(comparison, now));
     out += csv_line(line);
   }
   return out;
