@@ -50,6 +50,11 @@ foreach(k RANGE ${last})
   endif()
 endforeach()
 
+# it also ends with its own verdict on every scene of the catalogue
+if(TEST results.motion_invariance.regenerates)
+  set_tests_properties(results.motion_invariance.regenerates PROPERTIES LABELS "paper;validation")
+endif()
+
 # what `accept` runs, for those who build it first
 add_custom_target(accept_programs)
 add_dependencies(accept_programs ${accept_programs})

@@ -14,6 +14,7 @@
 #include <scenes/format/scene_file.hpp>
 #include <scenes/make_mechanism.hpp>
 #include <simulation/simulate.hpp>
+#include <trivium/trivium.hpp>
 
 #include <array>
 #include <filesystem>

@@ -25,11 +25,16 @@ bool GraphSolver<S>::restore_independent_rows() {
     for (int k = 0; k < plan_.graph.edges[e].size(); ++k)
       if (is_dependent_[e][k]) candidates_.push_back({e, k});
   if (candidates_.empty()) return false;
-  if (!unit_inertia_solver_) unit_inertia_solver_ = std::make_shared<UnitInertiaSolver>(plan_);
-  unit_inertia_solver_->factor(*matrix_);
+  measure_levers();
   const int before = bordered_;
   for (const EdgeRow& row : unit_inertia_solver_->independent(candidates_)) border(row);
   return bordered_ > before;
+}
+
+template <class S>
+void GraphSolver<S>::measure_levers() {
+  if (!unit_inertia_solver_) unit_inertia_solver_ = std::make_shared<UnitInertiaSolver>(plan_);
+  unit_inertia_solver_->factor(*matrix_);
 }
 
 template <class S>

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -24,6 +25,22 @@ TEST(DependentRows, DriversThatAgreeShareTheTorque) {
   for (const char* name : {"motor", "second motor"})
     scene.constraints.push_back(driver(name, axis, across, Polynomial{{0, 0, 0.5}}));
   test::expect_agreement<F>(scene, "two drivers of one motion");
+}
+
+/// Along a motion no row is looked at a second time; whoever asks which multipliers are unique is told all
+/// the same.
+TEST(DependentRows, UniqueMultipliersAreToldHoweverTheRowsWereFound) {
+  scenes::Scene scene = pendulum();
+  for (const char* name : {"motor", "second motor"})
+    scene.constraints.push_back(driver(name, axis, across, Polynomial{{0, 0, 0.5}}));
+  const auto [mechanism, state] = make_model<double>(scene);
+  const auto bodies = to_coordinates<F>(mechanism, state, {});
+  AccelerationSolver<F> strict(mechanism), along(mechanism);
+  strict.solve(bodies, state.t);
+  along.solve(bodies, state.t, Refinement::as_needed, DependentRows::detect_near_singular);
+  const std::vector<bool> unique = along.unique();
+  EXPECT_EQ(unique, strict.unique());
+  EXPECT_EQ(std::count(unique.begin(), unique.end(), false), 2);
 }
 
 TEST(DependentRows, DriversThatContradictAreAnErrorThatNamesOne) {

@@ -115,8 +115,9 @@ class GraphSolver {
   /// the logarithm of the dependent rows for each; room is allocated at the first call and where they are
   /// more than ever before. Throws NearlyDependentRows beyond most_restored.
   bool restore_independent_rows();
-  /// The square of the lever by which turns of a body compare with shifts: known after
-  /// restore_independent_rows where there are dependent rows.
+  /// The square of the lever by which turns of a body compare with shifts, of the matrix that levers were
+  /// measured of last. To measure costs as much as factors do.
+  void measure_levers();
   S lever2(int body) const;
   /// Whether rows are dependent of which, as far as the elimination sees it, more than rounding is left.
   bool has_nearly_dependent_rows() const { return has_nearly_dependent_rows_; }

@@ -67,6 +67,7 @@ std::vector<bool> AccelerationSolver<F>::unique() {
   std::vector<bool> flags(mechanism_.nc(), true);
   const MatrixX<S> N = left_null_space();
   if (N.cols() == 0) return flags;
+  solver_.measure_levers();  // rows that were told by the elimination alone have not asked for them
   // a combination is judged row by row by the size of the rows, turns by the lever of their component
   const VectorX<S> size2 = row_sizes([&](int b, const Vector3<S>& r, const Vector3<S>& x) {
     return S(r.squaredNorm() + x.squaredNorm() / solver_.lever2(b));
