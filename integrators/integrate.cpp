@@ -114,7 +114,8 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
     }
     if (stop->is_event) {
       const S before = std::exchange(t, stop->t);
-      if (system.pass_discontinuity(before, t, y)) system.accept_state(t, y);
+      system.pass_discontinuity(before, t, y);
+      system.accept_state(t, y);  // what follows begins here, as a run that goes on from here does
       method.restart();
     }
     if (stop->is_output && at_output(t, y) == Continue::no && !walk.is_done()) return false;

@@ -13,6 +13,7 @@ struct SavedRun {
   std::string formulation, integrator;
   std::vector<std::string> charts;  ///< per body; empty in formulations without
   std::vector<double> y;            ///< positions, velocities and work, as the integrator has them
+  std::vector<double> fastest;      ///< of every part of the mechanism, [m/s] and [rad/s], so far
   std::vector<double> memory;       ///< what the method keeps from step to step
   double phi = 0, phi_dot = 0;      ///< how far the state misses its rows [m or rad, per second]
   bool began_singular = false;      ///< where rows were nearly dependent: all that are not quite count

@@ -97,6 +97,12 @@ TEST(FrontDoorMotions, GoOnToTheSameBitsInOtherCharts) {
   expect_to_go_on(read_scene(path_of("heavy_top")), 0.0005, 100);
 }
 
+/// The first run ends on a kink of a driver's function.
+TEST(FrontDoorMotions, GoOnToTheSameBitsBesideAnEvent) {
+  expect_to_go_on(read_scene(path_of("welded_rotor")), 0.005, 200);
+  expect_to_go_on(read_scene(path_of("basic_drivers")), 0.005, 60);
+}
+
 TEST(FrontDoorMotions, CountTheTurnsOfASpringOn) {
   // 30 rad/s: the spring is wound by several turns at the end of the first run
   const Scene wheel = scene_of(test::sprung_wheel(1, 30, 0.5, 0.01));

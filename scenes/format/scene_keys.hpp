@@ -55,7 +55,7 @@ inline constexpr Shape scene_shape{"scene",
 inline constexpr Shape saved_shape{
     "saved",
     {need("t"), need("start"), need("formulation"), need("integrator"), need("phi"), need("phi_dot"),
-     may("began_singular"), may("charts"), need("y"), may("angles"), may("memory")}};
+     may("began_singular"), may("charts"), may("fastest"), need("y"), may("angles"), may("memory")}};
 inline constexpr Shape body_shape{
     "body",
     {need("name"), need("mass"), need("inertia"), may("unphysical_inertia"), need("position"),

@@ -184,6 +184,7 @@ void read_value(const Json& json, const Path& at, SavedRun& out) {
   object.read("integrator", out.integrator);
   object.read("phi", out.phi);
   object.read("phi_dot", out.phi_dot);
+  object.read("fastest", out.fastest);
   object.read("memory", out.memory);
   object.read("began_singular", out.began_singular);
   object.read("charts", out.charts);

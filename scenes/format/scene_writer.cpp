@@ -153,6 +153,7 @@ Json to_json(const SavedRun& saved) {
   if (!saved.charts.empty()) object.set("charts", to_json(saved.charts));
   object.add("y", saved.y);
   if (!saved.angles.empty()) object.set("angles", to_json(saved.angles));
+  if (!saved.fastest.empty()) object.set("fastest", to_json(saved.fastest));
   if (!saved.memory.empty()) object.set("memory", to_json(saved.memory));
   return object.done();
 }

@@ -230,6 +230,7 @@ Scene arbitrary_scene() {
     saved.phi = random.positive();
     saved.phi_dot = random.positive();
     saved.began_singular = random.flip();
+    for (int k = random.below(3); k > 0; --k) saved.fastest.push_back(random.positive());
     for (int k = random.below(3); k > 0; --k) saved.memory.push_back(random.number());
     if (random.flip()) saved.charts.assign(scene.bodies.size(), "313 Rx(90)");
     for (int k = random.below(30); k > 0; --k) saved.y.push_back(random.number());

@@ -55,7 +55,7 @@ class ConstrainedEquations {
         springs_(mechanism_, *plan_),
         matrix_(mechanism_, *plan_),
         balance_(mechanism_, *plan_),
-        violation_(mechanism_, plan_->graph, start.t),
+        violation_(mechanism_, plan_->graph, options.first_start(start.t)),
         given_(plan_->graph),
         motion_(nb() + 1),
         wrenches_(nb() + 1) {}

@@ -58,6 +58,7 @@ class ConstraintProjection {
     return measure_.measure_velocities(violation_);
   }
   const ConstraintViolation<S>& measure() const { return measure_; }
+  ConstraintViolation<S>& measure() { return measure_; }
 
   /// Factors the matrix at the state.
   void factor() {

@@ -66,6 +66,23 @@ class ConstraintViolation {
       extent.spin = std::max(extent.spin, extent.arm > S(0) ? S(omega + v / extent.arm) : S(omega + v));
     }
   }
+  /// The speeds [m/s, rad/s] that its parts have reached, for a motion to go on with.
+  std::vector<double> fastest() const {
+    std::vector<double> speeds;
+    for (const Extent& extent : extent_)
+      speeds.insert(speeds.end(),
+                    {static_cast<double>(extent.fastest), static_cast<double>(extent.fastest_spin)});
+    return speeds;
+  }
+  /// Returns whether there are as many.
+  bool set_fastest(const std::vector<double>& speeds) {
+    if (speeds.size() != 2 * extent_.size()) return false;
+    for (std::size_t k = 0; k < extent_.size(); ++k) {
+      extent_[k].fastest = S(speeds[2 * k]);
+      extent_[k].fastest_spin = S(speeds[2 * k + 1]);
+    }
+    return true;
+  }
   /// The motion has reached the bodies' state.
   void accept_state() {
     for (Extent& extent : extent_) {

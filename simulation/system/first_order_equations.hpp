@@ -34,6 +34,12 @@ struct FirstOrderOptions {
   std::optional<Baumgarte> baumgarte;
   bool is_projected = true;        ///< after every step; if not, violations hide which rows depend on others
   const SavedRun* from = nullptr;  ///< of this formulation, at the start: its numbers are gone on with
+
+  /// Of the first run, by which the scales of rows are [s].
+  template <class S>
+  S first_start(const S& t) const {
+    return from ? S(from->start) : t;
+  }
 };
 
 template <Formulation F>
@@ -51,7 +57,7 @@ class FirstOrderEquations {
         solver_(mechanism_),
         state_(to_coordinates<F>(mechanism_, start, options.charts)),
         motion_(mechanism_.nb() + 1),
-        projection_(solver_, start.t),
+        projection_(solver_, options.first_start(start.t)),
         account_(mechanism_),
         charts_(options.charts),
         branches_(mechanism_.nb()),
@@ -226,6 +232,7 @@ class FirstOrderEquations {
     const VectorX<double> numbers = scalar_cast<double>(y);
     saved.y.assign(numbers.begin(), numbers.end());
     saved.began_singular = detection_ == DependentRows::detect;
+    saved.fastest = projection_.measure().fastest();
     saved.charts = charts();
     saved.angles = counted_angles();
     return saved;
@@ -364,6 +371,8 @@ void FirstOrderEquations<F>::go_on_from(const SavedRun& saved, const MechanismSt
   });
   if (counted != saved.angles.size())
     refuse(fmt::format("effects count {} angles, not {}", counted, saved.angles.size()));
+  if (!projection_.measure().set_fastest(saved.fastest))
+    refuse(fmt::format("{} speeds are not those of the mechanism's parts", saved.fastest.size()));
   for (int k = 0; k < size(); ++k) start_[k] = S(saved.y[k]);
   // whoever moved a body by hand means the body
   const MechanismState<S> at = to_mechanism_state(state.t, start_);
