@@ -165,6 +165,7 @@ MotionAgainst compare_against(const std::vector<ComparedFormulation>& formulatio
       steps = std::max(steps, walker.steps);
       turn_to(other, place, all.back());
     } catch (const Error& error) {
+      if (error.kind() == ErrorKind::input) throw;  // of what is asked for, not of a formulation
       run.error = error.what();
     }
   }
@@ -177,12 +178,20 @@ MotionAgainst compare_against(const std::vector<ComparedFormulation>& formulatio
   if (options.step) {
     SimulationOptions halved = options;
     halved.step = *options.step / 2;
-    near = Walker(formulations.front(), halved).walk(model, other.t);
+    for (std::size_t f = 0; f < formulations.size(); ++f) {
+      Lines half = Walker(formulations[f], halved).walk(model, other.t);
+      turn_to(other, place, half);
+      // what it changes in any formulation, at every time, from the first one's line
+      if (near.empty()) near = ours;
+      for (std::size_t n = 0; n < half.size(); ++n)
+        for (std::size_t k = 0; k < names.size(); ++k)
+          raise(near[n][k], ours[n][k] + std::abs(half[n][k] - all[f][n][k]));
+    }
   } else if (const NeighbouringStart start = neighbouring_start(model, tolerance); start.distance > 0) {
     out.neighbour_distance = start.distance;
     near = Walker(formulations.front(), options).walk({model.mechanism, start.state}, other.t);
   }
-  if (!near.empty()) turn_to(other, place, near);
+  if (!near.empty() && !options.step) turn_to(other, place, near);
 
   std::map<std::string, double> size;
   for (std::size_t k = 0; k < names.size(); ++k)

@@ -96,6 +96,7 @@ class Comparer {
     try {
       one.report = formulation.simulate(model_, options, record);
     } catch (const Error& error) {
+      if (error.kind() == ErrorKind::input) throw;  // of what is asked for, not of a formulation
       one.error = error.what();
     }
     for (const MotionSample& sample : record.motion)
@@ -132,15 +133,20 @@ class Comparer {
   /// that is off by it.
   void bound_by_neighbour() {
     const double tolerance = run_.tolerances.rtol + run_.tolerances.atol;
-    const NeighbouringStart start = neighbouring_start(model_, tolerance);
-    out_.neighbour_distance = start.distance;
-    const bool is_free = start.distance > 0;
-    Recorder record = recorder(1);
-    if (is_free) {
+    Motion near;
+    // a mechanism in which lambda is far more sensitive than its state asks for a nearer one
+    for (double in_tolerances = distance_in_tolerances; in_tolerances >= 0.01; in_tolerances /= 100) {
+      const NeighbouringStart start = neighbouring_start(model_, tolerance, in_tolerances);
+      out_.neighbour_distance = start.distance;
+      if (!(start.distance > 0)) break;
+      Recorder record = recorder(in_tolerances == distance_in_tolerances ? 1 : 0);
       SimulationOptions options = run_;
       options.formulation = formulations_.front().name;
       formulations_.front().simulate({model_.mechanism, start.state}, options, record);
+      near = std::move(record.motion);
+      if (lambda_distance(norms_[0], motion(0)[0].lambda, near[0].lambda) <= small_difference) break;
     }
+    const bool is_free = !near.empty();
     long steps = 0;
     for (const ComparedRun& one : out_.runs) steps = std::max(steps, one.report.counters.steps);
     double amplification = 1;
@@ -148,13 +154,13 @@ class Comparer {
     for (std::size_t k = 0; k < out_.instants.size(); ++k) {
       ComparedInstant& now = out_.instants[k];
       if (is_free) {
-        const double apart = lambda_distance(norms_[k], motion(0)[k].lambda, record.motion[k].lambda);
+        const double apart = lambda_distance(norms_[k], motion(0)[k].lambda, near[k].lambda);
         raise(amplification, apart / out_.neighbour_distance);
         if (!(apart <= small_difference) && !out_.judged_until) out_.judged_until = now.t;
       }
       now.amplification = amplification;
       const double steps_so_far = std::max(1.0, static_cast<double>(steps) * (now.t - model_.state.t) / span);
-      now.lambda_bound = steps_so_far * tolerance * amplification;
+      now.lambda_bound = std::min(small_difference, steps_so_far * tolerance * amplification);
     }
   }
 
@@ -224,6 +230,7 @@ class Comparer {
         raise(worst.acceleration,
               acceleration_distance(rows, side.formulations[a].solution, side.formulations[b].solution).all);
     raise(worst.kappa, rows.kappa);
+    worst.is_constrained = model.mechanism.nc() > 0;
     if (worst.bound == 0 || !(apart.lambda / bound <= worst.lambda / worst.bound)) {
       worst.lambda = apart.lambda;
       worst.bound = bound;
@@ -262,7 +269,7 @@ bool MotionComparison::holds_along() const {
 
 bool MotionComparison::holds_at_states() const {
   return complete() && std::all_of(instants.begin(), instants.end(), [](const ComparedInstant& now) {
-           return !now.one_state || now.is_singular || now.one_state->lambda <= now.one_state->bound;
+           return !now.one_state || now.is_singular || now.one_state->holds();
          });
 }
 

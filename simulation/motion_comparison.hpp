@@ -53,8 +53,11 @@ struct ComparedInstant {
       false;  ///< a run passed a singular position here, where lambda is not unique: not judged
   struct OneState {
     double lambda = 0, bound = 0;  ///< of the state whose difference is the largest beside its bound
-    double acceleration = 0;       ///< in the mass metric, relative
-    double kappa = 1;              ///< the largest
+    double acceleration =
+        0;  ///< in the mass metric, relative; of constrained mechanisms held to the bound, too
+    bool is_constrained = true;
+    bool holds() const { return lambda <= bound && (!is_constrained || acceleration <= bound); }
+    double kappa = 1;  ///< the largest
   };
   std::optional<OneState> one_state;
 };

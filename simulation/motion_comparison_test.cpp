@@ -118,6 +118,12 @@ TEST(MotionComparison, WithoutUniqueMultipliersThereIsNothingToCompare) {
   EXPECT_TRUE(c.holds_along() && c.holds_at_states());
 }
 
+TEST(MotionComparison, AccelerationsAreHeldToTheBoundWhereNoMultiplierIsUnique) {
+  const MotionComparison c = compare_in("four_bar", run("dopri5", 0.5), {off()});
+  ASSERT_TRUE(c.complete() && !c.has_unique_lambda);
+  EXPECT_FALSE(c.holds_at_states());
+}
+
 TEST(MotionComparison, ARunThatFailsIsSaidAndNothingIsCompared) {
   ComparedFormulation failing = off();
   failing.simulate = [](const Model<double>&, const SimulationOptions&,

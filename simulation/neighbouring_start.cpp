@@ -15,7 +15,7 @@ double turn_between(const Vector4<double>& p, const Vector4<double>& q) {
 
 namespace {
 
-constexpr double distance_in_tolerances = 100, least_distance = 1e-9;
+constexpr double least_distance = 1e-11, largest_distance = 1e-4;
 
 /// Lengths and speeds by which differences of states are relative.
 struct Scales {
@@ -66,14 +66,20 @@ MechanismState<double> neighbour(const Model<double>& model, const Scales& scale
 
 }  // namespace
 
-NeighbouringStart neighbouring_start(const Model<double>& model, double tolerance) {
+NeighbouringStart neighbouring_start(const Model<double>& model, double tolerance, double in_tolerances) {
   const Scales scales(model);
-  const double size = std::max(least_distance, distance_in_tolerances * tolerance);
-  NeighbouringStart start{neighbour(model, scales, size), 0};
-  // what assembling moves by its own rounding is no neighbour
-  if (const double apart = distance(scales, start.state, model.state); apart > 1e-3 * size)
-    start.distance = apart;
-  return start;
+  double size = std::clamp(in_tolerances * tolerance, least_distance, largest_distance);
+  for (int tries = 3;; size /= 30) {
+    try {
+      NeighbouringStart start{neighbour(model, scales, size), 0};
+      // what assembling moves by its own rounding is no neighbour
+      if (const double apart = distance(scales, start.state, model.state); apart > 1e-3 * size)
+        start.distance = apart;
+      return start;
+    } catch (const ModelError&) {
+      if (--tries == 0) throw;
+    }
+  }
 }
 
 }  // namespace trivium

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include "base/csv.hpp"
@@ -44,9 +45,13 @@ double number_in(const std::string& text, const std::string& where) {
 
 OtherMotion read_motion(const std::string& file, const std::map<std::string, std::string>& names,
                         const std::vector<std::string>& ours) {
+  namespace fs = std::filesystem;
+  if (std::error_code error; !fs::is_regular_file(file, error))
+    refuse(file, fs::is_directory(file, error) ? "a folder" : "no such file", "a CSV file");
   std::vector<std::vector<std::string>> lines;
   try {
     std::string text = read_whole(file);
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a mark of UTF-8
     if (!text.empty() && text.back() != '\n') text += '\n';
     lines = parse_csv(text);
   } catch (const Error& error) {
@@ -85,7 +90,9 @@ OtherMotion read_motion(const std::string& file, const std::map<std::string, std
       refuse(fmt::format("--map {}={}", theirs, name), fmt::format("{} has no column \"{}\"", file, theirs),
              first_of(lines[0]));
   }
-  if (!time) refuse(file, "no column of times", "one named t, or --map NAME=t");
+  if (!time)
+    refuse(file, fmt::format("no column of times among {}", first_of(lines[0])),
+           "one named t, or --map NAME=t");
   if (motion.columns.empty())
     refuse(file, fmt::format("no column that is known among {}", first_of(lines[0])),
            fmt::format("names such as {}, or --map THEIRS=OURS", first_of(ours)));

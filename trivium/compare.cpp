@@ -59,7 +59,9 @@ ComparedMotions compare(const Scene& scene, const CompareSettings& settings) {
     ComparisonOptions options;
     options.run = simulation_options(settings.run);
     options.states = settings.states;
-    require_consistent(of.source, model);
+    if (settings.states < 1)
+      throw Error(ErrorKind::input, fmt::format("states: found {}; accepted: at least 1", settings.states));
+    require_consistent(of.source, model, of.scene.saved);
     const auto formulations = formulations_to_compare(settings.formulations, options.run.integrator);
     const MotionComparison comparison = compare_motion(formulations, model, options);
     ComparedMotions out;

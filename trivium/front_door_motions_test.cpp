@@ -100,7 +100,7 @@ TEST(FrontDoorMotions, GoOnToTheSameBitsInOtherCharts) {
 /// The first run ends on a kink of a driver's function.
 TEST(FrontDoorMotions, GoOnToTheSameBitsBesideAnEvent) {
   expect_to_go_on(read_scene(path_of("welded_rotor")), 0.005, 200);
-  expect_to_go_on(read_scene(path_of("basic_drivers")), 0.005, 60);
+  expect_to_go_on(read_scene(path_of("basic_drivers")), 0.001, 60);
 }
 
 TEST(FrontDoorMotions, CountTheTurnsOfASpringOn) {

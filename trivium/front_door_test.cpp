@@ -193,6 +193,30 @@ TEST(FrontDoor, NamesThatThereAreNotAreErrorsThatSayWhichThereAre) {
             std::string::npos);
 }
 
+TEST(FrontDoor, SettingsThatCannotBeAreErrorsThatNameThem) {
+  const Scene scene = pendulum();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                   infinity = std::numeric_limits<double>::infinity();
+  for (const SimulateSettings& settings :
+       {SimulateSettings{.rtol = -1}, SimulateSettings{.atol = nan}, SimulateSettings{.end = infinity},
+        SimulateSettings{.end = -1}, SimulateSettings{.step = 0}, SimulateSettings{.output_step = -1},
+        SimulateSettings{.baumgarte = {{nan, 1}}}, SimulateSettings{.baumgarte = {{-1, 1}}},
+        SimulateSettings{.projects = false, .baumgarte = {{1, 1}}}}) {
+    EXPECT_EQ(error_of([&] { simulate(scene, settings); }).kind(), ErrorKind::input);
+    EXPECT_EQ(error_of([&] { compare(scene, {.run = settings}); }).kind(), ErrorKind::input);
+  }
+  EXPECT_EQ(error_of([&] { compare(scene, {.states = 0}); }).kind(), ErrorKind::input);
+  EXPECT_EQ(error_of([&] { solve(Scene("late", nan)); }).kind(), ErrorKind::input);
+  EXPECT_EQ(error_of([&] { read_scene(path_of("heavy_top"), nan); }).kind(), ErrorKind::input);
+}
+
+TEST(FrontDoor, ASceneThatWasMovedFromIsAnError) {
+  Scene scene = pendulum();
+  const Scene taken = std::move(scene);
+  EXPECT_EQ(taken.bodies().size(), 1u);
+  EXPECT_EQ(error_of([&] { scene.bodies(); }).kind(), ErrorKind::input);  // NOLINT: on purpose
+}
+
 TEST(FrontDoor, ErrorsSayWhichBodyAndWhen) {
   const Scene turned = pendulum();
   const Error chart =

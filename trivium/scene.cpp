@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <mutex>
 #include <utility>
 
+#include "base/error.hpp"
 #include "scenes/catalogue.hpp"
 #include "scenes/format/json.hpp"
 #include "scenes/format/scene_checks.hpp"
@@ -17,6 +19,12 @@ namespace trivium {
 namespace {
 
 std::string json_text(std::string_view text) { return scenes::print_json(text, scenes::Path("text")); }
+
+void require_time(const std::string& source, double t) {
+  if (!std::isfinite(t))
+    throw Error(ErrorKind::input, Place{source},
+                fmt::format("the state's time is {}; accepted: a finite time", t));
+}
 
 /// What is no number is left for the reader to find.
 std::string number(double x) { return std::isfinite(x) ? scenes::shortest(x) : fmt::format("\"{}\"", x); }
@@ -84,6 +92,9 @@ struct Scene::Parts {
   double t = 0;
   std::vector<std::string> bodies, constraints, effects;
 
+  /// Read once, whichever thread asks first.
+  const Contents& contents() const;
+
   std::string json() const {
     const auto array = [](const std::vector<std::string>& parts) {
       return fmt::format("[\n{}\n]", fmt::join(parts, ",\n"));
@@ -91,16 +102,28 @@ struct Scene::Parts {
     return fmt::format(R"({{"trivium": 1, "name": {}, "bodies": {}, "constraints": {}, "effects": {}}})",
                        json_text(name), array(bodies), array(constraints), array(effects));
   }
+
+ private:
+  mutable std::once_flag once_;
+  mutable std::shared_ptr<const Contents> read_;
 };
 
-Scene::Scene(std::string name, double t)
-    : parts_(std::make_shared<const Parts>(Parts{std::move(name), t, {}, {}, {}})) {}
+Scene::Scene(std::string name, double t) {
+  auto parts = std::make_shared<Parts>();
+  parts->name = std::move(name);
+  parts->t = t;
+  parts_ = std::move(parts);
+}
 
 Scene::Parts& Scene::parts() {
   // copies share what they were built of until one is added to; what was read is taken apart
   auto own = std::make_shared<Parts>();
   if (parts_) {
-    *own = *parts_;
+    own->name = parts_->name;
+    own->t = parts_->t;
+    own->bodies = parts_->bodies;
+    own->constraints = parts_->constraints;
+    own->effects = parts_->effects;
   } else {
     const scenes::Json all = scenes::parse_json(scenes::write_scene(contents_->scene), scenes::Path("scene"));
     own->name = contents_->scene.name;
@@ -143,14 +166,21 @@ Scene& Scene::add_effect(std::string_view type, Keys keys) {
   return *this;
 }
 
+const Scene::Contents& Scene::Parts::contents() const {
+  std::call_once(once_, [&] {
+    const std::string source = fmt::format("scene \"{}\"", scenes::printable(name));
+    require_time(source, t);
+    scenes::Scene scene = scenes::parse_scene(json(), source);
+    scenes::check_functions(scene, t, scenes::Path(source));
+    read_ = std::make_shared<const Contents>(Contents{std::move(scene), t, source});
+  });
+  return *read_;
+}
+
 const Scene::Contents& Scene::contents() const {
-  if (!contents_) {
-    const std::string source = fmt::format("scene \"{}\"", scenes::printable(parts_->name));
-    scenes::Scene scene = scenes::parse_scene(parts_->json(), source);
-    scenes::check_functions(scene, parts_->t, scenes::Path(source));
-    contents_ = std::make_shared<const Contents>(Contents{std::move(scene), parts_->t, source});
-  }
-  return *contents_;
+  if (contents_) return *contents_;
+  if (!parts_) throw Error(ErrorKind::input, "a scene that was moved from has no parts");
+  return parts_->contents();
 }
 
 double Scene::t() const { return contents().t; }
@@ -172,6 +202,7 @@ void Scene::write(const std::filesystem::path& file) const {
 }
 
 Scene read_scene(const std::string& path_or_name, std::optional<double> t) {
+  if (t) require_time(path_or_name, *t);
   scenes::Scene scene = load_scene(path_or_name, t);
   const double at = scenes::time_of(scene, t);
   return Scene(std::make_shared<const Scene::Contents>(Scene::Contents{std::move(scene), at, path_or_name}));

@@ -95,9 +95,9 @@ class Scene {
   struct Parts;
   Parts& parts();
 
-  // one or both: what was built is read as a file would be, when it is first asked for
+  // one of the two: what was built is read as a file would be, when it is first asked for
   std::shared_ptr<const Parts> parts_;
-  mutable std::shared_ptr<const Contents> contents_;
+  std::shared_ptr<const Contents> contents_;
 };
 
 /// A scene file, or a scene of the catalogue by name, whose state is taken as that at t [s]; by default that

@@ -1,5 +1,7 @@
 #include "trivium/simulate.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "integrators/methods.hpp"
@@ -14,7 +16,32 @@
 
 namespace trivium {
 
+namespace {
+
+/// Numbers as the command line takes them.
+void check_settings(const SimulateSettings& s) {
+  const auto require = [](bool holds, const char* setting, double found, const char* accepted) {
+    if (!holds)
+      throw Error(ErrorKind::input, fmt::format("{}: found {}; accepted: {}", setting, found, accepted));
+  };
+  const auto positive = [&](const char* setting, double x) {
+    require(x > 0 && std::isfinite(x), setting, x, "a finite number above 0");
+  };
+  require(std::isfinite(s.end), "end", s.end, "a finite time");
+  positive("rtol", s.rtol);
+  positive("atol", s.atol);
+  if (s.step) positive("step", *s.step);
+  if (s.output_step) positive("output_step", *s.output_step);
+  if (!s.baumgarte) return;
+  for (const double x : *s.baumgarte)
+    require(x >= 0 && std::isfinite(x), "baumgarte", x, "finite numbers from 0 on");
+  require(s.projects, "projects", 0, "true beside baumgarte, which takes its place");
+}
+
+}  // namespace
+
 SimulationOptions simulation_options(const SimulateSettings& s) {
+  check_settings(s);
   SimulationOptions o;
   require_formulation(s.formulation);
   o.formulation = s.formulation;

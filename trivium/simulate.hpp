@@ -60,7 +60,9 @@ struct Motion {
   std::vector<Jump> jumps;
   double seconds = 0;  ///< of processor time
   std::vector<std::string> warnings;
-  Scene end = Scene("end");  ///< the scene where the motion ended: to simulate on, to solve, to write
+  /// The scene where the motion ended: to simulate on and to write; to solve, where the method meets the rows
+  /// of velocities, or once it is assembled.
+  Scene end = Scene("end");
 };
 
 /// Throws an Error: of kind input where the state does not satisfy its constraints, or what is asked for does

@@ -55,7 +55,7 @@ Solution solution_of(const FormulationResult<double>& result, const SolvedState&
 Solutions solve_in(const Scene::Contents& scene, const SolveSettings& settings,
                    std::vector<std::string> formulations) {
   const Model<double> model = model_of(scene);
-  require_consistent(scene.source, model);
+  require_consistent(scene.source, model, scene.scene.saved);
   const SolvedState state = solve_state(
       scene.scene, model, {std::move(formulations), chart_options(settings.sequence, settings.reframe)});
   const auto names = std::make_shared<const Names>(names_of(model.mechanism));

@@ -17,7 +17,8 @@ namespace trivium {
 Check check_state(const scenes::Scene& scene, const Model<double>& model);
 
 /// Throws an Error of kind input that says which rows do not hold and what to do.
-void require_consistent(const std::string& source, const Model<double>& model);
+void require_consistent(const std::string& source, const Model<double>& model,
+                        const std::optional<SavedRun>& saved);
 /// The same of a state to simulate from: one that a run left may miss its rows by what the run says, as
 /// velocities do in methods on index 3, if it goes on in the same numbers.
 void require_consistent(const std::string& source, const Model<double>& model,

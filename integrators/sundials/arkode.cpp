@@ -37,24 +37,24 @@ class Arkode final : public OdeStepper {
   void begin(double t, const StateVectorD& y, double first_step) override {
     const ARKRhsFn explicit_part = is_implicit() ? nullptr : right_side,
                    implicit_part = is_implicit() ? right_side : nullptr;
-    if (memory() == nullptr) {
+    if (library_memory() == nullptr) {
       make_numbers(y.size());
       flat(numbers()) = y;
       open(ARKStepCreate(explicit_part, implicit_part, t, numbers(), context()));
       choose_method();
     } else {
       flat(numbers()) = y;
-      accept(ARKStepReInit(memory(), explicit_part, implicit_part, t, numbers()), "to begin again");
+      accept(ARKStepReInit(library_memory(), explicit_part, implicit_part, t, numbers()), "to begin again");
     }
     if (chooses_steps_) begin_with(first_step);
   }
   void choose_method() {
     measure_errors_by(error_weights);
-    accept(ARKStepSetMaxHnilWarns(memory(), -1), "to be silent");
-    accept(ARKStepSetOrder(memory(), order_), "its order");
+    accept(ARKStepSetMaxHnilWarns(library_memory(), -1), "to be silent");
+    accept(ARKStepSetOrder(library_memory(), order_), "its order");
     if (!is_implicit()) return;
     iterate_by_newton();
-    accept(ARKStepSetLinSysFn(memory(), step_matrix), "its matrix");
+    accept(ARKStepSetLinSysFn(library_memory(), step_matrix), "its matrix");
   }
   /// Without a mass matrix, which y' has none of.
   static int step_matrix(double t, N_Vector numbers, N_Vector f, SUNMatrix matrix, SUNMatrix, int is_kept,
@@ -62,8 +62,8 @@ class Arkode final : public OdeStepper {
     return linear_system(t, numbers, f, matrix, is_kept, is_current, gamma, stepper, a, b, c);
   }
   int advance(double stop, double& t) override {
-    if (!chooses_steps_) accept(ARKStepSetFixedStep(memory(), stop - t), "a step");
-    return ARKStepEvolve(memory(), stop, numbers(), &t, ARK_ONE_STEP);
+    if (!chooses_steps_) accept(ARKStepSetFixedStep(library_memory(), stop - t), "a step");
+    return ARKStepEvolve(library_memory(), stop, numbers(), &t, ARK_ONE_STEP);
   }
   /// So that a run of given steps goes on exactly.
   bool keeps_nothing() const override { return !chooses_steps_; }

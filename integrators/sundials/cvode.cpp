@@ -37,11 +37,11 @@ class Cvode final : public OdeStepper {
 
  private:
   void begin(double t, const StateVectorD& y, double first_step) override {
-    if (memory() == nullptr) {
+    if (library_memory() == nullptr) {
       make(t, y);
     } else {
       flat(numbers()) = y;
-      accept(CVodeReInit(memory(), t, numbers()), "to begin again");
+      accept(CVodeReInit(library_memory(), t, numbers()), "to begin again");
     }
     begin_with(first_step);
   }
@@ -49,23 +49,25 @@ class Cvode final : public OdeStepper {
     make_numbers(y.size());
     flat(numbers()) = y;
     open(CVodeCreate(is_implicit() ? CV_BDF : CV_ADAMS, context()));
-    accept(CVodeInit(memory(), right_side, t, numbers()), "its state");
+    accept(CVodeInit(library_memory(), right_side, t, numbers()), "its state");
     measure_errors_by(error_weights);
-    accept(CVodeSetMaxHnilWarns(memory(), -1), "to be silent");
+    accept(CVodeSetMaxHnilWarns(library_memory(), -1), "to be silent");
     if (!is_implicit())
       return iterate_by(Owned<SUNNonlinearSolver>(SUNNonlinSol_FixedPoint(numbers(), 0, context())));
     iterate_by_newton();
-    accept(CVodeSetLinSysFn(memory(), linear_system), "its matrix");
+    accept(CVodeSetLinSysFn(library_memory(), linear_system), "its matrix");
     // what Newton's method leaves along stiff springs is little of a length and much of a force, which the
     // estimated errors of the steps behind see
     if (system().springs() > 0)
-      accept(CVodeSetNonlinConvCoef(memory(), 0.01), "how far Newton's method goes");
+      accept(CVodeSetNonlinConvCoef(library_memory(), 0.01), "how far Newton's method goes");
     if (!projects_) return;
-    accept(CVodeSetProjFn(memory(), project), "its projection");
+    accept(CVodeSetProjFn(library_memory(), project), "its projection");
     // what errors leave along the constraints alone lets steps grow by a tenth, and errors tenfold
-    accept(CVodeSetProjErrEst(memory(), 0), "errors as they are");
+    accept(CVodeSetProjErrEst(library_memory(), 0), "errors as they are");
   }
-  int advance(double stop, double& t) override { return CVode(memory(), stop, numbers(), &t, CV_ONE_STEP); }
+  int advance(double stop, double& t) override {
+    return CVode(library_memory(), stop, numbers(), &t, CV_ONE_STEP);
+  }
 
   /// The change that leads back onto the constraints.
   static int project(double t, N_Vector numbers, N_Vector change, double, N_Vector /*error*/, void* stepper) {

@@ -46,7 +46,7 @@ class Ida final : public Stepper {
     nv_ = system().velocity_size();
     nc_ = system().multipliers();
     ny_ = static_cast<int>(y.size());
-    const bool is_new = memory() == nullptr;
+    const bool is_new = library_memory() == nullptr;
     if (is_new) {
       make_numbers(ny_ + 2 * nc_);
       rates_.reset(N_VClone(numbers()));
@@ -65,7 +65,7 @@ class Ida final : public Stepper {
     if (is_new)
       make(t);
     else
-      accept(IDAReInit(memory(), t, numbers(), rates_.get()), "to begin again");
+      accept(IDAReInit(library_memory(), t, numbers(), rates_.get()), "to begin again");
     begin_with(first_step > 0 ? first_step : first_step_of(t, y));
   }
   double first_step_of(double t, const StateVectorD& y) {
@@ -73,16 +73,16 @@ class Ida final : public Stepper {
   }
   void make(double t) {
     open(IDACreate(context()));
-    accept(IDAInit(memory(), residual, t, numbers(), rates_.get()), "its state");
+    accept(IDAInit(library_memory(), residual, t, numbers(), rates_.get()), "its state");
     measure_errors_by(error_weights);
-    accept(IDASetId(memory(), is_differential_.get()), "which unknowns are differential");
-    accept(IDASetSuppressAlg(memory(), 1), "to leave multipliers out of the estimated error");
-    accept(IDASetNonlinConvCoef(memory(), 0.01), "how far Newton's method goes");
+    accept(IDASetId(library_memory(), is_differential_.get()), "which unknowns are differential");
+    accept(IDASetSuppressAlg(library_memory(), 1), "to leave multipliers out of the estimated error");
+    accept(IDASetNonlinConvCoef(library_memory(), 0.01), "how far Newton's method goes");
     iterate_by_newton();
-    accept(IDASetJacFn(memory(), factor), "its matrix");
+    accept(IDASetJacFn(library_memory(), factor), "its matrix");
   }
   int advance(double stop, double& t) override {
-    const int flag = IDASolve(memory(), stop, &t, numbers(), rates_.get(), IDA_ONE_STEP);
+    const int flag = IDASolve(library_memory(), stop, &t, numbers(), rates_.get(), IDA_ONE_STEP);
     lambda_ = flat(numbers()).segment(ny_, nc_);
     return flag;
   }

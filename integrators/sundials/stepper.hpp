@@ -98,7 +98,7 @@ class Stepper : public AnyMethod<double> {
   AnySystem<double>& system() { return *system_; }
   N_Vector numbers() { return numbers_.get(); }
   void make_numbers(Eigen::Index size) { numbers_.reset(N_VNew_Serial(size, context_)); }
-  void* memory() const { return memory_; }
+  void* library_memory() const { return memory_; }
   /// Takes what the library made; it calls back with the stepper as its user data.
   void open(void* memory);
   void measure_errors_by(int (*weights)(N_Vector, N_Vector, void*));

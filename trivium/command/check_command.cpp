@@ -31,7 +31,7 @@ int run_check(const CheckArguments& arguments) {
                arguments.scene, fmt::join(check.contradictory, ", "));
     return exit_input_error;
   }
-  require_consistent(arguments.scene, loaded.model);
+  require_consistent(arguments.scene, loaded.model, loaded.scene.saved);
   return exit_done;
 }
 

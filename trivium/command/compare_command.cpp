@@ -86,7 +86,7 @@ int run_compare(const CompareArguments& arguments) {
   options.run = arguments.run_options();
   const LoadedScene loaded = load(arguments);
   const Model<double>& model = loaded.model;
-  require_consistent(arguments.scene, model);
+  require_consistent(arguments.scene, model, loaded.scene.saved);
   const std::vector<ComparedFormulation> formulations = formulations_of(arguments);
   constexpr std::size_t ticks = 1000;
   Progress progress("comparing", ticks);
@@ -125,7 +125,7 @@ std::map<std::string, std::string> names_in(const std::vector<std::string>& word
 int run_against(const CompareArguments& arguments) {
   const LoadedScene loaded = load(arguments);
   const Model<double>& model = loaded.model;
-  require_consistent(arguments.scene, model);
+  require_consistent(arguments.scene, model, loaded.scene.saved);
   const OtherMotion other =
       read_motion(arguments.against, names_in(arguments.map), motion_columns(model.mechanism, false));
   if (!other.unknown.empty())
@@ -133,6 +133,9 @@ int run_against(const CompareArguments& arguments) {
                arguments.against, counted(other.unknown.size(), "column", "columns"),
                scenes::in_quotes(other.unknown.front()));
   const SimulationOptions options = arguments.run_options();
+  if (options.output_step || options.end != SimulationOptions{}.end)
+    throw Error(ErrorKind::input,
+                "--against compares at the times of its file; leave out --t-end and --output-step");
   const auto asked = formulations_in(arguments.formulations);
   for (const std::string& name : asked) require_formulation(name);
   const auto formulations = compared_formulations(asked, *integrators::find_method(options.integrator));

@@ -22,7 +22,7 @@ std::string note_of(const MotionComparison& comparison, const ComparedInstant& n
   if (now.is_singular) return "singular";
   const bool is_judged = comparison.is_judged(now);
   if (is_judged && !(now.lambda <= now.lambda_bound)) return "EXCEEDS along the motion";
-  if (now.one_state && !(now.one_state->lambda <= now.one_state->bound)) return "EXCEEDS at one state";
+  if (now.one_state && !now.one_state->holds()) return "EXCEEDS at one state";
   return is_judged ? "holds" : "parted";
 }
 
@@ -53,14 +53,19 @@ std::string CompareReport::verdict_along() const {
 
 std::string CompareReport::verdict_at_states() const {
   const MotionComparison& c = comparison;
-  if (!c.has_unique_lambda) return "none: no multiplier is unique";
   const ComparedInstant* worst = worst_of(c, [](const ComparedInstant& now) -> std::optional<double> {
     if (!now.one_state || now.is_singular) return {};
-    return now.one_state->lambda / now.one_state->bound;
+    return std::max(now.one_state->lambda, now.one_state->is_constrained ? now.one_state->acceleration : 0) /
+           now.one_state->bound;
   });
   if (!worst) return "not judged: too large for the dense solver, which finds kappa";
-  return fmt::format("{}, {} of its bound {} at t = {:.6g}", c.holds_at_states() ? "holds" : "EXCEEDS",
-                     brief(worst->one_state->lambda), brief(worst->one_state->bound), worst->t);
+  const char* verdict = c.holds_at_states() ? "holds" : "EXCEEDS";
+  if (!c.has_unique_lambda)
+    return worst->one_state->is_constrained
+               ? fmt::format("none: no multiplier is unique; of accelerations {}", verdict)
+               : std::string("none: there are no constraints");
+  return fmt::format("{}, {} of its bound {} at t = {:.6g}", verdict, brief(worst->one_state->lambda),
+                     brief(worst->one_state->bound), worst->t);
 }
 
 std::string CompareReport::runs_table() const {

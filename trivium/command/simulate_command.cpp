@@ -48,6 +48,11 @@ int run_simulate(const SimulateArguments& arguments) {
   SimulationOptions options = arguments.run_options();
   options.projects = !arguments.no_projection && arguments.baumgarte.empty();
   if (!arguments.baumgarte.empty()) options.baumgarte = {arguments.baumgarte[0], arguments.baumgarte[1]};
+  if (!arguments.save_end.empty() &&
+      (arguments.save_end == arguments.out || arguments.save_end == arguments.plot))
+    throw Error(ErrorKind::input,
+                fmt::format("--save-end: {} is written by another option; accepted: a file of its own",
+                            arguments.save_end));
   LoadedScene loaded = load(arguments);
   const Model<double>& model = loaded.model;
   const double t = model.state.t;

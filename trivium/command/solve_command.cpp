@@ -56,7 +56,7 @@ int solve_in(const SolveArguments& arguments, const LoadedScene& loaded, const S
 
 int run_solve(const SolveArguments& arguments) {
   const LoadedScene loaded = load(arguments);
-  require_consistent(arguments.scene, loaded.model);
+  require_consistent(arguments.scene, loaded.model, loaded.scene.saved);
   SolveOptions options;
   if (arguments.formulation != "all") options.formulations = {arguments.formulation};
   options.charts = {*parse_euler_sequence(arguments.sequence), !arguments.raw_chart};
