@@ -211,6 +211,7 @@ TEST(FrontDoor, SettingsThatCannotBeAreErrorsThatNameThem) {
 }
 
 TEST(FrontDoor, ASceneThatWasMovedFromIsAnError) {
+  EXPECT_EQ(error_of([&] { Solution().body("x"); }).kind(), ErrorKind::input);  // and an answer to nothing
   Scene scene = pendulum();
   const Scene taken = std::move(scene);
   EXPECT_EQ(taken.bodies().size(), 1u);

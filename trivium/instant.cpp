@@ -14,19 +14,27 @@ std::size_t find(std::string_view noun, const std::vector<std::string>& names, s
   refuse_name(noun, name, names);
 }
 
+/// Of one that no state or motion gave, none.
+const Names& names_of(const Instant& instant) {
+  static const Names none;
+  return instant.names ? *instant.names : none;
+}
+
 Vector3<double> vector(const Components& v) { return Vector3<double>(v.data()); }
 
 }  // namespace
 
 const BodyInstant& Instant::body(std::string_view name) const {
-  return bodies[find("body", names->bodies, name)];
+  return bodies[find("body", names_of(*this).bodies, name)];
 }
 
 const JointReaction& Instant::reaction(std::string_view joint) const {
-  return reactions[find("joint", names->joints, joint)];
+  return reactions[find("joint", names_of(*this).joints, joint)];
 }
 
-double Instant::lambda_of(std::string_view row) const { return lambda[find("row", names->rows, row)]; }
+double Instant::lambda_of(std::string_view row) const {
+  return lambda[find("row", names_of(*this).rows, row)];
+}
 
 PointMotion Instant::point(std::string_view name, const Components& s_bar) const {
   const BodyInstant& at = body(name);
