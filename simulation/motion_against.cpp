@@ -19,15 +19,6 @@ namespace {
 /// Lines of numbers (motion_csv.hpp), one a time.
 using Lines = std::vector<std::vector<double>>;
 
-class Recorder : public SimulationObserver {
- public:
-  bool sample(const MotionSample& sample) override {
-    samples.push_back(sample);
-    return true;
-  }
-  std::vector<MotionSample> samples;
-};
-
 /// Of what kind the numbers of a column are: those have one size.
 std::string kind_of(const std::string& column) {
   const std::size_t dot = column.rfind('.');
@@ -53,47 +44,39 @@ class Walker {
   }
 
   Lines walk(Model<double> model, const std::vector<double>& t) {
-    if (t.front() > model.state.t) go_on(model, t.front(), {});
+    if (t.front() > model.state.t) go(model, t.front());
+    Lines lines;
+    const auto add = [&](const MotionSample& sample) { lines.push_back(motion_numbers(sample, false)); };
     if (const auto step = even_step(t)) {
-      Recorder record;
-      go(model, t.back(), step, record);
-      for (const MotionSample& sample : record.samples) lines.push_back(motion_numbers(sample, false));
+      for (const MotionSample& sample : go(model, t.back(), step).all) add(sample);
     } else {
-      Recorder record;
-      for (std::size_t k = 0; k + 1 < t.size(); ++k) {
-        Recorder part;
-        go(model, t[k + 1], {}, part);
-        if (k == 0) lines.push_back(motion_numbers(part.samples.front(), false));
-        lines.push_back(motion_numbers(part.samples.back(), false));
+      for (std::size_t k = 1; k < t.size(); ++k) {
+        const Samples part = go(model, t[k]);
+        if (k == 1) add(part.all.front());
+        add(part.all.back());
       }
     }
-    return std::move(lines);
+    return lines;
   }
 
   long steps = 0;
   SimulationReport last;
 
  private:
-  void go_on(Model<double>& model, double end, std::optional<double> output_step) {
-    Recorder nobody;
-    go(model, end, output_step, nobody);
-  }
-  /// The model moves along.
-  void go(Model<double>& model, double end, std::optional<double> output_step, Recorder& record) {
+  /// The model moves along; its outputs.
+  Samples go(Model<double>& model, double end, std::optional<double> output_step = {}) {
     options_.end = end;
     options_.output_step = output_step;
+    Samples record;
     last = formulation_.simulate(model, options_, record);
     steps += last.counters.steps;
-    model.state = last.end.state;
+    model = model_at(model, last.end.state, last.end.run.angles);
     model.state.t = end;
-    std::size_t next = 0;
-    model.mechanism.effects.for_each_angle(
-        [&](JointAngle<double>& angle) { angle.tracked = last.end.run.angles[next++]; });
+    return record;
   }
 
   const ComparedFormulation& formulation_;
   SimulationOptions options_;
-  Lines lines;
 };
 
 /// Why a column has no bound: what it says is a choice, or not of the motion.
@@ -131,10 +114,6 @@ void turn_to(const OtherMotion& other, const std::map<std::string, std::size_t>&
 }
 
 }  // namespace
-
-bool MotionAgainst::complete() const {
-  return std::all_of(runs.begin(), runs.end(), [](const ComparedRun& run) { return run.error.empty(); });
-}
 
 bool MotionAgainst::holds() const {
   return complete() &&
@@ -196,7 +175,6 @@ MotionAgainst compare_against(const std::vector<ComparedFormulation>& formulatio
   std::map<std::string, double> size;
   for (std::size_t k = 0; k < names.size(); ++k)
     for (const auto& line : ours) raise(size[kind_of(names[k])], std::abs(line[k]));
-  constexpr double small_difference = 0.1;
   for (std::size_t n = 0; n < near.size() && !out.judged_until; ++n)
     for (std::size_t k = 1; k < names.size(); ++k)
       if (kind_of(names[k]) == "place" &&

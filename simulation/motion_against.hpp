@@ -27,7 +27,7 @@ struct MotionAgainst {
   double neighbour_distance = 0;
   std::optional<double> judged_until;  ///< from here on a neighbouring start has led elsewhere
 
-  bool complete() const;
+  bool complete() const { return are_complete(runs); }
   bool holds() const;
 };
 

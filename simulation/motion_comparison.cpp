@@ -15,31 +15,17 @@ namespace {
 using Motion = std::vector<MotionSample>;
 
 /// Keeps a run's outputs, and tells how far it is.
-class Recorder : public SimulationObserver {
+class Recorder : public Samples {
  public:
   explicit Recorder(const std::function<void(double)>& tell = {}) : tell_(tell) {}
-  bool sample(const MotionSample& sample) override {
-    motion.push_back(sample);
-    return true;
-  }
   bool step(double t) override {
     if (tell_) tell_(t);
     return true;
   }
-  Motion motion;
 
  private:
   std::function<void(double)> tell_;
 };
-
-/// The model at a state of a motion, its joint angles counted on.
-Model<double> at(const Model<double>& model, const MotionSample& sample) {
-  Model<double> moved{model.mechanism, sample.state};
-  std::size_t next = 0;
-  moved.mechanism.effects.for_each_angle(
-      [&](JointAngle<double>& angle) { angle.tracked = sample.angles[next++]; });
-  return moved;
-}
 
 /// Norms of the rows and which multipliers are unique; without a dense matrix where that is possible.
 RowAnalysis norms_at(const Model<double>& model) {
@@ -99,17 +85,17 @@ class Comparer {
       if (error.kind() == ErrorKind::input) throw;  // of what is asked for, not of a formulation
       one.error = error.what();
     }
-    for (const MotionSample& sample : record.motion)
+    for (const MotionSample& sample : record.all)
       for (const std::string& chart : sample.charts)
         if (std::find(one.charts.begin(), one.charts.end(), chart) == one.charts.end())
           one.charts.push_back(chart);
-    out_.samples.push_back(std::move(record.motion));
+    out_.samples.push_back(std::move(record.all));
   }
 
   void find_norms() {
     out_.has_unique_lambda = false;
     for (const MotionSample& sample : motion(0)) {
-      norms_.push_back(norms_at(at(model_, sample)));
+      norms_.push_back(norms_at(model_at(model_, sample.state, sample.angles)));
       for (const bool unique : norms_.back().unique)
         out_.has_unique_lambda = out_.has_unique_lambda || unique;
     }
@@ -143,7 +129,7 @@ class Comparer {
       SimulationOptions options = run_;
       options.formulation = formulations_.front().name;
       formulations_.front().simulate({model_.mechanism, start.state}, options, record);
-      near = std::move(record.motion);
+      near = std::move(record.all);
       if (lambda_distance(norms_[0], motion(0)[0].lambda, near[0].lambda) <= small_difference) break;
     }
     const bool is_free = !near.empty();
@@ -175,7 +161,7 @@ class Comparer {
       formulations_[f].simulate(model_, options, record);
       double largest = 0;
       for (std::size_t k = 0; k < out_.instants.size(); ++k) {
-        raise(largest, lambda_distance(norms_[k], motion(f)[k].lambda, record.motion[k].lambda));
+        raise(largest, lambda_distance(norms_[k], motion(f)[k].lambda, record.all[k].lambda));
         error[f].push_back(2 * largest);
       }
     }
@@ -210,7 +196,8 @@ class Comparer {
       const std::size_t k = states == 1 ? outputs - 1 : n * (outputs - 1) / (states - 1);
       ComparedInstant::OneState worst;
       for (std::size_t f = 0; f < formulations_.size(); ++f) {
-        compare_state(at(model_, motion(f)[k]), worst);
+        const MotionSample& sample = motion(f)[k];
+        compare_state(model_at(model_, sample.state, sample.angles), worst);
         done_ += 1.0 / static_cast<double>(states);
         if (options_.progress) options_.progress(std::min(1.0, done_ / all_));
       }
@@ -237,8 +224,6 @@ class Comparer {
     }
   }
 
-  /// Of lambda, relative, up to which differences are in proportion.
-  static constexpr double small_difference = 0.1;
   /// Of a solution in double.
   static constexpr double rounding_of_lambda = 1e-12;
 
@@ -253,8 +238,16 @@ class Comparer {
 
 }  // namespace
 
-bool MotionComparison::complete() const {
+bool are_complete(const std::vector<ComparedRun>& runs) {
   return std::all_of(runs.begin(), runs.end(), [](const ComparedRun& run) { return run.error.empty(); });
+}
+
+Model<double> model_at(const Model<double>& model, const MechanismState<double>& state,
+                       const std::vector<double>& angles) {
+  Model<double> moved{model.mechanism, state};
+  std::size_t next = 0;
+  moved.mechanism.effects.for_each_angle([&](JointAngle<double>& angle) { angle.tracked = angles[next++]; });
+  return moved;
 }
 
 bool MotionComparison::is_judged(const ComparedInstant& now) const {

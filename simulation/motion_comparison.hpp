@@ -69,6 +69,13 @@ struct ComparedRun {
   std::string error;                ///< why it did not come to the end; empty where it did
 };
 
+/// Whether all came to the end.
+bool are_complete(const std::vector<ComparedRun>& runs);
+
+/// The model at a state of a motion, the angles of its joints counted on (MotionSample::angles).
+Model<double> model_at(const Model<double>& model, const MechanismState<double>& state,
+                       const std::vector<double>& angles);
+
 struct MotionComparison {
   std::vector<ComparedRun> runs;
   std::vector<ComparedInstant> instants;
@@ -77,7 +84,7 @@ struct MotionComparison {
   std::optional<double> judged_until;  ///< from here on a neighbouring start has led elsewhere: not judged
   std::vector<std::vector<MotionSample>> samples;  ///< of every run
 
-  bool complete() const;
+  bool complete() const { return are_complete(runs); }
   /// Whether lambda along the motion has a bound there.
   bool is_judged(const ComparedInstant& now) const;
   /// Whether lambda is within its bound at every output, and at every state.

@@ -14,6 +14,10 @@ struct NeighbouringStart {
   double distance = 0;
 };
 
+/// Relative, up to which what a difference of the start makes is in proportion to it: beyond, motions have
+/// parted.
+inline constexpr double small_difference = 0.1;
+
 /// So many tolerances away, but no farther than 1e-4, which is no neighbour any more.
 inline constexpr double distance_in_tolerances = 100;
 

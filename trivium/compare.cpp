@@ -16,13 +16,14 @@
 namespace trivium {
 
 std::vector<ComparedFormulation> formulations_to_compare(const std::vector<std::string>& names,
-                                                         const std::string& integrator) {
+                                                         const std::string& integrator, std::size_t least) {
   for (const std::string& name : names) require_formulation(name);
   std::vector<ComparedFormulation> all = compared_formulations(names, *integrators::find_method(integrator));
-  if (all.size() < 2)
-    throw Error(ErrorKind::input, fmt::format("{} to compare; accepted: at least two of {} that go with {}",
-                                              all.empty() ? "no formulation" : "one formulation alone",
-                                              fmt::join(formulation_names(), ", "), integrator));
+  if (all.size() < least)
+    throw Error(ErrorKind::input,
+                fmt::format("{} to compare; accepted: at least {} of {} that go with {}",
+                            all.empty() ? "no formulation" : "one formulation alone",
+                            least == 1 ? "one" : "two", fmt::join(formulation_names(), ", "), integrator));
   return all;
 }
 

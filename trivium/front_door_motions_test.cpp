@@ -9,7 +9,7 @@
 #include "integrators/methods.hpp"
 #include "scenes/testing/scene_builders.hpp"
 #include "simulation/simulate.hpp"
-#include "trivium/scene_contents.hpp"
+#include "trivium/testing/front_door_scenes.hpp"
 #include "trivium/trivium.hpp"
 
 namespace trivium {
@@ -17,21 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string path_of(const std::string& name) {
-  return std::string(TRIVIUM_SCENES_DIR) + "/" + name + ".json";
-}
-
-fs::path temporary(const std::string& name) {
-  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
-  return fs::path(testing::TempDir()) / (std::string(test.name()) + "." + name);
-}
-
-Scene scene_of(scenes::Scene scene) {
-  auto contents = std::make_shared<Scene::Contents>();
-  contents->source = scene.name;
-  contents->scene = std::move(scene);
-  return Scene(std::shared_ptr<const Scene::Contents>(contents));
-}
+using test::path_of, test::scene_of, test::temporary;
 
 /// Of p and -p, which are one orientation, that with a first number that is not negative.
 std::vector<double> numbers_of(const Output& at) {

@@ -9,7 +9,7 @@
 #include "scenes/generators.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "scenes/testing/catalogue_scene.hpp"
-#include "trivium/scene_contents.hpp"
+#include "trivium/testing/front_door_scenes.hpp"
 #include "trivium/trivium.hpp"
 
 namespace trivium {
@@ -17,14 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string path_of(const std::string& name) {
-  return std::string(TRIVIUM_SCENES_DIR) + "/" + name + ".json";
-}
-
-fs::path temporary(const std::string& name) {
-  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
-  return fs::path(testing::TempDir()) / (std::string(test.name()) + "." + name);
-}
+using test::path_of, test::scene_of, test::temporary;
 
 Scene pendulum() {
   Scene scene("pendulum");
@@ -235,10 +228,7 @@ TEST(FrontDoor, ErrorsSayWhichBodyAndWhen) {
 }
 
 TEST(FrontDoor, MechanismsThatAreTooLargeForTheDenseSolverAreSolvedAlongTheirGraph) {
-  auto contents = std::make_shared<Scene::Contents>();
-  contents->scene = scenes::chain(1000);
-  contents->source = "chain";
-  const Scene chain{std::shared_ptr<const Scene::Contents>(contents)};
+  const Scene chain = scene_of(scenes::chain(1000));
   const Check check = trivium::check(chain);
   EXPECT_EQ(check.solver, "structured");
   EXPECT_EQ(*check.rank, static_cast<int>(check.rows.size()));

@@ -13,8 +13,9 @@ namespace trivium {
 SimulationOptions simulation_options(const SimulateSettings& settings);
 
 /// Those of these names (all where there are none) that go with the integrator. Throws an Error of kind input
-/// where fewer than two are left.
+/// where fewer than `least`, one or two, are left.
 std::vector<ComparedFormulation> formulations_to_compare(const std::vector<std::string>& names,
-                                                         const std::string& integrator);
+                                                         const std::string& integrator,
+                                                         std::size_t least = 2);
 
 }  // namespace trivium

@@ -20,7 +20,6 @@
 #include "simulation/motion_against.hpp"
 #include "simulation/motion_comparison.hpp"
 #include "simulation/motion_csv.hpp"
-#include "trivium/choices.hpp"
 #include "trivium/command/against_report.hpp"
 #include "trivium/command/commands.hpp"
 #include "trivium/command/compare_report.hpp"
@@ -136,12 +135,8 @@ int run_against(const CompareArguments& arguments) {
   if (options.output_step || options.end != SimulationOptions{}.end)
     throw Error(ErrorKind::input,
                 "--against compares at the times of its file; leave out --t-end and --output-step");
-  const auto asked = formulations_in(arguments.formulations);
-  for (const std::string& name : asked) require_formulation(name);
-  const auto formulations = compared_formulations(asked, *integrators::find_method(options.integrator));
-  if (formulations.empty())
-    throw Error(ErrorKind::input,
-                fmt::format("no formulation that goes with {} is named", options.integrator));
+  const auto formulations =
+      formulations_to_compare(formulations_in(arguments.formulations), options.integrator, 1);
   const MotionAgainst comparison = compare_against(formulations, model, other, options);
   const AgainstReport report{model.mechanism.name, arguments.against, other, options, comparison};
   fmt::print("{}", arguments.json ? report.json() : report.text());
