@@ -36,6 +36,24 @@ FormulationResult<typename F::Scalar> solve_one(
   return result;
 }
 
+/// Adds the answer of each formulation that is asked for, solve(name), or the error that kept it from one.
+template <class Scalar, class Solve>
+void solve_each(const std::vector<std::string>& names, const SolveOptions& options, SideBySide<Scalar>& out,
+                const Solve& solve) {
+  const auto& wanted = options.formulations;
+  for (const std::string& name : names) {
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
+    FormulationResult<Scalar> result;
+    try {
+      result = solve(name);
+    } catch (const ModelError& error) {
+      result.error = error.what();
+    }
+    result.name = name;
+    out.formulations.push_back(std::move(result));
+  }
+}
+
 // those of the library are compiled with it
 #define TRIVIUM_SOLVE_ONE(F, S, kind)                                                                  \
   kind template FormulationResult<S> solve_one<F<S>>(const Model<S>&, const Model<NextPrecisionT<S>>*, \
@@ -51,20 +69,11 @@ SideBySide<Scalar> side_by_side(const Model<Scalar, Types>& model, const RowAnal
                                 const SolveOptions& options,
                                 const Model<NextPrecisionT<Scalar>, std::type_identity_t<Types>>* judge) {
   SideBySide<Scalar> out{rows, {}};
-  for (const std::string& name : List::names()) {
-    const auto& wanted = options.formulations;
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
-    FormulationResult<Scalar> result;
-    try {
-      result = with_formulation<Scalar, List>(name, [&]<EquationsAsPrinted F>() {
-        return detail::solve_one<F>(model, judge, rows, options.charts);
-      });
-    } catch (const ModelError& error) {
-      result.error = error.what();
-    }
-    result.name = name;
-    out.formulations.push_back(std::move(result));
-  }
+  detail::solve_each(List::names(), options, out, [&](const std::string& name) {
+    return with_formulation<Scalar, List>(name, [&]<EquationsAsPrinted F>() {
+      return detail::solve_one<F>(model, judge, rows, options.charts);
+    });
+  });
   return out;
 }
 

@@ -8,6 +8,7 @@
 
 #include "bodies/inertia.hpp"
 #include "formulations/r_omega.hpp"
+#include "formulations/side_by_side_impl.hpp"
 #include "formulations/structured/acceleration_solver.hpp"
 
 namespace trivium {
@@ -127,19 +128,10 @@ RowAnalysis structured_row_analysis(const Model<double>& model) {
 
 SideBySide<double> structured_side_by_side(const Model<double>& model, const SolveOptions& options) {
   SideBySide<double> out{structured_row_analysis(model), {}};
-  for (const std::string& name : formulation_names()) {
-    const auto& wanted = options.formulations;
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
-    FormulationResult<double> result;
-    try {
-      result = with_formulation<double>(
-          name, [&]<Formulation F>() { return solve_one<F>(model, out.rows, options.charts); });
-    } catch (const ModelError& error) {
-      result.error = error.what();
-    }
-    result.name = name;
-    out.formulations.push_back(std::move(result));
-  }
+  detail::solve_each(formulation_names(), options, out, [&](const std::string& name) {
+    return with_formulation<double>(
+        name, [&]<Formulation F>() { return solve_one<F>(model, out.rows, options.charts); });
+  });
   return out;
 }
 
