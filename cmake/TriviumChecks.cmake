@@ -1,4 +1,4 @@
-# Tests of the project as a whole: its layers, headers, documentation and format, and a project of its own that uses the
+# Tests of the project as a whole: its layers, headers, pages and format, and a project of its own that uses the
 # installed package.
 if(NOT TRIVIUM_BUILD_TESTS OR TRIVIUM_SANITIZE)
   return()
@@ -12,6 +12,27 @@ add_test(NAME headers.say_what_they_are_for COMMAND ${CMAKE_COMMAND} -DSOURCE_DI
                                                     -P ${PROJECT_SOURCE_DIR}/cmake/check_headers.cmake)
 add_test(NAME docs.name_what_exists COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
                                             -P ${PROJECT_SOURCE_DIR}/cmake/check_docs.cmake)
+set(pages ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md)
+file(GLOB docs_pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md)
+list(APPEND pages ${docs_pages})
+add_test(NAME docs.are_spelt COMMAND ${PROJECT_SOURCE_DIR}/cmake/check_spelling.sh ${PROJECT_SOURCE_DIR} ${pages})
+set_tests_properties(docs.are_spelt PROPERTIES SKIP_REGULAR_EXPRESSION "aspell is not installed")
+add_test(NAME docs.figures_are_current COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
+                                               -DWORK=${CMAKE_BINARY_DIR}/figures
+                                               -P ${PROJECT_SOURCE_DIR}/cmake/check_figures.cmake)
+set_tests_properties(docs.figures_are_current PROPERTIES SKIP_REGULAR_EXPRESSION "gnuplot is not installed")
+add_test(NAME docs.render COMMAND ${PROJECT_SOURCE_DIR}/cmake/render_docs.sh ${CMAKE_BINARY_DIR}/html)
+set_tests_properties(docs.render PROPERTIES SKIP_REGULAR_EXPRESSION "is not installed")
+foreach(page IN LISTS pages)
+  cmake_path(GET page STEM name)
+  if(page MATCHES "/docs/README.md$")
+    set(name docs)
+  endif()
+  add_test(NAME docs.${name}.shows_what_programs_print
+           COMMAND ${PROJECT_SOURCE_DIR}/cmake/docs_pages.sh ${CMAKE_RUNTIME_OUTPUT_DIRECTORY} ${PROJECT_SOURCE_DIR}
+                   ${CMAKE_BINARY_DIR}/docs ${page})
+  set_tests_properties(docs.${name}.shows_what_programs_print PROPERTIES LABELS validation)
+endforeach()
 add_test(NAME sources.are_formatted COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
                                             -P ${PROJECT_SOURCE_DIR}/cmake/check_format.cmake)
 set_tests_properties(sources.are_formatted PROPERTIES SKIP_REGULAR_EXPRESSION "clang-format is not installed")
@@ -22,6 +43,6 @@ add_test(NAME package.serves_a_consumer
 add_test(NAME flags.that_change_types_do_not_compile
          COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DWORK=${CMAKE_BINARY_DIR}/compiled_with
                  -DCXX=${CMAKE_CXX_COMPILER} -DEIGEN=${eigen_dir} -P ${PROJECT_SOURCE_DIR}/cmake/test_compiled_with.cmake)
-set_tests_properties(layers.hold layers.violations_are_found headers.say_what_they_are_for docs.name_what_exists
-                     sources.are_formatted flags.that_change_types_do_not_compile PROPERTIES LABELS unit)
+set_tests_properties(layers.hold layers.violations_are_found headers.say_what_they_are_for docs.name_what_exists docs.are_spelt
+                     docs.figures_are_current docs.render sources.are_formatted flags.that_change_types_do_not_compile PROPERTIES LABELS unit)
 set_tests_properties(package.serves_a_consumer PROPERTIES LABELS validation)

@@ -1,5 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# README has at most 130 lines, and every file or folder that README, CONTRIBUTING and docs/ name, or link to, exists.
+# README has at most 130 lines, every file or folder that README, CONTRIBUTING and docs/ name, or link to, exists, and every
+# page has its entry in the contents, docs/README.md.
 file(READ ${SOURCE_DIR}/README.md text)
 string(REGEX MATCHALL "\n" lines "${text}")
 list(LENGTH lines count)
@@ -24,6 +25,14 @@ foreach(page IN LISTS pages)
       string(APPEND errors "${page} names ${name}, which does not exist\n")
     endif()
   endforeach()
+endforeach()
+file(READ ${SOURCE_DIR}/docs/README.md contents)
+file(GLOB docs_pages RELATIVE ${SOURCE_DIR}/docs ${SOURCE_DIR}/docs/*.md)
+list(REMOVE_ITEM docs_pages README.md)
+foreach(page IN LISTS docs_pages)
+  if(NOT contents MATCHES "\\(${page}\\)")
+    string(APPEND errors "docs/${page} has no entry in docs/README.md\n")
+  endif()
 endforeach()
 if(errors)
   message(FATAL_ERROR "${errors}")

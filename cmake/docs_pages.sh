@@ -1,0 +1,162 @@
+#!/usr/bin/env bash
+# docs_pages.sh BIN SOURCES WORK [--update] PAGE...: runs the commands that Markdown pages show, with the programs of the
+# folder BIN, in an empty folder below WORK, and compares what they print with what the pages show. With --update the pages
+# take the new output. In a page:
+#   <!-- file: NAME -->            the block that follows is a file, which later commands of the page find
+#   ```sh                          each line is a command; those of `runs_elsewhere` are checked by name alone
+#   ```text                        the output (stdout and stderr) of the commands before it; `text times`: only the words
+#                                  of it are compared, as its numbers are times
+#   <!-- output of: COMMAND -->    what follows, up to the next <!-- end -->, is the command's output, as Markdown
+# Words must be equal. Numbers must agree to 1 %, or both be rounding (below 1e-9): the last digits depend on the processor.
+# Options named in a page must be options of a program.
+set -euo pipefail
+bin=$(realpath "$1") sources=$(realpath "$2") work=$(mkdir -p "$3" && realpath "$3")
+shift 3
+update=no
+[[ $1 != --update ]] || { update=yes; shift; }
+# commands of `run` that install, build, measure or typeset, and the tools of the build
+runs_elsewhere='^(./run (test|paper|accept|times|bench|docs)|cmake/docs_pages.sh|cmake|ctest|clang-format|git)( |$)'
+export PATH=$bin:$PATH
+
+# The commands of `run`, without its installing and building.
+make_run() {
+  cat >"$1/run" <<'RUN'
+#!/usr/bin/env bash
+case ${1:-} in
+  '') lambda_invariance && exec simbody_reference ;;
+  solve | simulate | compare | check | list | generate | --*) exec trivium "$@" ;;
+  *) exec "$@" ;;
+esac
+RUN
+  chmod +x "$1/run"
+}
+
+# same EXPECTED ACTUAL KIND: whether the two agree; shows the first lines that do not.
+same() {
+  paste -d '\037' "$1" "$2" | awk -F '\037' -v kind="$3" '
+    function is_number(x) { return x ~ /^[-+]?[0-9]+(\.[0-9]*)?([eE][-+]?[0-9]+)?$/ }
+    function size(x) { return x < 0 ? -x : x }
+    function agree(a, b) {
+      if (a == b) return 1
+      if (!is_number(a) || !is_number(b)) return 0
+      if (kind == "times") return 1
+      if (size(a) < 1e-9 && size(b) < 1e-9) return 1
+      return size(a - b) <= 0.01 * (size(a) > size(b) ? size(a) : size(b))
+    }
+    {
+      # rules below table headings follow the width of the columns
+      if ($1 ~ /^-+$/ && $2 ~ /^-+$/) next
+      gsub(/[,;:()\[\]=\/%|]/, " & ", $1); gsub(/[,;:()\[\]=\/%|]/, " & ", $2)
+      m = split($1, a, /[ \t]+/); n = split($2, b, /[ \t]+/)
+      is_same = m == n
+      for (k = 1; is_same && k <= m; ++k) is_same = agree(a[k], b[k])
+      if (!is_same) { printf "  line %d shows    %s\n          it prints %s\n", NR, $1, $2; bad = 1; if (++shown == 3) exit }
+    }
+    END { exit bad }'
+}
+
+# options_exist COMMAND: each --option of a command of this project is in its help.
+options_exist() {
+  local words option help
+  read -ra words <<<"${1%%|*}"
+  [[ ${words[0]} == ./run || ${words[0]} == trivium ]] || return 0
+  [[ ${words[1]:-} && ! $1 =~ $runs_elsewhere ]] || return 0
+  help=$(./run "${words[1]}" --help 2>/dev/null) || { echo "  there is no command: $1"; return 1; }
+  for option in $(grep -oE -- ' --[a-z][a-z-]*' <<<" ${1%%|*}"); do
+    grep -qE -- "(^|[ ,])$option([ ,]|$)" <<<"$help" || { echo "  $option is no option of: $1"; return 1; }
+  done
+}
+
+all_help=$({ trivium --help; for c in solve simulate compare check list generate; do trivium "$c" --help; done
+             for p in "$bin"/*; do [[ $p == */trivium ]] || "$p" --help; done; } 2>/dev/null)
+failed=0
+problem() { printf '%s:%d: %s\n' "$page" "$number" "$1"; failed=1; }
+
+read_page() {
+  local line text='' state=prose fence='' kind='' block='' file='' command='' generated=''
+  number=0
+  : >shown.out
+  while IFS= read -r line || [[ $line ]]; do
+    number=$((number + 1))
+    case $state in
+      prose)
+        text+=$line$'\n'
+        if [[ $line =~ ^'<!-- file: '([A-Za-z0-9_.]+)' -->'$ ]]; then
+          file=${BASH_REMATCH[1]}
+        elif [[ $line =~ ^'<!-- output of: '(.*)' -->'$ ]]; then
+          generated=${BASH_REMATCH[1]} block='' state=generated
+        elif [[ $line == '```'* ]]; then
+          fence=${line#'```'} kind=${fence#* } block='' state=block
+        elif [[ $page != */CHANGELOG.md ]]; then
+          for option in $(grep -oE -- '`--[a-z][a-z-]*' <<<"$line" | tr -d '`'); do
+            grep -qE -- "(^|[ ,])$option([ ,]|$)" <<<"$all_help" || problem "no program has the option $option"
+          done
+        fi
+        ;;
+      block)
+        if [[ $line != '```' ]]; then
+          block+=$line$'\n'
+          continue
+        fi
+        state=prose
+        if [[ $file ]]; then
+          printf '%s' "$block" >"$file"
+          file=''
+        elif [[ $fence == sh ]]; then
+          run_commands "$block"
+        elif [[ $fence == text || $fence == "text times" ]]; then
+          printf '%s' "$block" >expected.out
+          if ! same expected.out shown.out "$kind" >difference.out; then
+            [[ $update == yes ]] || { problem "the output is another"; cat difference.out; }
+            block=$(<shown.out)$'\n'
+          fi
+        fi
+        text+=$block$line$'\n'
+        ;;
+      generated)
+        if [[ $line != '<!-- end -->' ]]; then
+          block+=$line$'\n'
+          continue
+        fi
+        state=prose
+        (cd "$sources" && bash -c "$generated") >shown.out || problem "failed: $generated"
+        if [[ $(<shown.out) != "${block%$'\n'}" ]]; then
+          [[ $update == yes ]] || problem "this is not the output of: $generated"
+          block=$(<shown.out)$'\n'
+        fi
+        text+=$block$line$'\n'
+        ;;
+    esac
+  done <"$page"
+  [[ $state == prose ]] || problem "the last block does not end"
+  if [[ $update == yes ]]; then printf '%s' "$text" >"$page"; fi
+}
+
+run_commands() {
+  local command
+  : >shown.out
+  while IFS= read -r command; do
+    command=$(sed 's/ *  #.*$//; s/ *$//' <<<"$command")
+    [[ $command && $command != '#'* ]] || continue
+    if [[ $command =~ $runs_elsewhere ]]; then
+      [[ ! $command =~ ^./run\ ([a-z]+) ]] || grep -qE "^#.*\./run ${BASH_REMATCH[1]}\b" "$sources/run" ||
+        problem "run has no command ${BASH_REMATCH[1]}"
+      continue
+    fi
+    options_exist "$command" || problem "see above"
+    bash -c "$command" >>shown.out 2>&1 </dev/null ||
+      { problem "failed: $command"; tail -n 5 shown.out; }
+  done < <(sed -e ':a' -e '/\\$/{N;s/\\\n *//;ba' -e '}' <<<"$1")
+  sed -i 's/[ \t]*$//' shown.out
+}
+
+mapfile -t pages < <(realpath "$@")
+for page in "${pages[@]}"; do
+  folder=$work/$(basename "$page" .md)
+  rm -rf "$folder"
+  mkdir -p "$folder"
+  cd "$folder"
+  make_run .
+  read_page
+done
+exit $failed

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# render_docs.sh FOLDER: the pages and the API as HTML, in FOLDER/html. Fails on a warning of Doxygen.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+mathjax=/usr/share/javascript/mathjax # of Debian's libjs-mathjax
+type -P doxygen >/dev/null || { echo 'doxygen is not installed'; exit 0; }
+[[ -d $mathjax ]] || { echo 'libjs-mathjax is not installed'; exit 0; }
+mkdir -p "$1"
+{ cat docs/Doxyfile; echo "OUTPUT_DIRECTORY = \"$1\""; } | doxygen -
+# what renders formulas, without a network
+mkdir -p "$1/html/mathjax/jax/output" "$1/html/mathjax/fonts/HTML-CSS/TeX"
+cp -rL $mathjax/{MathJax.js,config,extensions} "$1/html/mathjax"
+cp -rL $mathjax/jax/{element,input} "$1/html/mathjax/jax"
+cp -rL $mathjax/jax/output/HTML-CSS "$1/html/mathjax/jax/output"
+cp -rL $mathjax/fonts/HTML-CSS/TeX/woff "$1/html/mathjax/fonts/HTML-CSS/TeX"

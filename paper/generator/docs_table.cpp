@@ -1,0 +1,153 @@
+/// docs_table: prints a table of the documentation, as Markdown, from results/. docs/ shows its output, and a
+/// test compares the two.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/exit_code.hpp"
+#include "base/program_options.hpp"
+#include "paper/generator/statistics.hpp"
+#include "paper/generator/table.hpp"
+
+namespace trivium::paper {
+
+namespace {
+
+/// The different texts of a column, in their order.
+std::vector<std::string> values_of(const ResultsTable& table, const std::string& column) {
+  std::vector<std::string> values;
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    if (const std::string& value = table.text(row, column);
+        std::find(values.begin(), values.end(), value) == values.end())
+      values.push_back(value);
+  return values;
+}
+
+void print_row(const std::vector<std::string>& cells) {
+  fmt::print("|");
+  for (const std::string& cell : cells) fmt::print(" {} |", cell);
+  fmt::print("\n");
+}
+
+void print_head(const std::vector<std::string>& cells) {
+  print_row(cells);
+  print_row(std::vector<std::string>(cells.size(), "---"));
+}
+
+/// Two digits, without an exponent.
+std::string rounded(double x) { return x >= 9.95 ? fmt::format("{:.0f}", x) : fmt::format("{:.1f}", x); }
+
+/// CPU time [ms] of a method's cheapest run in r-omega whose error of positions is at most `error` [m]; "-"
+/// where no run is as exact.
+std::string cheapest(const ResultsTable& table, const std::string& scene, const std::string& method,
+                     double error) {
+  std::optional<double> least;
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    if (table.text(row, "scene") == scene && table.text(row, "method") == method &&
+        table.text(row, "formulation") == "r-omega" && table.text(row, "failure") == "none" &&
+        table.number(row, "position") <= error) {
+      const double ms = table.number(row, "median_ms");
+      least = std::min(least.value_or(ms), ms);
+    }
+  return !least ? "-" : *least < 0.95 ? fmt::format("{:.2f}", *least) : rounded(*least);
+}
+
+/// What every method needs for an error of positions, one column a scene.
+void time_by_method(Results& results, double error) {
+  const ResultsTable& table = results["work_precision"];
+  const std::vector<std::string> scenes = values_of(table, "scene");
+  std::vector<std::string> head{"method"};
+  head.insert(head.end(), scenes.begin(), scenes.end());
+  print_head(head);
+  for (const std::string& method : values_of(table, "method")) {
+    std::vector<std::string> cells{fmt::format("`{}`", method)};
+    for (const std::string& scene : scenes) cells.push_back(cheapest(table, scene, method, error));
+    // Simbody's methods have no formulation of ours
+    if (std::any_of(cells.begin() + 1, cells.end(), [](const std::string& cell) { return cell != "-"; }))
+      print_row(cells);
+  }
+}
+
+/// The time of a step in every formulation, relative to r-omega: the median over the scenes, and its range.
+void time_by_formulation(Results& results) {
+  const ResultsTable& table = results["formulation_speed"];
+  const std::vector<std::string> formulations = values_of(table, "formulation");
+  std::vector<std::string> head{"method"};
+  head.insert(head.end(), formulations.begin(), formulations.end());
+  print_head(head);
+  for (const std::string& method : values_of(table, "method")) {
+    std::vector<std::string> cells{method};
+    for (const std::string& formulation : formulations) {
+      Sample ratios;
+      for (std::size_t row = 0; row < table.rows.size(); ++row)
+        if (table.text(row, "method") == method && table.text(row, "formulation") == formulation)
+          ratios.add(table.number(row, "ratio"));
+      cells.push_back(
+          ratios.least() == ratios.worst()
+              ? fmt::format("{:.2f}", ratios.median())
+              : fmt::format("{:.2f} ({:.2f} to {:.2f})", ratios.median(), ratios.least(), ratios.worst()));
+    }
+    print_row(cells);
+  }
+}
+
+/// Microseconds of one evaluation of accelerations and lambda, one line a scene. Of ours the refined ones.
+void time_by_engine(Results& results) {
+  const ResultsTable& table = results["acceleration_cost"];
+  const auto column_of = [&](std::size_t row) {
+    const std::string& formulation = table.text(row, "formulation");
+    return table.text(row, "engine") == "Trivium" ? formulation : table.text(row, "engine");
+  };
+  std::vector<std::string> columns;
+  std::map<std::pair<std::string, std::string>, std::string> cell;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    if (table.text(row, "refinement") == "unrefined") continue;
+    const std::string column = column_of(row);
+    if (std::find(columns.begin(), columns.end(), column) == columns.end()) columns.push_back(column);
+    const std::string& time = table.text(row, "microseconds");
+    cell[{table.text(row, "scene"), column}] = time == "none" ? "-" : rounded(to_number(time));
+  }
+  std::vector<std::string> head{"scene"};
+  head.insert(head.end(), columns.begin(), columns.end());
+  print_head(head);
+  for (const std::string& scene : values_of(table, "scene")) {
+    std::vector<std::string> cells{scene};
+    for (const std::string& column : columns) {
+      const auto found = cell.find({scene, column});
+      cells.push_back(found == cell.end() ? "-" : found->second);
+    }
+    print_row(cells);
+  }
+}
+
+}  // namespace
+
+}  // namespace trivium::paper
+
+int main(int argc, char** argv) {
+  using namespace trivium;
+  using Print = void (*)(paper::Results&);
+  const std::map<std::string, Print> tables{
+      {"time_by_engine", paper::time_by_engine},
+      {"time_by_formulation", paper::time_by_formulation},
+      {"time_by_method_1e-3", [](paper::Results& results) { paper::time_by_method(results, 1e-3); }},
+      {"time_by_method_1e-6", [](paper::Results& results) { paper::time_by_method(results, 1e-6); }},
+      {"time_by_method_1e-9", [](paper::Results& results) { paper::time_by_method(results, 1e-9); }}};
+  ProgramOptions options("Prints a table of the documentation, as Markdown, from accepted results",
+                         "docs_table");
+  std::string results, name;
+  std::vector<std::string> names;
+  for (const auto& [table, print] : tables) names.push_back(table);
+  options.add_option("RESULTS", &results, "The folder of accepted results, with their schema").required();
+  options.add_option("TABLE", &name, "Which table").required().one_of(names);
+  return options.run(argc, argv, [&] {
+    paper::Results accepted(results);
+    tables.at(name)(accepted);
+    return exit_done;
+  });
+}
