@@ -17,7 +17,7 @@ template <class S, int s>
 struct RadauCoefficients {
   static_assert(s % 2 == 1, "an even number of stages has no real eigenvalue");
 
-  std::array<S, s> c;      ///< nodes [steps]; the last is 1
+  std::array<S, s> c;      ///< nodes [-]; the last is 1
   std::array<S, s> error;  ///< estimated error, of order s: h gamma f(y_n) + sum error_i (Y_i - y_n)
   std::array<std::array<S, s>, s> a, inverse, square;  ///< A, A^-1, A^2
   S gamma;                                             ///< the real eigenvalue of A
