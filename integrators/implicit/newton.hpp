@@ -1,9 +1,9 @@
 #pragma once
-/// Newton's method for the equations of one implicit step, used by the methods that take given steps only. As
-/// a rule the matrix is factored once per step, and Anderson acceleration makes up for the terms that the
-/// matrix leaves out. This file decides when the equations count as solved, when the matrix is factored
-/// again, and when the iteration diverges: if the residual fails to halve five times although the matrix was
-/// factored at that iterate, or after forty iterations. A divergence ends the run.
+/// Newton's method for the equations of one implicit step of BDF, generalised-alpha and HHT. As a rule the
+/// matrix is factored once per step, and Anderson acceleration makes up for the terms that the matrix leaves
+/// out. This file decides when the equations count as solved, when the matrix is factored again, and when the
+/// iteration diverges: if the residual fails to halve five times although the matrix was factored at that
+/// iterate, or after forty iterations. These methods take given steps, so that a divergence ends the run.
 
 #include <fmt/format.h>
 
