@@ -97,8 +97,7 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
     const S target = stop->is_event ? stop->t - little : stop->t;
     while (t < target) {
       checked_step(system, method, t, y, target, projects, project, report);
-      bool goes_on =
-          true;  // if a callback stops at an output within the step, the run ends at the end of the step
+      bool goes_on = true;  // if it is false after an output within the step, the run ends at the step's end
       for (; goes_on && !passed.empty() && passed.front() < t; passed.pop_front()) {
         StateVector<S> between;
         method.interpolate(passed.front(), between);

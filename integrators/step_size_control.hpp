@@ -60,9 +60,7 @@ class StepSizeControl {
     const S room = stop - t;
     lands_ = proposed_ >= room * S(1 - 1e-10);
     cut_ = proposed_ > room / 2;
-    tried_ = lands_ ? room
-             : cut_ ? S(room / 2)
-                    : proposed_;  // two halves instead of a last step of tiny length
+    tried_ = lands_ ? room : cut_ ? S(room / 2) : proposed_;  // two halves: no tiny last step
     return tried_;
   }
   /// The step was accepted and ended at `moved`; `next` is the size that the method proposes next.
