@@ -58,8 +58,7 @@ class SphericalPendulum {
   // the equations of motion at a state
   struct Evaluation {
     Vector r, v;
-    mutable bool is_factored =
-        false;  ///< afterwards only rows, solutions and inertia forces may be asked for
+    mutable bool is_factored = false;  ///< afterwards it gives no residual and no factors
   };
   void evaluate(const S&, const Y& y, Evaluation& at) const { at = {r(y), v(y)}; }
   int multipliers() const { return 1; }
