@@ -201,7 +201,7 @@ class Ida final : public Stepper {
     return 0;
   }
 
-  /// Sets loose weights: a tolerance of 1e-4 of a multiplier, and no less than 1e-7 of the largest force. The
+  /// Sets loose weights: the tolerance is 1e-4 of a multiplier plus 1e-7 of the largest force. The
   /// multipliers are then good enough for output and cause no further Newton iterations.
   void weigh_multipliers(const Eigen::Ref<const StateVectorD>& lambda,
                          Eigen::Ref<StateVectorD> weights) const {

@@ -1,8 +1,8 @@
 #pragma once
-/// The integrators of SUNDIALS (Hindmarsh and others, 2005; Gardner and others, 2022), in double. On y' =
-/// f(t, y): Adams and BDF of CVODE, explicit and diagonally implicit Runge-Kutta of ARKODE. On the stabilised
-/// index 2: BDF of IDA. The system factors their Newton matrices with its own solver. CVODE and IDA step over
-/// outputs and interpolate there by the polynomial of their last step.
+/// The integrators of SUNDIALS (Hindmarsh and others, 2005; Gardner and others, 2022), in double. CVODE
+/// (Adams and BDF) and ARKODE (explicit and diagonally implicit Runge-Kutta) integrate y' = f(t, y); IDA
+/// (BDF) solves the stabilised index-2 equations. The system factors their Newton matrices with its own
+/// solver. CVODE and IDA step over outputs and interpolate there by the polynomial of their last step.
 
 #include <memory>
 #include <optional>

@@ -106,7 +106,7 @@ class Rattle {
         },
         [&] {
           theta_ += change_;
-          known_ += momentum_of(system, change_) - left_;  // adds the constraint force
+          known_ += momentum_of(system, change_) - left_;  // adds the constraint forces
         });
     // the errors of mu_n and lambda_n have opposite signs and are proportional to the step before and after
     off_ = h / (h + last_h_) * 2 / (h * h) * mu_;
@@ -141,10 +141,9 @@ class Rattle {
     work_.add(y_dot_[nq + nv], h, y[nq + nv]);
   }
 
-  /// Solves a half of the step to rounding, with the factors made last. `look` puts the residual of the
-  /// forces into left_ and that of the rows into rows_, and returns the violation of the rows. `move` applies
-  /// the correction, which it finds in change_. `beside` is the force that the residual is measured relative
-  /// to.
+  /// Solves one half of the step to rounding, with the factors made last. `look` puts the residual of the
+  /// momentum balance into left_ and that of the rows into rows_, and returns the violation of the rows.
+  /// `move` applies the correction, which it finds in change_. The balance counts relative to `beside`.
   template <class Look, class Move>
   void approach(System& system, const S& t, const StateVector<S>& beside, const Look& look,
                 const Move& move) {
