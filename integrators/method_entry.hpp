@@ -17,7 +17,7 @@ struct MethodInfo {
   std::string_view name, summary;
   int order = 0;  ///< order of positions, velocities and lambda at given steps; 0: it varies
   bool takes_given_steps = false, chooses_steps = false;
-  bool meets_constraints = false;           ///< solves Phi = 0 in its own steps and is not projected
+  bool meets_constraints = false;           ///< meets Phi = 0 itself; integrate does not project it
   bool needs_constant_inertia = false;      ///< needs a mass matrix M that does not depend on q
   bool has_own_lambda = meets_constraints;  ///< has multipliers of its own, besides those solved at a state
   int own_lambda_order = order;             ///< order of its own multipliers at given steps

@@ -46,8 +46,8 @@ class MethodLaws {
     if (!(figure <= bound)) broken_.push_back({law, figure, bound});
   }
 
-  /// Integrates to `end` in intervals of equal length; a given step covers one interval. The method is
-  /// restarted before interval number `restarted`, if it is not negative.
+  /// Integrates to `end` in intervals of equal length; a given step covers one interval. Restarts the method
+  /// before interval number `restarted`, counted from 0; never if it is negative.
   static Run run(const MethodEntry<double>& entry, Steps steps, const Tolerances& tolerances, int intervals,
                  int restarted = -1) {
     Run run{make_method(entry, steps, tolerances), {}};

@@ -90,7 +90,7 @@ class AnySystem {
                      StateVector<S>& mu, StateVector<S>& stretch) = 0;
 };
 
-/// Throws a UsageError if a function belongs to a group that the system does not have.
+/// AnySystem for a given System. A function of a group that the system does not have throws a UsageError.
 template <FirstOrderSystem System>
 class SystemAdapter final : public AnySystem<typename System::Scalar> {
  public:

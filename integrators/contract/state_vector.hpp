@@ -1,6 +1,6 @@
 #pragma once
-/// The vector type of methods: a state y, its rate or a change of it. The system alone knows which element
-/// means what (simulation/system/state_layout.hpp).
+/// The vector type of methods: a state y, its rate or a change of it. The system defines the meaning of
+/// its elements (simulation/system/state_layout.hpp).
 
 #include <Eigen/Core>
 

@@ -167,8 +167,8 @@ class GivenSteps {
   const Counters& counters() const { return counters_; }
 
  private:
-  /// Such a stepper uses the derivative of its last stage again in the next step (FSAL), but y was projected
-  /// since.
+  /// An FSAL stepper uses the derivative of its last stage again in the next step; y was projected since, so
+  /// that the stepper must forget it.
   static constexpr bool remembers_a_step =
       std::is_same_v<typename Stepper::stepper_category, odeint::explicit_error_stepper_fsal_tag>;
 

@@ -1,7 +1,7 @@
 #pragma once
-/// HHT on index 3 (HHT-I3): Negrut, Rampalli, Ottarsson and Sajdak, Journal of Computational and Nonlinear
-/// Dynamics 2 (2007), after Hilber, Hughes and Taylor. Newmark's formulas with gamma = 1/2 - alpha, beta =
-/// (1 - alpha)^2 / 4, alpha in [-1/3, 0], and
+/// The method of Hilber, Hughes and Taylor for index 3 (HHT-I3): Negrut, Rampalli, Ottarsson and Sajdak,
+/// Journal of Computational and Nonlinear Dynamics 2 (2007). It has Newmark's formulas with gamma = 1/2 -
+/// alpha, beta = (1 - alpha)^2 / 4, alpha in [-1/3, 0], and the equations
 ///
 ///   M a_n+1 / (1 + alpha) + g_n+1 - alpha / (1 + alpha) g_n = 0,   g = Phi_q^T lambda - Q
 ///   Phi(q_n+1, t_n+1) = 0

@@ -23,11 +23,12 @@
 ///
 /// This file has the iteration, a simplified Newton iteration. Each stage has its own real matrix, factored
 /// at the state of that stage, because stiff springs may rotate within one step. The right sides of the rows
-/// are multiplied by A^-1, which decouples the stages. `solve_stages` decides when the iteration has
-/// converged (with tolerances: when the observed convergence rate says that the changes still to come are
-/// small), when matrices are factored again, and when the iteration diverges. `advance` then tries simpler
-/// predictions. If none of them converges, take_chosen_step tries a quarter of the step size; with given
-/// steps the run ends.
+/// are multiplied by A^-1, which decouples the rows of the stages; the coupling by springs is solved for in
+/// radau_springs.hpp. Anderson acceleration makes up for the terms that the matrices leave out.
+/// `solve_stages` decides when the iteration has converged (with tolerances: when the observed convergence
+/// rate says that the changes still to come are small), when matrices are factored again, and when the
+/// iteration diverges. `advance` then tries simpler predictions. If none of them converges, take_chosen_step
+/// tries a quarter of the step size; with given steps the run ends.
 
 #include <algorithm>
 #include <array>

@@ -54,6 +54,7 @@ class RadauSprings {
     if (springs == 0) return;
     measure(h, stages, spring_residual_);
     spring_residual_ -= given_;
+    // 1 % is enough, as the next Newton iteration evaluates the remaining error anew
     const S enough = S(1e-2) * std::max(spring_residual_.cwiseAbs().maxCoeff(), given_.cwiseAbs().maxCoeff());
     auto unknowns = change.head(s * (nv + nc));
     spring_corrections_.reduce(spring_residual_, unknowns);

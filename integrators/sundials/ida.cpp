@@ -217,9 +217,8 @@ class Ida final : public Stepper {
   ProjectionIteration<AnySystem<double>> projection_;
   StateVectorD lambda_, y_dot_, v_dot_, force_, mu_, moved_, rate_, displacement_;
   StateVectorD off_q_, off_v_, off_work_, phi_, phi_dot_;  ///< residuals of the equations
-  StateVectorD at_, phi_dot_at_,
-      force_at_;  ///< state, velocity rows and applied force where the matrix was factored
-  AnyEvaluation evaluated_, linearised_;  ///< the model evaluated last; the model of the factored matrix
+  StateVectorD at_, phi_dot_at_, force_at_;                ///< values where the matrix was factored
+  AnyEvaluation evaluated_, linearised_;                   ///< models: evaluated last; of the factored matrix
   AnyFactors factors_;
   StateVectorD moved_force_, left_, no_rows_;
   double at_t_ = 0, c_ = 1;
