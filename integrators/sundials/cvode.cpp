@@ -57,7 +57,7 @@ class Cvode final : public OdeStepper {
     iterate_by_newton();
     accept(CVodeSetLinSysFn(library_memory(), linear_system), "its matrix");
     // A small error of the positions along a stiff spring is a large error of its force, which the error
-    // estimates of later steps show. Newton's method therefore iterates ten times as far as by default.
+    // estimates of later steps show. The tolerance of Newton's method is therefore a tenth of the default.
     if (system().springs() > 0)
       accept(CVodeSetNonlinConvCoef(library_memory(), 0.01), "how far Newton's method goes");
     if (!projects_) return;
