@@ -1,4 +1,4 @@
-/// The laws that make a formula one of its order.
+/// The conditions that give a formula its order.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace trivium::integrators {
 namespace {
 
-// y = t^m, y_n+1 at t = 1 and steps of 1
+// y = t^m at t = 1, 0, -1, ... with h = 1
 TEST(BackwardFormula, IsExactForPolynomialsOfItsOrder) {
   for (int order = 1; order <= 5; ++order) {
     const BackwardFormula f = BackwardFormula::of_order(order);
@@ -79,12 +79,12 @@ TYPED_TEST(Radau, GammaIsTheRealEigenvalueOfItsMatrix) {
   EXPECT_EQ(real, 1);
 }
 
-// the estimate is of order s: it sees nothing of a polynomial of degree s
+// the estimate has order s: it vanishes for polynomials of degree up to s
 TYPED_TEST(Radau, ItsErrorEstimateIsOfTheOrderOfItsStages) {
   constexpr int s = TypeParam::value;
   const auto& r = this->radau;
   for (int m = 1; m <= s + 1; ++m) {
-    double sum = m == 1 ? r.gamma : 0;  // y = t^m from t = 0, in a step of 1
+    double sum = m == 1 ? r.gamma : 0;  // y = t^m at t = 0 with h = 1
     for (int i = 0; i < s; ++i) sum += r.error[i] * std::pow(r.c[i], m);
     if (m <= s)
       EXPECT_NEAR(sum, 0, 1e-15) << m;
@@ -104,7 +104,8 @@ TEST(RadauOfThreeStages, HasItsPublishedCoefficients) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(r.error[i], r.gamma / 3 * error[i], 1e-15) << i;
 }
 
-// Hairer, Norsett, Wanner (1993), II.2; and stages behind the second are of order 2, as index 2 asks
+// Hairer, Norsett, Wanner (1993), II.2. In addition the stages after the second have order 2, as index 2
+// requires.
 TEST(HalfExplicit, MeetsTheOrderConditionsOfFour) {
   const Hem4Coefficients<double> m;
   Eigen::MatrixXd A(5, 5);
@@ -123,8 +124,9 @@ TEST(HalfExplicit, MeetsTheOrderConditionsOfFour) {
   EXPECT_NEAR(b.dot(A * (A * c)), 1.0 / 24, 1e-14);
 }
 
-// every row is a quadrature of its c, from the third on of order 2; those of the step and of the multipliers'
-// rows beyond it of order 3, and the step's own of 5, the embedded one's of 4
+// Conditions sum a_ij c_j^(q-1) = c_i^q / q: q = 1 for all rows and q = 2 from the third row on; q = 3 for
+// the row of the step and the row at 19/20; up to q = 5 for the step and up to q = 4 for the embedded
+// formula.
 TEST(HalfExplicit, HoldsDormandAndPrincesFormulaAndARowBeyondIt) {
   const Hedop5Coefficients<double> m;
   const auto misses = [&](const auto& row, double c, int q) {

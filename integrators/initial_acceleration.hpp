@@ -1,14 +1,14 @@
 #pragma once
-/// What implicit methods need beside a state to begin from there: accelerations, multipliers and their rates.
-/// The rates come from two states a little ahead, to second order.
+/// The start values of implicit methods at a given state: accelerations, multipliers and the rates of both.
+/// The rates are differences of second order over two states slightly ahead in time.
 
 #include "integrators/contract/method.hpp"
 #include "integrators/contract/residual.hpp"
 
 namespace trivium::integrators {
 
-/// v' and lambda of index 1 at a state, and how fast they change along the motion, to second order of a
-/// fraction of the step ahead: what is behind may be another branch.
+/// v' and lambda of index 1 at a state, and their rates along the motion. The rates come from one-sided
+/// differences over h / 16 and h / 8 ahead: a state before the start may lie on another branch.
 template <class S>
 struct InitialAcceleration {
   StateVector<S> v_dot, lambda, v_ddot, lambda_dot;

@@ -17,9 +17,8 @@ namespace trivium::integrators {
 
 namespace {
 
-/// A step, at most to `stop`, and its projection if it `projects`. Where that fails or
-/// projection_is_too_large, or the model turned out to move too fast for it, a shorter one is taken, if the
-/// method can.
+/// Takes one step, at most to `stop`, and projects its end if `projects`. If the step or its projection is
+/// not acceptable (see integrate.hpp), a shorter step is tried, if the method can shorten its steps.
 template <class S>
 void checked_step(AnySystem<S>& system, AnyMethod<S>& method, S& t, StateVector<S>& y, const S& stop,
                   bool projects, ProjectionIteration<AnySystem<S>>& project, ProjectionReport<S>& report) {
@@ -39,7 +38,7 @@ void checked_step(AnySystem<S>& system, AnyMethod<S>& method, S& t, StateVector<
                         known && known->when() ? known->when() : static_cast<double>(before_t)};
       std::string why = error.what();
       if (!trouble.empty()) why += "; longer ones had failed so: " + trouble;
-      // what fails in a step of given length may be the model's coordinates
+      // a failure of a given step may come from the model, such as singular coordinates
       const std::string diagnose = system.diagnose(before_t, before);
       if (!diagnose.empty() && why.find(diagnose) == std::string::npos) why += "; " + diagnose;
       throw IntegrationError(why, place);
@@ -78,13 +77,13 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
   StateVector<S> y = system.start();
   ProjectionIteration<AnySystem<S>> project;
   if (projects && !grid.goes_on()) {
-    ProjectionReport<S> of_the_start;  // which need not hold to the last digit of this arithmetic
+    ProjectionReport<S> of_the_start;  // not part of the report: the input may be given to fewer digits
     project(system, t, y, of_the_start);
     system.accept_state(t, y);
   }
   if (at_output(t, y) == Continue::no) return false;
   TimeGrid::Walk<S> walk(grid);
-  std::deque<S> passed;  // outputs to step over
+  std::deque<S> passed;  // output times that steps may step over
   constexpr std::size_t most_passed = 1000;
   using std::abs, std::max;
   while (auto stop = walk.next()) {
@@ -93,12 +92,12 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
       passed.push_back(stop->t);
       stop = walk.next();
     }
-    // up to an event all is as it was before it: what jumps there has its earlier value
+    // the run stops just before the event, so that quantities that jump have their earlier value
     const S little = 8 * std::numeric_limits<S>::epsilon() * max(S(abs(S(grid.start()))), S(abs(stop->t)));
     const S target = stop->is_event ? stop->t - little : stop->t;
     while (t < target) {
       checked_step(system, method, t, y, target, projects, project, report);
-      bool goes_on = true;  // one who stops at an output within the step is given its end
+      bool goes_on = true;  // if it is false after an output within the step, the run ends at the step's end
       for (; goes_on && !passed.empty() && passed.front() < t; passed.pop_front()) {
         StateVector<S> between;
         method.interpolate(passed.front(), between);
@@ -115,7 +114,7 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
     if (stop->is_event) {
       const S before = std::exchange(t, stop->t);
       system.pass_discontinuity(before, t, y);
-      system.accept_state(t, y);  // what follows begins here, as a run that goes on from here does
+      system.accept_state(t, y);  // the motion starts anew here, as a run continued from here does
       method.restart();
     }
     if (stop->is_output && at_output(t, y) == Continue::no && !walk.is_done()) return false;

@@ -1,18 +1,18 @@
 #pragma once
-/// A method walks a system through a grid of times. Who decides what:
+/// The integration of a system over a time grid by a method. Each decision is made in one place:
 ///
-///   that a finished step is taken back and a shorter one taken: checked_step (integrate.cpp), where the
-///   projection fails, where the system finds that projection_is_too_large (the step may have left its
-///   branch; the threshold is the system's, in simulation/system/branch_check.hpp), or where the
-///   step turned out more than twice as long as the system's longest_step
+///   a finished step is taken back and repeated shorter: checked_step (integrate.cpp), if the projection
+///   fails, if projection_is_too_large holds (the step may have left its branch; the threshold is the
+///   system's, in simulation/system/branch_check.hpp), or if the step turned out more than twice as long
+///   as the system's longest_step at its end
 ///
-///   by how much it is shortened: the method (StepSizeControl::shorten); methods of given steps refuse, which
-///   ends the run
+///   the new, shorter step size: the method (StepSizeControl::shorten); methods that take given steps
+///   refuse, which ends the run
 ///
-///   that an iteration within a step diverges: the method
+///   an iteration within a step diverges: the method
 ///
-///   that a discontinuity is passed: integrate, which stops just before its time and has the system
-///   pass_discontinuity there; the method restarts
+///   a discontinuity is passed: integrate, which stops just before its time, calls pass_discontinuity of
+///   the system and restarts the method
 
 #include <functional>
 
@@ -22,13 +22,13 @@
 
 namespace trivium::integrators {
 
-/// Whether to go on after a step.
+/// The answer of a callback: whether the integration goes on.
 enum class Continue { yes, no };
 
-/// Projects the start and after every step unless told not to, and shows `at_step(t, y)` every step and
-/// `at_output(t, y)` the start, every output and the end, where it was told to stop or came to it. A grid
-/// that goes on has its start projected already. Returns which: true at the end. Compiled once for each
-/// Scalar.
+/// Integrates over the grid. If `projects`, the start and the end of every step are projected; the start of a
+/// grid that goes on is projected already. Calls `at_step(t, y)` after every step, and `at_output(t, y)` at
+/// the start, at every output and at the end; if a callback stops the run, `at_output` also receives the last
+/// state. Returns true if the run came to the end of the grid. Compiled once per Scalar.
 template <class S>
 bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid, bool projects,
                ProjectionReport<S>& report,

@@ -1,12 +1,12 @@
 #pragma once
-/// What an implicit step begins its iteration with: the line through a quantity's last two values. It only
-/// shortens the iteration; the step's solution does not depend on it.
+/// Linear extrapolation: the start value of an implicit step's iteration, from a quantity's last two values.
+/// A good start value shortens the iteration; the solution of the step does not depend on it.
 
 #include "integrators/contract/state_vector.hpp"
 
 namespace trivium::integrators {
 
-/// A quantity at the ends of the last two steps, and on along the line through them.
+/// A quantity at the ends of the last two steps.
 template <class S>
 class LinearExtrapolation {
  public:
@@ -15,7 +15,7 @@ class LinearExtrapolation {
     before_ = value - h * rate;
   }
   const StateVector<S>& now() const { return now_; }
-  /// So many of the last step's lengths ahead.
+  /// The extrapolated value at a time ahead, given in lengths of the last step [-].
   void ahead(const S& steps, StateVector<S>& value) const { value = now_ + steps * (now_ - before_); }
   void show_memory(auto&& show) { show(now_, before_); }
   void push(const StateVector<S>& value) {

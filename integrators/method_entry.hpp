@@ -1,7 +1,7 @@
 #pragma once
-/// The entry of a method in the list: its name, what it is and takes, and how it is made. An entry is all
-/// that a new method needs besides its own file: names on the command line, checks of steps and parameters,
-/// and the studies of convergence follow from it.
+/// The entry of a method in the list: its name, its properties and a function that makes it. Besides its own
+/// file a new method needs only such an entry; names on the command line, checks of steps and parameters, and
+/// the convergence studies follow from it.
 
 #include <memory>
 #include <optional>
@@ -15,26 +15,26 @@ namespace trivium::integrators {
 
 struct MethodInfo {
   std::string_view name, summary;
-  int order = 0;  ///< of positions, velocities and lambda at given steps; 0: it varies
+  int order = 0;  ///< order of positions, velocities and lambda at given steps; 0: it varies
   bool takes_given_steps = false, chooses_steps = false;
-  bool meets_constraints = false;           ///< of positions, by its own equations: it is not projected
-  bool needs_constant_inertia = false;      ///< a mass matrix that does not depend on positions
-  bool has_own_lambda = meets_constraints;  ///< beside that of a state
-  int own_lambda_order = order;             ///< of that, at given steps
-  // which of MethodParameters it takes
+  bool meets_constraints = false;           ///< meets Phi = 0 itself; integrate does not project it
+  bool needs_constant_inertia = false;      ///< needs a mass matrix M that does not depend on q
+  bool has_own_lambda = meets_constraints;  ///< has multipliers of its own, besides those solved at a state
+  int own_lambda_order = order;             ///< order of its own multipliers at given steps
+  // the MethodParameters that the method accepts
   bool takes_order = false, takes_rho = false, takes_alpha = false, takes_full_newton = false;
 };
 
-/// What a method is made for. Which steps and parameters it takes has been checked.
+/// The request for a method. Its kind of steps and its parameters have been checked against the MethodInfo.
 struct MethodRequest {
-  std::optional<Tolerances> tolerances;  ///< absent: steps of the grid's length
+  std::optional<Tolerances> tolerances;  ///< absent: the method takes given steps
   MethodParameters given;
 };
 
 template <class S>
 struct MethodEntry {
   MethodInfo info;
-  /// Throws a UsageError where a parameter is out of its range.
+  /// Throws a UsageError if a parameter is out of its range.
   std::unique_ptr<AnyMethod<S>> (*make)(const MethodRequest&);
 };
 

@@ -1,6 +1,7 @@
 #pragma once
-/// The laws of a method, for whoever writes one: the second half of the concept Method. `broken_laws` tries
-/// what an entry of the list says on the spherical pendulum of contract/ and names what does not hold.
+/// The laws of a method: the second half of the concept Method, which C++ types cannot express. `broken_laws`
+/// tests the claims of a list entry on the spherical pendulum (contract/spherical_pendulum.hpp) and returns
+/// those that do not hold.
 
 #include <algorithm>
 #include <cmath>
@@ -38,15 +39,15 @@ class MethodLaws {
     std::unique_ptr<AnyMethod<double>> method;
     Y y;
     double y_error = 0, lambda_error = 0;
-    bool lands = true;  ///< no step went back or beyond where it was told to stop
+    bool lands = true;  ///< no step went backwards or beyond its stop
   };
 
   void at_most(const char* law, double figure, double bound) {
     if (!(figure <= bound)) broken_.push_back({law, figure, bound});
   }
 
-  /// To the end in intervals of this length, of one step each where steps are given. Restarted before the
-  /// interval of that number.
+  /// Integrates to `end` in intervals of equal length; a given step covers one interval. Restarts the method
+  /// before interval number `restarted`, counted from 0; never if it is negative.
   static Run run(const MethodEntry<double>& entry, Steps steps, const Tolerances& tolerances, int intervals,
                  int restarted = -1) {
     Run run{make_method(entry, steps, tolerances), {}};
@@ -69,7 +70,7 @@ class MethodLaws {
     }
     return run;
   }
-  /// With its errors, beside the tightest of a method of order 8.
+  /// The same, with errors relative to a run of order 8 with 200 steps.
   Run run(Steps steps, const Tolerances& tolerances, int intervals, int restarted = -1) const {
     static const Y exact = run(method_entry<double>("rkf78"), Steps::given, {}, 200).y;
     Run found = run(entry_, steps, tolerances, intervals, restarted);
@@ -89,7 +90,7 @@ class MethodLaws {
     if (!coarse.lands) return;
     at_most("steps are counted",
             std::abs(static_cast<double>(coarse.method->counters().steps) - coarse_steps), 0);
-    // what is left above rounding shows the order
+    // only errors above rounding show an order
     if (entry_.info.order > 0 && fine.y_error > 1e-12)
       at_most("errors fall by the order that is said",
               std::abs(std::log2(coarse.y_error / fine.y_error) - entry_.info.order), 0.5);
@@ -105,7 +106,7 @@ class MethodLaws {
       at_most("a method whose order varies takes one", entry_.info.takes_order ? 0 : 1, 0);
     restarts(Steps::given);
   }
-  /// After a restart a method does what a new one does.
+  /// After a restart a method does the same as a new one.
   void restarts(Steps steps) {
     const Tolerances tolerances{1e-6, 1e-6};
     const auto used = make_method(entry_, steps, tolerances), fresh = make_method(entry_, steps, tolerances);
@@ -150,7 +151,7 @@ class MethodLaws {
     at_most("positions meet their constraints without a projection",
             pendulum.position_violation(0, of.y).size, 1e-12);
   }
-  /// A step that is taken back is followed by a shorter one.
+  /// If a step is taken back, the next one is shorter.
   void shortens() {
     const auto method = make_method(entry_, Steps::chosen, {1e-6, 1e-6});
     SphericalPendulum<double> pendulum;
@@ -169,7 +170,7 @@ class MethodLaws {
 
 }  // namespace detail
 
-/// What an entry says of its method and does not hold.
+/// Returns the claims of an entry that do not hold.
 inline std::vector<BrokenLaw> broken_laws(const MethodEntry<double>& entry) {
   return detail::MethodLaws(entry).broken();
 }

@@ -1,19 +1,20 @@
 #pragma once
-/// The parameters that some methods let a caller choose. Which method has which parameter is checked where
-/// the method is made (integrators/methods.hpp).
+/// The optional parameters of methods. Whether a method accepts a parameter is checked where the method is
+/// made (integrators/methods.hpp).
 
 #include <optional>
 
 namespace trivium::integrators {
 
-/// What some methods let one choose; absent: the default that is named.
+/// An absent parameter takes the default that is named in its comment.
 struct MethodParameters {
-  std::optional<int> order = {};   ///< of bdf, 1 to 5: 2; of arkode-erk, 2 to 8, and arkode-dirk, 2 to 5: 5
-  std::optional<double> rho = {};  ///< of generalized-alpha, in [0, 1]: 0.8, the spectral radius at infinity
-  std::optional<double> alpha = {};  ///< of hht, in [-1/3, 0]: -0.2
-  std::optional<bool> full_newton =
-      {};                ///< of Newton's methods of our own: a matrix every iteration, not every step
-  bool projects = true;  ///< whether states are projected, of cvode-bdf, which does so within its steps
+  /// bdf: 1 to 5, default 2; arkode-erk: 2 to 6 or 8, default 5; arkode-dirk: 2 to 5, default 5
+  std::optional<int> order = {};
+  std::optional<double> rho = {};  ///< generalized-alpha: spectral radius at infinity in [0, 1], default 0.8
+  std::optional<double> alpha = {};  ///< hht: in [-1/3, 0], default -0.2
+  /// the implicit methods except those of SUNDIALS: whether to factor Newton's matrix in every iteration
+  std::optional<bool> full_newton = {};
+  bool projects = true;  ///< cvode-bdf: whether it projects states within its steps
 };
 
 }  // namespace trivium::integrators

@@ -59,7 +59,7 @@ const MethodInfo* find_method(std::string_view name) {
 
 namespace {
 
-/// Throws where steps or parameters are none of the method's.
+/// Throws a UsageError if the method does not take these steps or parameters.
 void check(const MethodInfo& method, Steps steps, const MethodParameters& given) {
   if (steps == Steps::given && !method.takes_given_steps)
     throw UsageError(

@@ -1,6 +1,7 @@
 #pragma once
-/// The methods by name. The one list is put together of the entries of each kind, which stand in
-/// {explicit,symplectic,sundials}/methods.cpp and implicit/methods_impl.hpp.
+/// The list of methods by name, and how a method is made. The entries are written in
+/// {explicit,symplectic,sundials}/methods.cpp and implicit/methods_impl.hpp, and put together into one list
+/// here.
 
 #include <memory>
 #include <string>
@@ -11,22 +12,22 @@
 
 namespace trivium::integrators {
 
-/// Where a method's steps come from.
+/// The source of a method's step sizes: given by the user, or chosen by the method to meet tolerances.
 enum class Steps { given, chosen };
 
-/// In the order they are listed in.
+/// All methods, in the order of the printed list.
 const std::vector<MethodInfo>& methods();
 std::vector<std::string> method_names();
 
-/// Null where there is none of this name.
+/// Null if there is no method of this name.
 const MethodInfo* find_method(std::string_view name);
 
-/// The entry of this name. Throws a UsageError where there is none in S.
+/// The entry of this name. Throws a UsageError if there is none, or none for the scalar S.
 template <class S>
 const MethodEntry<S>& method_entry(std::string_view name);
 
-/// The method, with steps of its own choice to the tolerances, or of the grid's length. Throws a UsageError
-/// where it takes no such steps, has no such parameter, or tolerances are below the rounding of S.
+/// Makes a method. Throws a UsageError if the method does not take such steps or such a parameter, if a
+/// parameter is out of its range, or if both tolerances are below the rounding of S.
 template <class S>
 std::unique_ptr<AnyMethod<S>> make_method(const MethodEntry<S>& method, Steps steps,
                                           const Tolerances& tolerances,

@@ -38,7 +38,7 @@ Walked run(System& system, const std::string& name, Steps steps, const TimeGrid&
   return out;
 }
 
-/// x'' = -x with a forcing that is not a polynomial.
+/// x'' = -x + exp(-t) x x': no method solves it exactly.
 Free oscillator() {
   Free system;
   system.y0 = Eigen::Vector2d(1, 0);
@@ -57,7 +57,7 @@ double error_at_end(const std::string& name, double h) {
   return (run(system, name, Steps::given, TimeGrid(0, 2, {}, h)).y.back() - exact).norm();
 }
 
-/// Those that need no constraints of a model, with given or chosen steps.
+/// The methods that need no functions of a ConstrainedSystem, with given or with chosen steps.
 std::vector<std::string> explicit_methods(bool MethodInfo::*takes) {
   std::vector<std::string> found;
   const bool is_given = takes == &MethodInfo::takes_given_steps;
@@ -84,7 +84,7 @@ class GivenStepsOf : public testing::TestWithParam<std::string> {};
 
 TEST_P(GivenStepsOf, HaveThePublishedOrder) {
   const MethodInfo& method = *find_method(GetParam());
-  const double h = method.order > 6 ? 2.0 / 4 : 2.0 / 32;  // above rounding at both
+  const double h = method.order > 6 ? 2.0 / 4 : 2.0 / 32;  // errors are above rounding at h and h / 4
   const double order = std::log2(error_at_end(GetParam(), h) / error_at_end(GetParam(), h / 4)) / 2;
   EXPECT_NEAR(order, method.order, 0.2);
 }
@@ -103,15 +103,15 @@ TEST_P(ChosenStepsOf, FollowTheTolerance) {
       EXPECT_EQ(r.t[k], 1.5 * static_cast<double>(k));
       const StateVector<double> exact =
           Eigen::Vector4d(std::cos(r.t[k]), std::sin(r.t[k]), -std::sin(r.t[k]), std::cos(r.t[k]));
-      // Adams' errors add up over many short steps
+      // the errors of Adams methods add up over many short steps
       EXPECT_LE((r.y[k] - exact).norm(), (GetParam() == "cvode-adams" ? 1000 : 200) * rtol) << r.t[k];
     }
-    EXPECT_LE(system.position_violation(0, r.y.back()).size, 4e-15);  // what a projection leaves as rounding
+    EXPECT_LE(system.position_violation(0, r.y.back()).size, 4e-15);  // rounding that a projection leaves
   }
 }
 
 TEST_P(ChosenStepsOf, GiveUpWhereTheMotionEndsAndSayWhen) {
-  Free system;  // y = 1 / (1 - t)
+  Free system;  // solution y = 1 / (1 - t)
   system.y0 = StateVector<double>::Ones(1);
   system.f = [](double, const StateVector<double>& y) { return StateVector<double>(y.cwiseAbs2()); };
   try {
@@ -124,7 +124,7 @@ TEST_P(ChosenStepsOf, GiveUpWhereTheMotionEndsAndSayWhen) {
 }
 
 TEST_P(ChosenStepsOf, TakeASmallerStepWhereARightSideCannotBeEvaluated) {
-  Free system;  // y = 1 - t^2 / 4, not defined below 0: where y = 0 the motion stays
+  Free system;  // solution y = 0.2 + (sqrt(0.8) - t / 2)^2
   system.y0 = StateVector<double>::Ones(1);
   system.f = [](double, const StateVector<double>& y) {
     if (y[0] < 0.2) throw std::runtime_error("the root of a negative number");
@@ -150,7 +150,7 @@ TEST_P(ChosenStepsOf, AreNoLongerThanTheModelSays) {
 
 TEST_P(ChosenStepsOf, KeepTheirOrderAcrossAKink) {
   const auto error = [&](std::vector<double> events) {
-    Free system;  // y' = |t - 1 / pi|, in the error's own size
+    Free system;  // y' = |t - 1 / pi|, a kink at 1 / pi
     system.y0 = StateVector<double>::Zero(1);
     const double kink = 1 / std::acos(-1.0);
     system.f = [=](double t, const StateVector<double>&) {
@@ -163,7 +163,7 @@ TEST_P(ChosenStepsOf, KeepTheirOrderAcrossAKink) {
   };
   const auto [without, rejected] = error({});
   const auto [with, rejected_with] = error({1 / std::acos(-1.0)});
-  EXPECT_LE(with, GetParam() == "cvode-adams" ? 1e-9 : 1e-14);  // which starts with order 1
+  EXPECT_LE(with, GetParam() == "cvode-adams" ? 1e-9 : 1e-14);  // cvode-adams restarts with order 1
   EXPECT_GT(without, 1e-14);
   EXPECT_LE(rejected_with, rejected);
 }

@@ -1,11 +1,10 @@
 #pragma once
-/// The iteration that leads a state back onto the constraints: Newton corrections of the positions until
-/// their violation is rounding, then of the velocities. A single correction is the system's
-/// (correct_positions, correct_velocities): the least change in its own metric. One factorisation serves both
-/// as a rule.
+/// The projection of a state onto the constraints: Newton corrections of the positions until their violation
+/// is rounding, then the same for the velocities. The system computes a single correction (correct_positions,
+/// correct_velocities), the smallest one in its metric. As a rule one factorisation serves for both.
 ///
-/// Here is decided when a projection has converged, when a matrix is made anew, and when a row cannot be met.
-/// Whether a projection went too far is asked by integrate.hpp.
+/// This file decides when a projection has converged, when a matrix is factored again, and when a row cannot
+/// be met. integrate.hpp asks the system whether a projection went too far.
 
 #include <fmt/format.h>
 
@@ -18,8 +17,8 @@
 
 namespace trivium::integrators {
 
-/// Moves y onto the constraints, and returns the row whose velocity was the last to be met. Throws an
-/// IntegrationError that names the row which cannot be met.
+/// Moves y onto the constraints. Returns the row with the largest remaining violation of velocities. Throws
+/// an IntegrationError that names the row if a row cannot be met.
 template <FirstOrderSystem System>
 class ProjectionIteration {
  public:
@@ -40,8 +39,9 @@ class ProjectionIteration {
   }
 
  private:
-  /// Until the violation is rounding or falls no more. Beside a singular position rows that are nearly
-  /// dependent are left alone, so that more than rounding may be left for a while; but never much.
+  /// Corrects until the violation is rounding or a fresh matrix no longer halves it. Near a singular position
+  /// nearly dependent rows are left out of the corrections, so that a violation above rounding may remain for
+  /// a while; a relative violation above 1e-6 is an error.
   template <class Measure, class Correct>
   int approach(System& system, const S& t, const char* what, S& found, S& left, long& changes,
                const Measure& measure, const Correct& correct) {
@@ -58,7 +58,7 @@ class ProjectionIteration {
       const bool falls = off.relative <= before / 2;
       if (falls) continue;
       if (factors) break;
-      is_factored_ = false;  // the matrix of before is too far from that of here
+      is_factored_ = false;  // the matrix of an earlier state is too far from the one at this state
     }
     raise(left, off.size);
     if (!(off.relative <= S(1e-6)))

@@ -1,10 +1,10 @@
 #pragma once
-/// The account of all projections of a run (integrators/projection_iteration.hpp): what they found, what they
-/// left. Reports show it, and warn where too much is left.
+/// The record of all projections of a run (integrators/projection_iteration.hpp): violations before and
+/// after. Reports print it, and warn if the violation after projections is too large.
 
 namespace trivium::integrators {
 
-/// What projections found and left: the largest violations, and how many changes they made.
+/// The largest violations before and after (`_left`) projections, and the number of corrections.
 template <class S>
 struct ProjectionReport {
   S position{0}, velocity{0};

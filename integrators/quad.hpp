@@ -1,6 +1,6 @@
 #pragma once
-/// The Scalar of 113 bits, for motions that others are measured by. It is the type that
-/// bodies/numbers/quad.hpp names too, which this room does not include.
+/// Quad: the scalar type with 113 bits of mantissa, for reference motions. It is the same type as in
+/// bodies/numbers/quad.hpp, which this directory does not include.
 
 #include <boost/multiprecision/float128.hpp>
 

@@ -1,4 +1,4 @@
-// Every method alone on the model of one page, a spherical pendulum in plain coordinates.
+// Every method on its own, on a one-page model: a spherical pendulum in Cartesian coordinates.
 
 #include "integrators/contract/spherical_pendulum.hpp"
 
@@ -21,7 +21,7 @@
 
 namespace trivium::integrators {
 
-/// What GoogleTest prints of a parameter.
+/// GoogleTest prints a parameter by its name.
 [[maybe_unused]] static void PrintTo(const MethodInfo& method, std::ostream* to) { *to << method.name; }
 
 namespace {
@@ -38,7 +38,7 @@ const auto in_a_name = [](const auto& method) {
   return name;
 };
 
-/// Where a run ended, and its own multiplier there.
+/// The end of a run: the state and the method's own multiplier.
 template <class S>
 struct End {
   StateVector<S> y;
@@ -64,7 +64,7 @@ End<S> run(AnyMethod<S>& method, bool projects, std::optional<double> h) {
   return end;
 }
 
-/// In quad, far closer than any run here.
+/// Reference solution in quad, far more accurate than the runs of the tests.
 const End<Quad>& exact() {
   static const End<Quad> end = [] {
     const auto method = make_method<Quad>("rkf78", Steps::given, {});
@@ -77,7 +77,7 @@ const End<Quad>& exact() {
   return end;
 }
 
-/// Of position and velocity, and of the method's own multiplier.
+/// Errors of positions and velocities, and of the method's own multiplier.
 struct Errors {
   double y, lambda;
 };
@@ -94,7 +94,7 @@ Errors at_steps(const MethodInfo& method, double h, const MethodParameters& give
   return errors_of(run<S>(*made, !method.meets_constraints, h));
 }
 
-/// Between h and h / 2, where errors are above rounding.
+/// Measures the order between h and h / 2, where errors are above rounding.
 template <class S>
 void expect_order(const MethodInfo& method, double h, const MethodParameters& given = {}) {
   const int order = given.order.value_or(method.order);
@@ -107,7 +107,7 @@ void expect_order(const MethodInfo& method, double h, const MethodParameters& gi
 
 TEST(SphericalPendulum, IsAConicalPendulumWhereItTurnsAtTheRightSpeed) {
   SphericalPendulum<double> pendulum;
-  // at 0.6 beside and 0.8 below: v^2 = g r tan(angle)
+  // radius 0.6 at a depth of 0.8: v^2 = g r tan(angle)
   pendulum.v0 = {0, std::sqrt(10 * 0.6 * 0.6 / 0.8), 0};
   StateVector<double> y_dot;
   pendulum.derivative(0, pendulum.start(), y_dot);
@@ -144,7 +144,7 @@ TEST_P(EveryMethod, KeepsTheLawsThatItsEntrySays) {
 }
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, testing::ValuesIn(methods()), in_a_name);
 
-// the laws can fail: entries that promise what the method does not do
+// the laws must be able to fail: here entries claim properties that the method does not have
 TEST(MethodLaws, FindAnEntryThatPromisesTooMuch) {
   const auto broken_when = [](const auto& change, const char* name) {
     MethodEntry<double> entry = method_entry<double>(name);
@@ -159,7 +159,7 @@ TEST(MethodLaws, FindAnEntryThatPromisesTooMuch) {
   EXPECT_TRUE(broken_when([](MethodInfo& info) { info.meets_constraints = true; }, "abm"));
 }
 
-// what a method needs is what it names: no wrapper of any system between
+// a method template takes the model itself, without AnySystem
 template <class M>
 double error_of_template(M method, double h) {
   SphericalPendulum<double> pendulum;
@@ -181,7 +181,7 @@ TEST(MethodsAsTemplates, TakeTheModelItself) {
   EXPECT_LT(error_of_template(Rattle<Pendulum>(2), h), 1e-5);
 }
 
-// by name, too, a method asks a model for the groups that it needs and no others
+// also by name, a method requires only the groups of functions that it uses
 struct PendulumWithoutSprings : SphericalPendulum<double> {
   int springs() const = delete;
 };
@@ -223,7 +223,7 @@ TEST(MethodsByName, InterpolateWhereTheMethodDoes) {
   EXPECT_EQ(y[0], 0.25);
 }
 
-// each law of the contract by a model that breaks it
+// each of these models breaks a law of the contract
 struct AddsTwice : SphericalPendulum<double> {
   void displace(const Y& from, const Y& by, Y& to) const { to.head(3) = from.head(3) + 2 * by; }
 };

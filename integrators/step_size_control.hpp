@@ -1,9 +1,8 @@
 #pragma once
-/// The lengths of steps that a method chooses itself, to the tolerances. Here is decided how long the first
-/// step is, how long the next one after an estimated error, how much shorter one after a failure, where a
-/// step is cut to land on a stop, and when steps have shrunk to nothing, which ends the run. Whether an
-/// iteration within a step fails is decided by the method; whether a finished step is taken back, by
-/// integrate.hpp.
+/// The step sizes of methods that choose their steps to meet tolerances. This file decides the first step
+/// size, the next one after an error estimate, the shorter one after a failure, the shortening of a step to
+/// land on a stop, and when steps have become too small, which ends the run. The method decides whether an
+/// iteration within a step fails; integrate.hpp decides whether a finished step is taken back.
 
 #include <fmt/format.h>
 
@@ -20,8 +19,8 @@
 
 namespace trivium::integrators {
 
-/// A first step for a method of some order: one that moves y by about a hundredth of the size that errors are
-/// measured by, and that f does not change much over. Hairer, Norsett, Wanner (1993), II.4.
+/// The first step size for a method of this order: an explicit Euler step of that size moves y by about a
+/// hundredth of its own size, and f hardly changes over the step. Hairer, Norsett, Wanner (1993), II.4.
 template <FirstOrderSystem System>
 typename System::Scalar first_step(System& system, const typename System::Scalar& t,
                                    const StateVector<typename System::Scalar>& y, int order,
@@ -52,22 +51,22 @@ typename System::Scalar first_step(System& system, const typename System::Scalar
   return 100 * h0 < h1 ? S(100 * h0) : h1;
 }
 
-/// The length of the next step, of all methods that choose their steps.
+/// The size of the next step, for all methods that choose their steps.
 template <class S>
 class StepSizeControl {
  public:
-  /// The length to try next, at most to `stop`.
+  /// The step size to try next; the step does not go beyond `stop`.
   S length(const S& t, const S& stop) {
     const S room = stop - t;
     lands_ = proposed_ >= room * S(1 - 1e-10);
     cut_ = proposed_ > room / 2;
-    tried_ = lands_ ? room : cut_ ? S(room / 2) : proposed_;  // half of the way: leaves no crumb
+    tried_ = lands_ ? room : cut_ ? S(room / 2) : proposed_;  // two halves: no tiny last step
     return tried_;
   }
-  /// The step was taken; the method says what it would take next.
+  /// The step was accepted and ended at `moved`; `next` is the size that the method proposes next.
   void accept(S& t, const S& moved, const S& stop, const S& next) {
     t = lands_ ? stop : moved;
-    // a step cut short says little of the next
+    // a step shortened to land on a stop must not reduce the size of later steps
     proposed_ = cut_ && proposed_ > next ? proposed_ : next;
     if (!(proposed_ > limit_)) return;
     proposed_ = limit_;
@@ -75,32 +74,33 @@ class StepSizeControl {
     limit_growth_ = std::min(S(8), S(limit_growth_ * limit_growth_));
   }
   void reject(const S& next) { proposed_ = next; }
-  /// The step could not be solved: those after it come back to its length slowly at first.
+  /// The step could not be solved. A quarter is tried next, and later steps grow slowly at first.
   void fail() {
     proposed_ = tried_ / 4;
     limit_ = tried_ / 2;
     limit_growth_ = S(1.1);
   }
-  /// Of the step accepted last.
+  /// After the step accepted last was taken back: a quarter is tried next.
   void shorten() { proposed_ = tried_ / 4; }
 
   bool has_begun() const { return proposed_ > S(0); }
   void begin(const S& h) { proposed_ = h; }
   void restart() { *this = {}; }
-  /// Beside the rounding of the times between.
+  /// Whether the proposed step size is within the rounding of the times.
   bool is_too_small(const S& t, const S& stop) const {
     using std::abs, std::max;
     return !(proposed_ > 4 * std::numeric_limits<S>::epsilon() * max(S(abs(t)), S(abs(stop))));
   }
 
  private:
-  S proposed_{0}, tried_{0};                ///< for the next step; of the step tried last
-  S limit_{std::numeric_limits<S>::max()};  ///< above which a step failed of late
-  S limit_growth_{1};                       ///< by which the limit grows with each step that it held back
-  bool lands_ = false, cut_ = false;        ///< the step tried last ends on a stop; is shorter than proposed
+  S proposed_{0}, tried_{0};                ///< size of the next step; size of the step tried last
+  S limit_{std::numeric_limits<S>::max()};  ///< bound of the step size after a failure
+  S limit_growth_{1};                       ///< factor by which limit_ grows each time it bounds a step
+  bool lands_ = false, cut_ = false;        ///< the step tried last ends on `stop`; it was shortened
 };
 
-/// Of a step, to where it ends: numbers whose squares are numbers.
+/// Throws an IntegrationError if y is not finite or so large that squares could overflow; t is the end of the
+/// step.
 template <class S>
 void require_finite(const StateVector<S>& y, const S& t) {
   if (!y.allFinite() || !(y.cwiseAbs().maxCoeff() < S(1e100)))
@@ -108,11 +108,11 @@ void require_finite(const StateVector<S>& y, const S& t) {
                            "the motion is not finite any more; take smaller steps");
 }
 
-/// Ends the run, with the reason that is known.
+/// Ends the run with the reason `why`, if one is known.
 template <FirstOrderSystem System>
 [[noreturn]] void give_up(System& system, const typename System::Scalar& t,
                           const StateVector<typename System::Scalar>& y, std::string why) {
-  // there are none
+  // "take smaller steps" is no advice where steps have become too small
   constexpr std::string_view advice = "; take smaller steps";
   if (why.ends_with(advice)) why.resize(why.size() - advice.size());
   const std::string diagnose = system.diagnose(t, y);
@@ -122,7 +122,8 @@ template <FirstOrderSystem System>
                   diagnose.empty() ? "; looser tolerances or another method may pass" : "; " + diagnose));
 }
 
-/// How long the next step may be beside one of an estimated error, in tolerances: 0.9 error^power, to `most`.
+/// The factor from a step size to the next: 0.9 error^power, between 0.2 and `most`, for an estimated error
+/// in tolerances. The power is negative: -1 / (order of the estimate + 1).
 template <class S>
 struct StepRule {
   S power, most;
@@ -134,8 +135,9 @@ struct StepRule {
   }
 };
 
-/// Tries lengths until `attempt(h)` estimates an error of at most 1; `accept(h)` then takes the step. Where
-/// an attempt throws a runtime_error, a quarter is tried. Gives up where none is left to try.
+/// Tries step sizes until `attempt(h)` returns an estimated error of at most 1 [tolerances]; `accept(h)` then
+/// takes the step. After an attempt that throws a runtime_error a quarter of the size is tried. Ends the run
+/// if the step size becomes too small.
 template <FirstOrderSystem System, class Attempt, class Accept>
 void take_chosen_step(System& system, StepSizeControl<typename System::Scalar>& step_size,
                       const StepRule<typename System::Scalar>& rule, Counters& counters,

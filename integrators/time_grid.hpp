@@ -1,6 +1,6 @@
 #pragma once
-/// The times of a run: t_k = t0 + k h with an integer k, never a sum of steps. Outputs, given steps and
-/// events are all times of it, so a run lands on each exactly.
+/// The time grid of a run: times t_k = t0 + k h with an integer k, never sums of steps. Outputs, given steps
+/// and events are times of the grid, and a run lands on each of them exactly.
 
 #include <fmt/format.h>
 
@@ -15,30 +15,31 @@
 
 namespace trivium::integrators {
 
-/// The share by which lengths of steps may differ and are one: decimal steps and differences of times round
-/// by far less.
+/// Relative difference [-] up to which two step sizes count as equal: rounding of decimal steps and of
+/// differences of times is far smaller.
 inline constexpr double step_rounding = 1e-9;
 
-/// Whether two steps between times of a grid are one length.
+/// Whether two step sizes between times of a grid are equal.
 template <class S>
 bool is_same_length(const S& h, const S& last) {
   using std::abs;
   return abs(h - last) <= S(step_rounding) * abs(last);
 }
 
-/// A time that a run lands on exactly.
+/// A time on which a run lands exactly.
 template <class S>
 struct Stop {
   S t;
   bool is_output = false;
-  bool is_event = false;  ///< something is not smooth there: multistep methods start anew
+  bool is_event = false;  ///< the motion is not smooth there: multistep methods restart
 };
 
-/// From start to end (forward), with outputs every `output_step` and at the end, steps of `step` if it is
-/// given, and events.
+/// Times from start to end (start < end) [s], with outputs every `output_step` and at the end, given steps of
+/// size `step` if present, and events.
 class TimeGrid {
  public:
-  /// Throws a UsageError where the steps do not divide the run or the outputs.
+  /// Throws a UsageError if the end is not after the start, if a step is not positive or too short, or if
+  /// given steps do not divide the run and the output step.
   TimeGrid(double start, double end, std::optional<double> output_step = {}, std::optional<double> step = {},
            std::vector<double> events = {})
       : start_(start), end_(end), output_step_(output_step.value_or(end - start)), step_(step) {
@@ -60,10 +61,10 @@ class TimeGrid {
   double start() const { return start_; }
   double end() const { return end_; }
 
-  /// Where a run begins: at the start, or on the way, where it goes on.
+  /// The time at which the run begins: the start, or a later time if the run continues an earlier one.
   double begin() const { return begin_; }
   bool goes_on() const { return begin_ != start_; }
-  /// The same times, of which those after t are to come. Throws a UsageError where none is.
+  /// The same grid for a run that continues at time t. Throws a UsageError if t is not in [start, end).
   TimeGrid from(double t) const {
     if (!(t >= start_)) throw UsageError(fmt::format("the state at {} is before the start {}", t, start_));
     if (!(t < end_)) throw UsageError(fmt::format("the end {} is not after the state at {}", end_, t));
@@ -72,13 +73,13 @@ class TimeGrid {
     return grid;
   }
 
-  /// The next stop after t: an output, an event, the end of a fixed step, or the end of the run.
+  /// Iterates over the stops: outputs, events, ends of given steps, and the end of the run.
   template <class S>
   class Walk {
    public:
     explicit Walk(const TimeGrid& grid) : grid_(grid) {
       if (!grid.goes_on()) return;
-      // the numbers of outputs and steps are found from their times, then set right by what their times are
+      // The indices are estimated from below, then increased until their times are after the begin.
       const auto before = [&](double step) {
         return std::max(1L, static_cast<long>((grid.begin_ - grid.start_) / step) - 1);
       };
@@ -111,8 +112,8 @@ class TimeGrid {
       }
       if (more_outputs && are_same(output, stop.t)) ++output_;
       if (grid_.step_ && are_same(step, stop.t)) {
-        // steps then do not depend on outputs and the end; in more digits a step that a double rounds would
-        // miss it
+        // In double a stop takes the time of the given step, so that steps do not depend on outputs and the
+        // end. In quad the step is a rounded double, and its multiple would miss the time of the output.
         if constexpr (std::is_same_v<S, double>) stop.t = step;
         ++step_;
       }
@@ -121,7 +122,7 @@ class TimeGrid {
     }
     S next_step() const { return grid_.step_ ? grid_.at<S>(step_, *grid_.step_) : S(grid_.end_); }
     bool is_end(const S& t) const { return !(t < S(grid_.end_)) || are_same(t, S(grid_.end_)); }
-    /// To rounding of a double: the grid's numbers are doubles.
+    /// Equal up to rounding in double, because the numbers of the grid are doubles.
     bool are_same(const S& a, const S& b) const {
       using std::abs;
       const double scale = std::max(std::abs(grid_.start_), std::abs(grid_.end_));

@@ -41,7 +41,7 @@ TEST(TimeGrid, EventsWithinTheRunAreStopsOnce) {
   EXPECT_TRUE(all[3].t == 1 && all[3].is_event && all[3].is_output);
 }
 
-/// From every stop on the way, those that are left are those of the whole run.
+/// From any stop on, the remaining stops are those of the whole run.
 TEST(TimeGrid, OnTheWayTheSameTimesAreToCome) {
   for (const TimeGrid& grid : {TimeGrid(0.1, 1.1, 0.2, 0.01), TimeGrid(-3, 1, 0.3),
                                TimeGrid(0, 1, 0.25, 0.05, {0.3, 0.52, 0.25}), TimeGrid(1, 2, {}, 1e-3)}) {
@@ -54,7 +54,7 @@ TEST(TimeGrid, OnTheWayTheSameTimesAreToCome) {
         EXPECT_EQ(rest[n].is_output, all[k + 1 + n].is_output);
         EXPECT_EQ(rest[n].is_event, all[k + 1 + n].is_event);
       }
-      // between two as well
+      // also from a time between two stops
       EXPECT_EQ(stops(grid.from((all[k].t + all[k + 1].t) / 2)).size(), rest.size());
     }
     EXPECT_THROW(grid.from(grid.end()), UsageError);
@@ -62,7 +62,7 @@ TEST(TimeGrid, OnTheWayTheSameTimesAreToCome) {
   }
 }
 
-/// So that a run to 0.3 and one that goes on from there step alike: 3 x 0.1 is not 0.3.
+/// A run to 0.3 and a run that continues beyond take the same steps: 3 x 0.1 is not 0.3 in double.
 TEST(TimeGrid, GivenStepsDoNotDependOnTheEnd) {
   EXPECT_EQ(stops(TimeGrid(0, 0.3, {}, 0.1)).back().t, stops(TimeGrid(0, 1, {}, 0.1))[2].t);
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// Any method behind virtual calls, one for each step, on any system: what a method's name leads to. Within a
-/// step a method knows its own type, so that virtual calls cost nothing that shows.
+/// Type erasure of methods: AnyMethod is the interface behind which every method works on AnySystem, and the
+/// list of methods by name holds these. A step costs one virtual call, which is small compared with the step.
 
 #include <memory>
 #include <utility>
@@ -12,8 +12,8 @@
 
 namespace trivium::integrators {
 
-/// Any Method on AnySystem. One that `interpolates` steps over outputs, and `interpolate` sets y to the state
-/// at a time of its last step, by a formula of the method's own order.
+/// Any Method on AnySystem. A method that `interpolates` steps over output times; `interpolate` then sets y
+/// to the state at a time within the last step, to the method's own order.
 template <class S>
 class AnyMethod {
  public:
@@ -22,15 +22,16 @@ class AnyMethod {
   virtual void restart() = 0;
   virtual bool shorten() = 0;
   virtual const Counters& counters() const = 0;
-  /// Its own multipliers after the last step; null where it has none, or none there.
+  /// The method's own multipliers after the last step; null if the method has none, or none at this time.
   virtual const StateVector<S>* lambda() const = 0;
   virtual bool interpolates() const { return false; }
-  /// y and lambda at a time of the last step.
+  /// Sets y, and the method's lambda(), to their values at a time t within the last step.
   virtual void interpolate(const S& /*t*/, StateVector<S>& /*y*/) {}
-  /// What it keeps from step to step, as numbers (memory.hpp); none where it keeps nothing or begins anew.
+  /// The numbers that the method keeps from step to step (memory.hpp); empty if it keeps none or has not
+  /// begun.
   virtual std::vector<double> memory() { return {}; }
-  /// Begins at a state with the memory of another of its kind, given steps to `stop`. Throws a
-  /// std::invalid_argument where the memory is none of such a method.
+  /// Begins at (t, y) with the memory of another method of the same kind; `stop` is the end of the next given
+  /// step. Throws a std::invalid_argument if the memory is not from such a method.
   virtual void recall(AnySystem<S>& /*system*/, const S& /*t*/, const StateVector<S>& /*y*/,
                       const S& /*stop*/, const std::vector<double>& /*memory*/) {}
 };

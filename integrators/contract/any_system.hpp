@@ -1,6 +1,6 @@
 #pragma once
-/// Any system behind virtual calls, one for each right side or solve. Methods are then compiled once for each
-/// scalar, not once for each formulation.
+/// Type erasure of systems: AnySystem is the interface of any system, with one virtual call per right side or
+/// solve. Methods are compiled once per scalar this way, and not once per formulation.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 
 namespace trivium::integrators {
 
-/// Any FirstOrderSystem, with those groups of a ConstrainedSystem that it has.
+/// Any FirstOrderSystem; the other groups of functions work if the system behind it has them.
 template <class S>
 class AnySystem {
  public:
@@ -90,13 +90,13 @@ class AnySystem {
                      StateVector<S>& mu, StateVector<S>& stretch) = 0;
 };
 
-/// A system refuses what is asked of groups that it does not have.
+/// AnySystem for a given System. A function of a group that the system does not have throws a UsageError.
 template <FirstOrderSystem System>
 class SystemAdapter final : public AnySystem<typename System::Scalar> {
  public:
   using S = typename System::Scalar;
 
-  /// The system must outlive this.
+  /// Keeps a reference: the system must outlive the adapter.
   explicit SystemAdapter(System& system) : system_(system) {}
 
   int size() const override { return system_.size(); }
@@ -264,7 +264,7 @@ class SystemAdapter final : public AnySystem<typename System::Scalar> {
                                  concepts[static_cast<int>(group)]));
   }
 
-  // the system's own type of a value
+  // the value in the type that the system uses for it
   template <class Value>
   static decltype(auto) own(Value& value) {
     if constexpr (std::is_same_v<std::remove_const_t<Value>, AnyEvaluation>) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Evaluations and factors of any system: boxes that keep what the system made. A box allocates at its first
-/// use, and again only where it is handed to a system of another type.
+/// Type erasure of the values Evaluation and Factors of a system. A box allocates when a system first uses
+/// it, and again only when a system of another type does.
 
 #include <memory>
 #include <stdexcept>
@@ -9,13 +9,13 @@ namespace trivium::integrators {
 
 class AnyValue {
  public:
-  /// The value, a new one where none of this type is kept.
+  /// The value of type T; makes a new one if the box is empty or holds another type.
   template <class T>
   T& as() {
     if (kept_ == nullptr || kept_->type != &type_of<T>) kept_ = std::make_unique<Kept<T>>();
     return static_cast<Kept<T>&>(*kept_).value;
   }
-  /// Throws a std::logic_error where none of this type is kept.
+  /// Throws a std::logic_error if the box does not hold a T.
   template <class T>
   const T& as() const {
     if (kept_ == nullptr || kept_->type != &type_of<T>) throw_not_made();

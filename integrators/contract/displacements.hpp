@@ -1,6 +1,6 @@
 #pragma once
-/// State and displacement. y begins with q and v; what follows, if anything, is the work. Positions move by
-/// displacements, which have as many numbers as v: on a Lie group q may have more.
+/// Displacements between states. The vector y begins with q and v; the work follows where a system has it. A
+/// displacement d has as many numbers as v; q may have more on a Lie group.
 
 #include <concepts>
 
@@ -9,17 +9,18 @@
 namespace trivium::integrators {
 
 ///   position_size, velocity_size
-///                        how many numbers q and v have
-///   displace             from (y, d, to): sets the positions of `to` to where the displacement d leads from
-///                        those of y
-///   displacement         from (y, to, d): the d that leads from y to `to`
-///   displacement_rate    from (d, v, rate): how a displacement grows where positions move with v
-///   position_rate        from (y, v, rate): how y's own numbers of positions grow with v
-///   position_sizes       from (y, sizes): how large, number by number of a displacement, what it moves is;
-///                        errors of positions count relative to it
+///                        the number of elements of q and of v
+///   displace             from (y, d, to): sets the positions of `to` to those of y moved by the displacement
+///                        d
+///   displacement         from (y, to, d): the displacement d from the positions of y to those of `to`
+///   displacement_rate    from (d, v, rate): the rate of a displacement d from a fixed state while the
+///                        positions move with v
+///   position_rate        from (y, v, rate): q', the rate of the position coordinates of y, from v
+///   position_sizes       from (y, sizes): for each number of a displacement the size that its relative error
+///                        refers to, such as the distance of a body from the origin [m]
 ///
-/// Laws: displacement undoes displace; displacement_rate(0, v) = v; position_rate is the part of y' that
-/// belongs to q.
+/// Laws: displacement is the inverse of displace; displacement_rate(0, v) = v; position_rate is the part of
+/// y' that belongs to q.
 template <class System>
 concept HasDisplacements = FirstOrderSystem<System> &&
     requires(const System& system, const StateVector<typename System::Scalar>& y,

@@ -1,6 +1,6 @@
 #pragma once
-/// How an integration ends where it cannot go on: a method gave up (exit code 3), or the request itself
-/// cannot be met (exit code 2). Messages say at what time, why, and what to try.
+/// The errors of an integration: a method fails (exit code 3), or the request cannot be fulfilled (exit code
+/// 2). A message says when, why, and which change may help.
 
 #include <string>
 
@@ -8,18 +8,19 @@
 
 namespace trivium::integrators {
 
-/// A method gave up: says at what time, why, and what to try.
+/// A method failed. The message says when, why, and which change may help.
 class IntegrationError : public Error {
  public:
   explicit IntegrationError(const std::string& what, ErrorKind kind = ErrorKind::integration)
       : Error(kind, what) {}
   IntegrationError(const Place& place, const std::string& why) : Error(ErrorKind::integration, place, why) {}
-  /// `what` is all of the message.
+  /// `what` is the complete message; the place is not put in front of it.
   IntegrationError(const std::string& what, const Place& place)
       : Error(ErrorKind::integration, what, place) {}
 };
 
-/// What was asked for cannot be: times that do not fit together, a method with steps that it does not take.
+/// A request that cannot be fulfilled, such as times that contradict each other or a method with steps of a
+/// kind that it does not take.
 class UsageError : public IntegrationError {
  public:
   explicit UsageError(const std::string& what) : IntegrationError(what, ErrorKind::input) {}

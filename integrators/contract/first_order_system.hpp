@@ -1,6 +1,6 @@
 #pragma once
-/// The least that integrators ask of a model: y' = f(t, y), with y on the manifold that constraints leave,
-/// and the way back onto that manifold. Explicit methods need no more. Nothing here knows of formulations or
+/// The smallest contract of a model: y' = f(t, y) for a y on the constraint manifold, and corrections that
+/// lead back to this manifold. Explicit methods need no more. The contract does not depend on formulations or
 /// scenes.
 
 #include <concepts>
@@ -11,9 +11,9 @@
 
 namespace trivium::integrators {
 
-/// How far y is from the constraints: the largest distance from one of them, in units of the model; the
-/// largest beside the model's own numbers, where rounding is a few units of roundoff; and the row that is
-/// farthest off, -1 if there is none.
+/// The constraint violation at a state. `size` is the largest violation of a row, in the units of the model.
+/// `relative` [-] is the largest violation compared with the numbers that the row is computed from; rounding
+/// alone leaves a few unit roundoffs. `row` is the row with this largest violation, -1 if there are no rows.
 template <class S>
 struct Violation {
   S size{0}, relative{0};
@@ -21,7 +21,7 @@ struct Violation {
 };
 
 using trivium::raise;
-/// By the relative one.
+/// Keeps the violation with the larger relative value; a NaN stays.
 template <class S>
 void raise(Violation<S>& largest, const Violation<S>& next) {
   if (!(next.relative <= largest.relative) && largest.relative == largest.relative) largest = next;
@@ -29,34 +29,35 @@ void raise(Violation<S>& largest, const Violation<S>& next) {
 
 /// The equations:
 ///
-///   size, start          how many numbers y has, and which it has at the start
-///   derivative           y' at (t, y). Throws a std::runtime_error where y makes no sense; the method then
-///                        takes a smaller step
-///   longest_step         how long a step from (t, y) may be, for reasons of the model
+///   size, start          the number of elements of y, and y at the start
+///   derivative           y' at (t, y). Throws a std::runtime_error if y is not a possible state; the method
+///                        then tries a smaller step
+///   longest_step         the longest step from (t, y) that the model allows
 ///
 /// The constraints:
 ///
-///   position_violation   the Violation of the constraints on positions at (t, y)
-///   velocity_violation   of those on velocities
-///   row_name             of a row by its number
-///   correct_positions    from (t, y, factor): one Newton correction of y, by a matrix that is factored there
-///                        or, unless `factor`, was factored before
-///   correct_velocities   the same of velocities
-///   normalise            meets the rows that a model keeps to itself, such as |p| = 1
+///   position_violation   the Violation of the position constraints at (t, y)
+///   velocity_violation   the Violation of the velocity constraints at (t, y)
+///   row_name             the name of a row, from its number
+///   correct_positions    from (t, y, factor): one Newton correction of the positions. If `factor`, the
+///                        matrix is factored at y; otherwise the factors of an earlier call are used
+///   correct_velocities   the same for the velocities
+///   normalise            satisfies the internal rows, such as |p| = 1
 ///
-/// Decisions of the system, which integrate.hpp asks for and acts on:
+/// Decisions of the system that integrate.hpp asks for and acts on:
 ///
 ///   projection_is_too_large
-///                        from (before, stepped, projected): whether the projection of a step went so far
-///                        that the step may have left its branch. The threshold is the system's
-///                        (simulation/system/branch_check.hpp); checked_step of integrate.cpp then
-///                        has a shorter step taken
-///   accept_state         is told every state that the motion has reached, projected. Returns whether y is in
-///                        other coordinates since: what a method remembers of y is void then
-///   pass_discontinuity   from (before, t, y): goes over a time t where the model may jump, from just before
-///                        it. Returns whether y jumped
-///   diagnose             what of the model may have made steps fail near (t, y); empty where nothing stands
-///                        out
+///                        from (before, stepped, projected): whether the projection of a step is so large
+///                        that the step may have left its branch. The system has the threshold
+///                        (simulation/system/branch_check.hpp); checked_step in integrate.cpp then asks for a
+///                        shorter step
+///   accept_state         receives every state that the motion has reached, after its projection. Returns
+///                        whether the coordinates of y have changed (re-framing); the method's memory is then
+///                        invalid
+///   pass_discontinuity   from (before, t, y): moves y over a time t at which the model may jump; `before` is
+///                        the time just before t. Returns whether y jumped
+///   diagnose             a property of the model near (t, y) that may have made steps fail, as a text; empty
+///                        if there is none
 template <class System>
 concept FirstOrderSystem = requires(System& system, const typename System::Scalar& t,
                                     const StateVector<typename System::Scalar>& y,

@@ -1,6 +1,7 @@
 #pragma once
-/// Rows that a model keeps to itself, such as |p| = 1: they have no multiplier that a method could see, and
-/// are met beside the others. A model without any does nothing here.
+/// Internal rows are constraints that a model handles itself, such as |p| = 1. Their multipliers do not
+/// belong to lambda, and methods satisfy them through the functions below. For a model without internal rows
+/// these functions do nothing.
 
 #include <concepts>
 
@@ -8,16 +9,19 @@
 
 namespace trivium::integrators {
 
-///   normalise_step       from (share, y, v'): meets the rows by a change of v', which moves q by `share` of
-///                        it, and moves y's positions there. Returns whether there are any
+///   normalise_step       from (share, y, v'): moves the positions of y onto the internal rows, and changes
+///                        v' accordingly: a change of v' moves q by `share` times the change. Returns whether
+///                        the model has internal rows
 ///   normalise_step_velocity
-///                        from (share, y, v'): the same for their derivatives, by a change of v' that moves v
+///                        from (share, y, v'): the same for the derivatives of the rows: changes v' so that
+///                        v, which moves by `share` times the change, satisfies them
 ///
-/// For methods whose steps have no place for a normalisation:
+/// For methods whose steps do not normalise:
 ///
-///   internal_residual    from (at, v', left): what v' leaves of the rows' second derivatives, into the
-///                        places that `residual` leaves at 0
-///   solve_internal_rows  from (at, left, x): adds to x what removes that
+///   internal_residual    from (at, v', left): the residual of the rows' second derivatives for this v', put
+///                        into the elements of `left` that `residual` leaves 0
+///   solve_internal_rows  from (at, left, x): adds to x the smallest change of v' that makes this residual
+///                        zero
 template <class System>
 concept HasInternalRows = HasResidual<System> &&
     requires(System& system, const typename System::Scalar& share, const typename System::Evaluation& at,

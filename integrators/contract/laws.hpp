@@ -1,7 +1,7 @@
 #pragma once
-/// The laws of a system, for whoever writes a model: the second half of the contract, which types cannot say.
-/// `broken_laws` tries them at a state and names those that do not hold: of a ConstrainedSystem all, of
-/// another FirstOrderSystem those of its states.
+/// The laws of a system: the second half of the contract, which C++ types cannot express. Authors of a model
+/// run `broken_laws` at a state; it returns the laws that do not hold. A ConstrainedSystem is tested for all
+/// laws, another FirstOrderSystem for those of state_laws.hpp.
 
 #include <array>
 #include <cmath>
@@ -51,7 +51,7 @@ class SystemLaws : StateLaws<System> {
     return values;
   }
 
-  /// Of a state off the constraints: both ways to measure say the same, and not that nothing is off.
+  /// At a state that violates the constraints: both ways to measure a violation agree, and neither is 0.
   void violations() {
     const Y off = nearby(15);
     Evaluation at;
@@ -87,7 +87,7 @@ class SystemLaws : StateLaws<System> {
     if (y_.size() > nq_ + nv_)
       equal("the work grows as y' says", Y::Constant(1, S(system_.work_rate(at, lambda))), y_dot.tail(1),
             1e6);
-    // no gyroscopic terms at rest
+    // at rest there are no gyroscopic terms
     Factors factors;
     Y applied, reduced;
     system_.evaluate(t_, with_velocity(Y::Zero(nv_)), at);
@@ -98,7 +98,7 @@ class SystemLaws : StateLaws<System> {
     equal("at rest the applied force is all that is left without accelerations", reduced, left, 1e6);
   }
   void rows() {
-    // by the motion's own displacement, from both sides; what is left is of the square of the step
+    // central differences along the motion; their error is of the order of the squared step
     using std::cbrt;
     const double u = static_cast<double>(std::numeric_limits<S>::epsilon());
     const S h(cbrt(u) / (1 + static_cast<double>(S(v_.norm()))));
@@ -114,7 +114,7 @@ class SystemLaws : StateLaws<System> {
     Evaluation at;
     Factors factors;
     system_.evaluate(t_, y_, at);
-    // rows that can be met: what a change of v does to them
+    // right side that the rows can meet even if some are redundant: the change of Phi_q v by a change of v
     const Y none = Y::Zero(nv_), no_lambda = Y::Zero(system_.multipliers());
     const Y phi_dot = rows_at(t_, y_, true);
     const Y rows = rows_at(t_, with_velocity(v_ + numbers(nv_, 2)), true) - phi_dot;
@@ -140,8 +140,9 @@ class SystemLaws : StateLaws<System> {
     system_.solve(factors, at, left, rows, Y::Zero(system_.springs()), x_slack, mu_slack, stretch);
     equal("without slack springs are as in the plain solution", x_slack, x);
   }
-  /// Of two solutions a and b that move no row, with slacks of their own: x_a does on b's equations
-  /// x_a . left = x_a . M x_b + the sum over springs of resistance times stretch_a (stretch_b - slack_b).
+  /// Let a and b be two solutions with right side 0 for the rows and different slacks. Multiplying the
+  /// equations of b by x_a gives x_a . left = x_a . M x_b + sum over springs of resistance * stretch_a *
+  /// (stretch_b - slack_b).
   void springs() {
     const S h(0.01);
     const Shares<S> shares{h * h / 4, h / 2};
@@ -164,7 +165,7 @@ class SystemLaws : StateLaws<System> {
       one.slack = S(k) * numbers(system_.springs(), 10);
       one.x = Y::Zero(nv_);
       system_.solve(factors, at, left, no_rows, one.slack, one.x, mu, one.stretch);
-      if (one.stretch.size() == 0) one.stretch = one.slack;  // there are no springs
+      if (one.stretch.size() == 0) one.stretch = one.slack;  // the model has no springs
     }
     for (const Solution& a : solution)
       for (const Solution& b : solution) {
@@ -211,7 +212,7 @@ class SystemLaws : StateLaws<System> {
     equal("what is added for internal rows leaves nothing of them", nothing / (1 + v_.squaredNorm()),
           Y::Zero(nv_));
   }
-  /// What is asked of an evaluation does not depend on what was evaluated after it.
+  /// The results for an evaluation do not depend on evaluations made later.
   void values() {
     Evaluation at, other;
     Y away = with_velocity(-v_), before, after;
@@ -227,7 +228,7 @@ class SystemLaws : StateLaws<System> {
 
 }  // namespace detail
 
-/// The laws that do not hold at (t, y), which must meet the constraints.
+/// Returns the laws that do not hold at (t, y), a state that must meet the constraints.
 template <FirstOrderSystem System>
 std::vector<BrokenLaw> broken_laws(System& system, const typename System::Scalar& t,
                                    const StateVector<typename System::Scalar>& y) {

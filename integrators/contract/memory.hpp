@@ -1,7 +1,7 @@
 #pragma once
-/// What a method keeps from step to step, as numbers: saved with a state, they let a run go on as if it had
-/// not ended. A method that has such a memory shows its parts, show(part...), to one that saves or recalls
-/// them.
+/// The memory of a method: the numbers that it keeps from step to step. Saved together with a state, they
+/// allow a run to continue exactly as if it had not ended. A method with a memory has `show_memory(show)`,
+/// which calls show(part...) with each part; `show` is a MemorySaver or a MemoryReader.
 
 #include <cstddef>
 #include <stdexcept>
@@ -11,7 +11,7 @@
 
 namespace trivium::integrators {
 
-/// Appends parts to a list, a vector with its length in front.
+/// Appends the parts to a list of numbers; the length of a vector stands before its elements.
 template <class S>
 class MemorySaver {
  public:
@@ -27,13 +27,13 @@ class MemorySaver {
   std::vector<double>& numbers_;
 };
 
-/// Takes parts from such a list. Throws a std::invalid_argument where it is none of this method's.
+/// Reads the parts from such a list. Throws a std::invalid_argument if the list does not fit the method.
 template <class S>
 class MemoryReader {
  public:
   explicit MemoryReader(const std::vector<double>& numbers) : numbers_(numbers) {}
   void operator()(auto&... part) { (read(part), ...); }
-  /// Throws where numbers are left.
+  /// Throws if the list has more numbers than were read.
   void end() const {
     if (next_ != numbers_.size()) refuse();
   }
@@ -43,7 +43,7 @@ class MemoryReader {
     if (next_ == numbers_.size()) refuse();
     number = S(numbers_[next_++]);
   }
-  /// Of the length that it has begun with.
+  /// The vector keeps its length, which the list must confirm.
   void read(StateVector<S>& vector) {
     S size(0);
     read(size);

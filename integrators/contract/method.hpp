@@ -1,7 +1,6 @@
 #pragma once
-/// What a method in time is: one that takes a step of a system and can forget, or shorten, what it did. The
-/// walk through a grid of times is integrate.hpp's; lengths of a method's own choice are
-/// step_size_control.hpp's.
+/// The contract of a method in time: it takes one step of a system, and it can forget or shorten its last
+/// step. integrate.hpp walks through the time grid; step_size_control.hpp chooses step sizes.
 
 #include <concepts>
 
@@ -9,21 +8,21 @@
 
 namespace trivium::integrators {
 
-/// What a method has done.
+/// The work of a method so far.
 struct Counters {
   long steps = 0, rejected_steps = 0, right_sides = 0, restarts = 0;
-  long iterations = 0;  ///< of Newton's method
+  long iterations = 0;  ///< Newton iterations
 };
 
-/// One accepted step at a time. `step` moves t and y on by one step, at most to `stop`, which it lands on
-/// exactly where it comes near; `restart` forgets what the method remembers of the solution so far, as where
-/// it is not smooth; `shorten` has it take a shorter step from where it took the last one, and returns
-/// whether it can. Throws an IntegrationError where it gives up.
+/// A method takes one accepted step at a time. `step` moves t and y by one step, at most to `stop`; a step
+/// that ends near `stop` ends on it exactly. `restart` forgets the solution so far, as is needed where the
+/// solution is not smooth. `shorten` makes the next step start where the last one started and be shorter; it
+/// returns whether the method can do this. `step` throws an IntegrationError if the method fails.
 ///
-/// A method may have more, which AnyMethod asks for: `lambda`, a pointer to multipliers of its own, null
-/// where there are none; `interpolates` with `interpolate(t, y)`, the state at a time of its last step; and,
-/// where it keeps something from step to step, `begin(system, t, y, stop)`, `has_begun()` and
-/// `show_memory(show)`, by which a run goes on exactly (memory.hpp).
+/// Optional functions, which AnyMethod asks for: `lambda`, a pointer to the method's own multipliers, or
+/// null; `interpolates` and `interpolate(t, y)`, the state at a time within the last step; and for a method
+/// with a memory (memory.hpp) `begin(system, t, y, stop)`, `has_begun()` and `show_memory(show)`, which let a
+/// saved run continue exactly.
 template <class M, class System>
 concept Method = requires(M& method, const M& constant, System& system, typename System::Scalar& t,
                           StateVector<typename System::Scalar>& y, const typename System::Scalar& stop) {

@@ -1,10 +1,12 @@
 #pragma once
-/// Newton's matrix of a step: M, the stiffness K and damping C of springs by the step's shares, and Phi_q,
+/// Newton's matrix of an implicit step: M, the stiffness K and damping C of springs times the step's shares,
+/// and Phi_q,
 ///
 ///   [ M + gamma' C + beta' K   Phi_q^T ] [ x  ]   [ left ]
 ///   [ Phi_q                    0       ] [ mu ] = [ rows ]
 ///
-/// in factors, which are a value too. They are kept for as long as a method likes, beside others.
+/// The factors of this matrix are a value: a method may keep several at the same time, and for as long as it
+/// needs them.
 
 #include <concepts>
 
@@ -12,21 +14,22 @@
 
 namespace trivium::integrators {
 
-/// How far q and v of a step move with v': beta' and gamma' (h^2 and h, times numbers of the method).
+/// How far q and v move with v': q by beta' [s^2], v by gamma' [s]. They are h^2 and h times constants of the
+/// method.
 template <class S>
 struct Shares {
   S position{0}, velocity{0};
 };
 
-///   Factors              empty at first; their storage is used again by the next `factor`
-///   factor               from (at, shares, factors): factors of the matrix at an evaluation; of M and Phi_q
-///                        alone for shares of 0. The evaluation is factored once, and asked for no
-///                        residual afterwards: factors may take what it holds
-///   solve                from (factors, at, left, rows, x, mu): adds the solution to x, which is of v's kind
-///                        where `at` is, and to mu
-///   reduce               from (factors, force, left): a force of v's kind as `solve` takes it, reduced where
-///                        the factors are
-///   inertia_force        from (factors, x, force): M x where the factors are
+///   Factors              empty at first; the next `factor` uses their storage again
+///   factor               from (at, shares, factors): factors the matrix at an evaluation; with shares of 0
+///                        only M and Phi_q. An evaluation can be factored once; afterwards it gives no
+///                        residual, because the factors may take over its contents
+///   solve                from (factors, at, left, rows, x, mu): adds the solution to x and mu; x is in the
+///                        velocity coordinates at `at`, which may be another state than that of the factors
+///   reduce               from (factors, force, left): makes the `left` of `solve` from a generalised force;
+///                        reduced at the state of the factors
+///   inertia_force        from (factors, x, force): M x with M at the state of the factors
 template <class System>
 concept HasNewtonMatrix = HasResidual<System> && std::default_initializable<typename System::Factors> &&
     std::movable<typename System::Factors> &&

@@ -1,10 +1,10 @@
 #pragma once
-/// The equations of motion with multipliers, and what a state and a guess of v' and lambda leave of them:
+/// The equations of motion with multipliers, and their residual for a state and an estimate of v' and lambda:
 ///
 ///   M(q) v' + Phi_q^T lambda = Q(q, v, t),   Phi(q, t) = 0,   Phi_q v = nu
 ///
-/// An evaluation is the model at one (t, y), as a value: all that is asked at a state is asked of it, and
-/// nothing depends on which one was made last.
+/// An evaluation is the model at one (t, y), as a value. The functions below take an evaluation, and their
+/// results do not depend on which evaluation was made last.
 
 #include <concepts>
 #include <string>
@@ -13,26 +13,26 @@
 
 namespace trivium::integrators {
 
-///   Evaluation           empty at first; its storage is used again by the next `evaluate`
+///   Evaluation           empty at first; the next `evaluate` uses its storage again
 ///   evaluate             from (t, y, at): makes `at` the model at (t, y)
-///   multipliers          how many numbers lambda has
-///   accelerations        from (t, y, v', lambda): v' and lambda of index 1
+///   multipliers          the number of elements of lambda
+///   accelerations        from (t, y, v', lambda): v' and lambda solved at index 1
 ///
-/// Forces, of v's kind:
+/// Generalised forces, with as many elements as v:
 ///
 ///   inertia_is_constant  whether M does not depend on q
 ///   inertia_force        from (at, x, force): M x
-///   applied_force        from (at, force): what effects do; gyroscopic terms are not among it
+///   applied_force        from (at, force): the forces of the effects, without gyroscopic terms
 ///
-/// What is left, of the equations and of the rows. All measures returned mean the same in all coordinates:
+/// Residuals of the equations and of the rows. The returned measures mean the same in all coordinates:
 ///
-///   residual             from (at, force, lambda, left): Q - force - Phi_q^T lambda, where the force stands
-///                        for M v'. Returns the largest imbalance beside the forces at work. `left` is
-///                        reduced: in the places of v, without what internal rows take
-///                        (internal_rows.hpp)
+///   residual             from (at, force, lambda, left): Q - force - Phi_q^T lambda, where `force` stands
+///                        for M v'. Returns the largest imbalance relative to the forces at work [-]. `left`
+///                        has the length of v but is reduced: the part that the multipliers of internal rows
+///                        balance is eliminated, and the elements that this frees are 0 (internal_rows.hpp)
 ///   position_rows, velocity_rows
 ///                        from (at, rows): Phi, and Phi_q v - nu. Each returns its Violation
-///   work_rate            from (at, lambda): by how much the work behind q and v grows
+///   work_rate            from (at, lambda): the rate of the work, which is the element of y after q and v
 template <class System>
 concept HasResidual = HasDisplacements<System> && std::default_initializable<typename System::Evaluation> &&
     std::movable<typename System::Evaluation> &&

@@ -1,7 +1,7 @@
 #pragma once
-/// The model of one page: a particle of mass m on a sphere of radius l about the origin, under gravity -g
-/// e_z, in plain coordinates y = (r, r'). It has all that a method may ask of a ConstrainedSystem, so that a
-/// method can be tried alone, without formulations, bodies or a solver along a graph:
+/// A one-page model: a particle of mass m on a sphere of radius l about the origin, under gravity -g e_z, in
+/// Cartesian coordinates y = (r, r'). It has every function of a ConstrainedSystem, so that a method can be
+/// tested without formulations, bodies or the structured solver:
 ///
 ///   m r'' + r lambda = -m g e_z,   Phi = (r . r - l^2) / 2 = 0
 ///
@@ -26,7 +26,7 @@ class SphericalPendulum {
   S m{2}, g{10}, l{1};
   Vector r0{S(0.6), S(0), S(-0.8)}, v0{S(0), S(3), S(0)};
 
-  // y' = f(t, y), and the way back onto the sphere
+  // y' = f(t, y), and the corrections that lead back onto the sphere
   int size() const { return 6; }
   Y start() const { return joined(r0, v0); }
   void derivative(const S& t, const Y& y, Y& y_dot) const {
@@ -46,7 +46,7 @@ class SphericalPendulum {
   bool pass_discontinuity(const S&, const S&, Y&) const { return false; }
   std::string diagnose(const S&, const Y&) const { return {}; }
 
-  // displacements: positions are added
+  // displacements: they are added to the positions
   int position_size() const { return 3; }
   int velocity_size() const { return 3; }
   void displace(const Y& from, const Y& by, Y& to) const { to.head(3) = from.head(3) + by; }
@@ -58,7 +58,7 @@ class SphericalPendulum {
   // the equations of motion at a state
   struct Evaluation {
     Vector r, v;
-    mutable bool is_factored = false;  ///< then for rows, solutions and inertia alone
+    mutable bool is_factored = false;  ///< afterwards it gives no residual and no factors
   };
   void evaluate(const S&, const Y& y, Evaluation& at) const { at = {r(y), v(y)}; }
   int multipliers() const { return 1; }
@@ -84,7 +84,7 @@ class SphericalPendulum {
   }
   S work_rate(const Evaluation&, const Y&) const { return S(0); }
 
-  // Newton's matrix [m 1, r; r^T, 0]: gravity adds no stiffness
+  // Newton's matrix [m 1, r; r^T, 0]: gravity is constant and adds no stiffness
   using Factors = Evaluation;
   void factor(const Evaluation& at, const Shares<S>&, Factors& factors) const {
     require_whole(at);
@@ -98,7 +98,7 @@ class SphericalPendulum {
   }
   void reduce(const Factors&, const Y& force, Y& left) const { left = force; }
 
-  // neither rows of its own nor springs
+  // the model has no internal rows and no springs
   bool normalise_step(const S&, Y&, Y&) const { return false; }
   void normalise_step_velocity(const S&, const Y&, Y&) const {}
   void internal_residual(const Evaluation&, const Y&, Y&) const {}
@@ -125,7 +125,8 @@ class SphericalPendulum {
   S phi_of(const Vector& place) const { return (place.squaredNorm() - l * l) / 2; }
   S phi(const Y& y) const { return phi_of(r(y)); }
   S phi_dot(const Y& y) const { return r(y).dot(v(y)); }
-  // beside numbers of the pendulum's own size: at rest, the speed that it falls to
+  // Relative to the pendulum's own numbers: l^2 for positions; for velocities l times the speed, plus sqrt(g
+  // l), a speed of free fall, so that the measure also makes sense at rest.
   Violation<S> of_positions(const S& left) const {
     using std::abs;
     return {abs(left), abs(left) / (l * l), 0};
@@ -134,7 +135,7 @@ class SphericalPendulum {
     using std::abs, std::sqrt;
     return {abs(left), abs(left) / (l * (velocity.norm() + sqrt(g * l))), 0};
   }
-  /// Of the least change in M, which moves the row by 1.
+  /// Change of r or v that changes the row by 1 and is smallest in the metric of M.
   const Vector& direction(const Y& y, bool factor) {
     if (factor) direction_ = r(y) / r(y).squaredNorm();
     return direction_;

@@ -1,7 +1,7 @@
 #pragma once
-/// Springs and dampers one by one, for methods of several stages. In Newton's matrix of a stage they resist
-/// by the stage's own shares alone; what stages do to each other is solved for in the springs' few numbers. A
-/// model may leave its springs to the iteration, and have none here.
+/// Springs and dampers, each by its stiffness and damping, for methods of several stages. The Newton matrix
+/// of one stage has their resistance by that stage's shares only; the method solves for the coupling of the
+/// stages with one unknown per spring. A model may leave its springs to the iteration; it then has none here.
 
 #include <concepts>
 
@@ -9,10 +9,11 @@
 
 namespace trivium::integrators {
 
-///   springs              how many springs resist in Newton's matrix
-///   spring_constants     their stiffness and damping
-///   solve                from (factors, at, left, rows, slack, x, mu, stretch): as without springs, where
-///                        they resist only what x stretches them by beyond a slack; and by how much it does
+///   springs              the number of springs in Newton's matrix
+///   spring_constants     their stiffness [N/m, N m] and damping [N s/m, N m s]
+///   solve                from (factors, at, left, rows, slack, x, mu, stretch): the `solve` of
+///                        HasNewtonMatrix, where a spring resists only the part of its stretch by x that
+///                        exceeds its slack; also returns the stretch of every spring by x
 template <class System>
 concept HasSprings = HasNewtonMatrix<System> &&
     requires(System& system, const typename System::Evaluation& at, const typename System::Factors& factors,

@@ -1,6 +1,6 @@
 #pragma once
-/// The laws of a FirstOrderSystem and of its displacements, where it has any: what types cannot say of states
-/// alone. Those of equations with multipliers are laws.hpp's, which tries these too.
+/// The laws of a FirstOrderSystem and, where the model has them, of its displacements. C++ types cannot
+/// express them. The laws of the equations with multipliers are in laws.hpp, which tests these laws too.
 
 #include <cmath>
 #include <limits>
@@ -17,7 +17,7 @@ class StateLaws {
   using S = typename System::Scalar;
   using Y = StateVector<S>;
 
-  /// At a state that meets the constraints.
+  /// The state must meet the constraints.
   StateLaws(System& system, const S& t, const Y& y) : system_(system), t_(t), y_(y) {
     if constexpr (HasDisplacements<System>) {
       nq_ = system.position_size();
@@ -34,7 +34,7 @@ class StateLaws {
   }
 
  protected:
-  /// What differs is rounding, of numbers as large as these.
+  /// a and b may differ by rounding: by `digits_lost` machine epsilons relative to 1 + |a| + |b|.
   void equal(const char* law, const Y& a, const Y& b, double digits_lost = 1e4) {
     const bool same_size = a.size() == b.size();
     const double size = 1 + (same_size ? static_cast<double>(S(a.norm() + b.norm())) : 0.0);
@@ -45,7 +45,7 @@ class StateLaws {
   void require(const char* law, bool holds) {
     if (!holds) broken_.push_back({law, 1, 0});
   }
-  /// Fixed numbers without a pattern, of size 1.
+  /// Fixed numbers of size up to 1 without a pattern; another seed gives other numbers.
   static Y numbers(int size, int seed) {
     return Y::NullaryExpr(size, [seed](Eigen::Index k) {
       return S(std::sin(static_cast<double>(7 * k + 13 * seed + 1) * 1.7));
@@ -56,7 +56,7 @@ class StateLaws {
     y.segment(nq_, nv_) = v;
     return y;
   }
-  /// Another state near by, of other numbers each time.
+  /// A state near y; another seed gives another state.
   Y nearby(int seed) const {
     Y off = y_;
     if constexpr (HasDisplacements<System>) {
@@ -81,7 +81,8 @@ class StateLaws {
     system_.normalise(kept);
     equal("a normalisation leaves what is normalised", kept, y_);
   }
-  /// Of a Newton iteration from nearby: what is left is of the square.
+  /// One correction from a nearby state reduces the violation at least tenfold, as a Newton step must: its
+  /// error is quadratic.
   void corrections() {
     Y off = nearby(7);
     const auto falls = [&](const char* law, const auto& violation, const auto& correct) {
@@ -101,7 +102,7 @@ class StateLaws {
           [&] { system_.correct_velocities(t_, off, true); });
     const Y again = nearby(14);
     if constexpr (HasDisplacements<System>)
-      off.segment(nq_, nv_) = again.segment(nq_, nv_);  // where positions are back
+      off.segment(nq_, nv_) = again.segment(nq_, nv_);  // keeps the corrected positions
     else
       off = again;
     system_.normalise(off);
@@ -116,7 +117,7 @@ class StateLaws {
     equal("a displacement leads from one state to the other", found, by);
     system_.displacement_rate(none, v_, rate);
     equal("a displacement begins to grow as v", rate, v_);
-    // along the motion from where the displacement leads, from both sides
+    // central difference along a motion with v from the displaced state
     using std::cbrt;
     const double u = static_cast<double>(std::numeric_limits<S>::epsilon());
     const S h(cbrt(u) / (1 + static_cast<double>(S(v_.norm()))));

@@ -1,6 +1,6 @@
 #pragma once
-/// The numbers of a state, or of a rate or change of one, as methods see them. Where each number stands is
-/// the system's (simulation/system/state_layout.hpp).
+/// The vector type of methods: a state y, its rate or a change of it. The system defines the meaning of
+/// its elements (simulation/system/state_layout.hpp).
 
 #include <Eigen/Core>
 

@@ -1,17 +1,17 @@
 #pragma once
-/// The two measures of "small enough": the errors that a user allows in each step, and what rounding leaves.
-/// Constraints have no tolerance: projections and Newton's methods meet them to rounding.
+/// The two bounds of "small enough": tolerances that a user gives for the error of a step, and the level of
+/// rounding. Constraints have no tolerance: projections and Newton iterations satisfy them to rounding.
 
 #include <limits>
 
 namespace trivium::integrators {
 
-/// Errors of each number of y up to atol + rtol |number|, per step.
+/// The error of each element of y may be up to atol + rtol |element| per step.
 struct Tolerances {
   double rtol = 1e-8, atol = 1e-10;
 };
 
-/// What rounding may leave of a measure beside the model's own numbers.
+/// Bound [-] of a relative measure (relative to the model's own numbers) that rounding alone may leave.
 template <class S>
 S rounding() {
   return S(16 * std::numeric_limits<S>::epsilon());

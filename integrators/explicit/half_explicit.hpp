@@ -1,18 +1,20 @@
 #pragma once
-/// Half-explicit Runge-Kutta methods on index 2: stages are explicit in q and v, and each one's multipliers
-/// are what puts the velocities of the next onto their rows:
+/// Half-explicit Runge-Kutta methods for index 2. The stages are explicit in q and v; the multipliers of a
+/// stage are those that make the velocities of the next stage meet their rows:
 ///
 ///   Q_i = q_n + h sum_{j<i} a_ij Q'_j,   V_i = v_n + h sum_{j<i} a_ij V'_j
 ///
 ///   M(Q_i) V'_i + Phi_q(Q_i)^T lambda_i = Q(Q_i, V_i, t_i),   Phi_q(Q_i+1) V_i+1 = nu(t_i+1)
 ///
-/// HEM4 is of order 4 (Brasey and Hairer, SIAM Journal on Numerical Analysis 30, 1993). HEDOP5 is Dormand and
-/// Prince's 5(4) in this form (Arnold and Murua, Numerical Algorithms 19, 1998): its first stage takes V' and
-/// lambda from the last step, whose seventh found them at its end by rows at 19/20 of the way.
+/// HEM4 has order 4 (Brasey and Hairer, SIAM Journal on Numerical Analysis 30, 1993). HEDOP5 is the formula
+/// 5(4) of Dormand and Prince in this form (Arnold and Murua, Numerical Algorithms 19, 1998). Its seventh
+/// stage lies at the end of the step; the rows that its multipliers meet are those of an extra state at 19/20
+/// of the step. The next step takes V' and lambda of this stage for its first stage.
 ///
-/// The rows are those of the next stage and the forces those of this one; the symmetric matrix of this stage
-/// solves for both by repetition, which falls by about the angle that bodies turn between the two. `solve`
-/// decides when the rows count as met, and that the repetition diverges.
+/// A stage has the forces of its own state but the rows of the next stage, so that its linear system is not
+/// symmetric. `solve` iterates with the symmetric matrix of the stage instead; an iteration reduces the error
+/// by a factor of about the angle by which bodies rotate between the two stages. `solve` also decides when
+/// the rows count as met and when the iteration diverges.
 
 #include <fmt/format.h>
 
@@ -30,14 +32,15 @@
 
 namespace trivium::integrators {
 
-/// `Coefficients` are HEM4's or HEDOP5's (half_explicit_coefficients.hpp).
+/// `Coefficients` are those of HEM4 or HEDOP5 (half_explicit_coefficients.hpp).
 template <HasNewtonMatrix System, class Coefficients>
 requires HasInternalRows<System>
 class HalfExplicit {
  public:
   using S = typename System::Scalar;
 
-  /// Steps of its own choice to the tolerances, which needs an embedded formula, or of the grid's length.
+  /// With tolerances the method chooses its steps, which needs an embedded formula; without them it takes the
+  /// given steps.
   explicit HalfExplicit(std::optional<Tolerances> tolerances = {}) : tolerances_(tolerances) {}
 
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
@@ -71,7 +74,7 @@ class HalfExplicit {
     return true;
   }
   const Counters& counters() const { return counters_; }
-  /// Of the last stage, at the step's end.
+  /// The multipliers of the last stage, which lies at the end of the step.
   const StateVector<S>* lambda() const { return has_stepped_ ? &last_lambda_ : nullptr; }
 
   bool has_begun() const { return has_begun_; }
@@ -103,7 +106,7 @@ class HalfExplicit {
     S work_rate{0};
   };
 
-  /// The stages of a step, and where they lead; y stays.
+  /// Computes the stages of a step and the state `reached_` at its end; y does not change.
   void advance(System& system, const S& t, const S& h, const StateVector<S>& y) {
     lambda_.setZero(system.multipliers());
     at_ = y;
@@ -141,7 +144,7 @@ class HalfExplicit {
     has_stepped_ = true;
     ++counters_.steps;
   }
-  /// In tolerances.
+  /// The estimated error of a step [tolerances]; 0 without an embedded formula.
   S error_of(const S& h, const StateVector<S>& y) {
     if constexpr (requires { of_.embedded; }) {
       off_.setZero(nq_ + nv_);
@@ -160,8 +163,8 @@ class HalfExplicit {
     }
   }
 
-  /// V' and lambda of the stage at y, that lead the next one's velocities, which move with V' by `share`,
-  /// onto their rows.
+  /// Solves for V' and lambda of the stage at (t, y) so that the velocities of the next stage meet their rows
+  /// at t_next. These velocities, in next_, change by `share` times V'.
   void solve(System& system, const S& t, const S& t_next, const S& share, const StateVector<S>& y,
              StateVector<S>& v_dot) {
     v_dot.setZero(nv_);
@@ -204,7 +207,7 @@ class HalfExplicit {
   const std::optional<Tolerances> tolerances_;
   StepSizeControl<S> step_size_;
   std::array<Stage, stages> stage_;
-  typename System::Evaluation stage_at_, next_at_;  ///< of this stage and of the next
+  typename System::Evaluation stage_at_, next_at_;  ///< the model at this stage and at the next
   typename System::Factors factors_;
   StateVector<S> at_, next_, reached_, lambda_, last_lambda_, left_, rows_, change_, v_, off_;
   int nq_ = 0, nv_ = 0;

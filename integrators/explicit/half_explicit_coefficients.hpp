@@ -8,10 +8,10 @@
 
 namespace trivium::integrators {
 
-/// HEM4's coefficients: the last row is that of the step.
+/// The coefficients of HEM4; the last row is that of the step.
 template <class S>
 struct Hem4Coefficients {
-  static constexpr int stages = 5, end = 5;  ///< the row that is the step's
+  static constexpr int stages = 5, end = 5;  ///< `end` is the row of the step
   static constexpr bool first_is_known = false;
   std::array<S, 6> c;
   std::array<std::array<S, 5>, 6> a;
@@ -29,14 +29,14 @@ struct Hem4Coefficients {
   }
 };
 
-/// HEDOP5's: the last row is where the seventh stage's multipliers have their rows.
+/// The coefficients of HEDOP5. The last row, at 19/20, gives the state whose rows the seventh stage meets.
 template <class S>
 struct Hedop5Coefficients {
   static constexpr int stages = 7, end = 6;
   static constexpr bool first_is_known = true;
   std::array<S, 8> c;
   std::array<std::array<S, 7>, 8> a;
-  std::array<S, 7> embedded;  ///< of order 4
+  std::array<S, 7> embedded;  ///< weights of the embedded formula of order 4
 
   Hedop5Coefficients() {
     const S o(0);

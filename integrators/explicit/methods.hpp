@@ -1,5 +1,5 @@
 #pragma once
-/// The explicit and half-explicit methods of the list. A new one is an entry in methods.cpp.
+/// The explicit and half-explicit methods of the list. To add a method, add an entry in methods.cpp.
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
-/// Boost.Odeint's explicit methods on y' = f(t, y): Dormand-Prince 5(4), Fehlberg 7(8), Bulirsch-Stoer and
-/// Adams-Bashforth-Moulton. Steps are of their own choice or of a given length; with a given one, methods
-/// that remember steps begin anew where its length changes.
+/// Explicit methods of Boost.Odeint for y' = f(t, y): Dormand-Prince 5(4), Fehlberg 7(8), Bulirsch-Stoer and
+/// Adams-Bashforth-Moulton. They choose their steps or take given ones. With given steps, methods that
+/// remember earlier steps restart when the step size changes.
 
 #include <fmt/format.h>
 
@@ -28,7 +28,8 @@ namespace trivium::integrators {
 
 namespace odeint = boost::numeric::odeint;
 
-/// Of scalars that are classes too; and a number that is none is larger than any.
+/// Algebra for Odeint whose norm accepts class scalars such as Quad, and is infinite if an element is not
+/// finite.
 struct StateVectorAlgebra : odeint::range_algebra {
   template <class V>
   static typename V::Scalar norm_inf(const V& v) {
@@ -50,17 +51,17 @@ template <class S>
 using Fehlberg78 = odeint::runge_kutta_fehlberg78<StateVector<S>, S, StateVector<S>, S, StateVectorAlgebra>;
 template <class S>
 using BulirschStoer = odeint::bulirsch_stoer<StateVector<S>, S, StateVector<S>, S, StateVectorAlgebra>;
-/// Of given steps: predicts with 5 steps and corrects with 5; starts with Fehlberg 7(8).
+/// For given steps: predictor and corrector of 5 steps, started by Fehlberg 7(8).
 template <class S>
 using AdamsBashforthMoulton =
     odeint::adams_bashforth_moulton<5, StateVector<S>, S, StateVector<S>, S, StateVectorAlgebra,
                                     odeint::default_operations, odeint::initially_resizer, Fehlberg78<S>>;
-/// Of steps and orders of its own choice, up to 12.
+/// For chosen steps: step size and order are chosen, orders up to 12.
 using AdaptiveAdams =
     odeint::adaptive_adams_bashforth_moulton<12, StateVector<double>, double, StateVector<double>, double,
                                              StateVectorAlgebra>;
 
-/// f as Odeint calls it, counted.
+/// The right side f as Odeint calls it; counts the calls.
 template <FirstOrderSystem System>
 struct RightSide {
   using S = typename System::Scalar;
@@ -73,7 +74,7 @@ struct RightSide {
   }
 };
 
-/// An Odeint controlled stepper: steps of its own choice.
+/// Chosen steps, by a controlled stepper of Odeint.
 template <class S, class Controlled>
 class ChosenSteps {
  public:
@@ -112,7 +113,7 @@ class ChosenSteps {
     step_size_.restart();
     ++counters_.restarts;
   }
-  /// A step to shorten was not taken after all.
+  /// The last step was taken back: it no longer counts, and the next one is shorter.
   bool shorten() {
     forget();
     step_size_.shorten();
@@ -125,7 +126,7 @@ class ChosenSteps {
  private:
   template <class F>
   odeint::controlled_step_result attempt(const F& f, StateVector<S>& y, S& t, S& h) {
-    // the derivative at hand is that of y as it was projected
+    // y_dot_ is the derivative at the projected y; a stepper that accepts no derivative computes its own
     if constexpr (requires { controlled_.try_step(f, y, y_dot_, t, h); })
       return controlled_.try_step(f, y, y_dot_, t, h);
     else
@@ -144,7 +145,7 @@ class ChosenSteps {
   Counters counters_;
 };
 
-/// Steps of the grid's length.
+/// Given steps.
 template <class S, class Stepper>
 class GivenSteps {
  public:
@@ -166,7 +167,8 @@ class GivenSteps {
   const Counters& counters() const { return counters_; }
 
  private:
-  /// Its last stage would be the next step's first, but y was projected since.
+  /// An FSAL stepper uses the derivative of its last stage again in the next step; y was projected since, so
+  /// that the stepper must forget it.
   static constexpr bool remembers_a_step =
       std::is_same_v<typename Stepper::stepper_category, odeint::explicit_error_stepper_fsal_tag>;
 

@@ -1,7 +1,7 @@
 #pragma once
-/// Anderson's acceleration of an iteration that a matrix all but solves (Anderson, Journal of the ACM 12,
-/// 1965). Newton's matrices leave gyroscopic and geometric terms out; the last few changes tell what these
-/// do.
+/// Anderson acceleration of a fixed-point iteration (Anderson, Journal of the ACM 12, 1965). Newton's
+/// matrices here leave out gyroscopic and geometric terms. The error that this leaves changes from iteration
+/// to iteration in a nearly linear way, and a combination of the last few changes removes most of it.
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -12,18 +12,19 @@
 
 namespace trivium::integrators {
 
-/// What the matrix leaves out (gyroscopic terms above all) turns one change into the next, and the last few
-/// tell how. The step is that of the mixture whose change is least, in its first `measured` numbers.
+/// Let f_k be the change that the matrix gives in iteration k and dx_k the step taken. The accelerated step
+/// is f_k - sum w_j (dx_j + df_j) with df_j = f_j+1 - f_j, over the last three j. The weights w minimise the
+/// norm of f_k - sum w_j df_j in its first `measured` numbers.
 template <class S>
 class Anderson {
  public:
-  /// Of another iteration, or another matrix.
+  /// Forgets all changes: for another iteration or another matrix.
   void clear() { kept_ = 0; }
 
-  /// What to add where the matrix would add `change`.
+  /// The step to take where the matrix gives `change`.
   const StateVector<S>& step(const StateVector<S>& change, Eigen::Index measured) {
     if (kept_ > 0) {
-      // the last step and what became of its change
+      // the previous step, and the difference between its change and this one
       const int at = (kept_ - 1) % depth;
       steps_[at].swap(step_);
       turns_[at] = change - before_;
@@ -36,7 +37,7 @@ class Anderson {
           products_.topLeftCorner(n, n);
       Eigen::Matrix<S, Eigen::Dynamic, 1, 0, depth, 1> sides(n);
       for (int a = 0; a < n; ++a) sides[a] = turns_[a].head(measured).dot(change.head(measured));
-      // what is rounding beside the largest says nothing
+      // regularisation: differences so small that they are mostly rounding get no weight
       products.diagonal().array() +=
           products.diagonal().maxCoeff() * S(1e-13) + std::numeric_limits<S>::min();
       const auto shares = products.ldlt().solve(sides).eval();
@@ -50,9 +51,10 @@ class Anderson {
  private:
   static constexpr int depth = 3;
   StateVector<S> before_, step_;
+  /// The last steps dx_j, and in turns_ the differences df_j of consecutive changes.
   std::array<StateVector<S>, depth> steps_, turns_;
   Eigen::Matrix<S, depth, depth> products_ =
-      Eigen::Matrix<S, depth, depth>::Zero();  ///< of turns with each other
+      Eigen::Matrix<S, depth, depth>::Zero();  ///< scalar products of turns_
   int kept_ = 0;
 };
 

@@ -4,9 +4,10 @@
 ///   q_n+1 = sum c_j q_n-j + b h q'_n+1,   v_n+1 = sum c_j v_n-j + b h v'_n+1
 ///   M v'_n+1 + Phi_q^T lambda_n+1 = Q,    Phi(q_n+1, t_n+1) = 0
 ///
-/// On a Lie group q counts as the displacement theta from q_n, with the rate T(theta)^-1 v: the formula is
-/// that of a chart about q_n, and keeps its order. The first steps, and those after a restart, are Radau's:
-/// of order 5 as none here is above, and stiff ones are no shorter.
+/// On a Lie group the formula is applied to the displacement theta from q_n, whose rate is T(theta)^-1 v:
+/// this is the formula in a chart about q_n, so that its order holds. The first steps, and those after a
+/// restart, are taken by Radau IIA: its order 5 is no lower than any order here, and it needs no shorter
+/// steps where springs are stiff.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,7 @@
 
 namespace trivium::integrators {
 
-/// In whole numbers: y_n+1 = (sum c[j] y_n-j + b h y'_n+1) / divisor.
+/// A formula in whole numbers: y_n+1 = (sum c[j] y_n-j + b h y'_n+1) / divisor.
 struct BackwardFormula {
   int divisor, b;
   std::array<int, 5> c;
@@ -40,7 +41,7 @@ class BDF {
  public:
   using S = typename System::Scalar;
 
-  /// Of order 1 to 5.
+  /// The order is 1 to 5.
   BDF(int order, const NewtonOptions& newton)
       : order_(order), formula_(BackwardFormula::of_order(order)), newton_(newton), start_({}, newton) {}
 
@@ -75,13 +76,13 @@ class BDF {
     past_.clear();
     start_.restart();
   }
-  /// A state that index 1 tells all of.
+  /// Remembers a state, with v' and lambda solved from it at index 1.
   void remember(System& system, const S& t, const StateVector<S>& y) {
     system.accelerations(t, y, x_.v_dot, x_.lambda);
     ++counters_.right_sides;
     push(y, x_.v_dot, x_.lambda);
   }
-  /// In the place of the oldest, where there are enough.
+  /// Puts a state in front. It takes the place of the oldest one if there are as many as the order.
   void push(const StateVector<S>& y, const StateVector<S>& v_dot, const StateVector<S>& lambda) {
     if (static_cast<int>(past_.size()) < order_) past_.emplace_back();
     std::rotate(past_.begin(), past_.end() - 1, past_.end());
@@ -100,7 +101,7 @@ class BDF {
   void advance(System& system, const S& t, StateVector<S>& y) {
     const int nq = system.position_size(), nv = system.velocity_size();
     const S b = S(formula_.b) * h_ / formula_.divisor;
-    // what is known of theta, v and the work: theta about q_n
+    // the known part of the formulas for theta (the displacement from q_n), v and the work
     theta_known_.setZero(nv);
     known_.setZero(y.size() - nq);
     for (int j = 0; j < order_; ++j) {
@@ -122,7 +123,8 @@ class BDF {
     if (y.size() > nq + nv) y[nq + nv] = known_[nv] + b * system.work_rate(newton_.at(), x_.lambda);
     push(y, x_.v_dot, x_.lambda);
   }
-  /// theta = theta_known + b rate(theta, v), by iteration: what a body turns in a step is a small angle.
+  /// Solves theta = theta_known + b rate(theta, v) by fixed-point iteration, which converges as bodies rotate
+  /// by small angles in a step.
   void displace(System& system, const S& b) {
     theta_ = theta_known_ + b * v_;
     S before = std::numeric_limits<S>::max();
@@ -135,13 +137,13 @@ class BDF {
       before = moved;
     }
   }
-  /// On from the points remembered, by the polynomial through them.
+  /// Extrapolates to the next step by the polynomial through the remembered states.
   void predict(StateVector<S> Point::*of, StateVector<S>& sum) const {
     sum.setZero((past_[0].*of).size());
     const int n = static_cast<int>(past_.size());
     S weight(1);
     for (int j = 0; j < n; ++j) {
-      weight *= S(n - j) / (j + 1);  // the binomial n over j + 1
+      weight *= S(n - j) / (j + 1);  // binomial coefficient: n over j + 1
       sum += (j % 2 == 0 ? weight : S(-weight)) * (past_[j].*of);
     }
   }

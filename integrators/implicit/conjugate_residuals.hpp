@@ -1,6 +1,6 @@
 #pragma once
 /// Generalised conjugate residuals (Eisenstat, Elman and Schultz, SIAM Journal on Numerical Analysis 20,
-/// 1983) for one matrix and many right sides. Radau's stages solve for their springs by it.
+/// 1983) for one matrix and many right sides. Radau's stages use the method to solve for their springs.
 
 #include <array>
 
@@ -8,14 +8,15 @@
 
 namespace trivium::integrators {
 
-/// Directions whose effect on a residual is known: what one right side paid for, the next ones have.
+/// Search directions and their images under the matrix, kept for all right sides: a later right side starts
+/// with the directions of the earlier ones.
 template <class S>
 class ConjugateResiduals {
  public:
-  /// Of another matrix.
+  /// Forgets all directions: for another matrix.
   void clear() { kept_ = 0; }
 
-  /// Moves x along all directions to where the residual is least.
+  /// Moves x along the kept directions so that the residual becomes minimal.
   template <class X>
   void reduce(StateVector<S>& residual, X&& x) const {
     for (int k = 0; k < held(); ++k) {
@@ -24,7 +25,8 @@ class ConjugateResiduals {
       x -= share * directions_[k];
     }
   }
-  /// A step by `direction` changes the residual by `image`. Returns whether that was not known yet.
+  /// Keeps a direction, which changes the residual by `image`. Returns false if the image is a linear
+  /// combination of those kept.
   bool keep(StateVector<S>& direction, StateVector<S>& image) {
     const S size = image.norm();
     for (int k = 0; k < held(); ++k) {
@@ -41,8 +43,9 @@ class ConjugateResiduals {
   }
 
  private:
-  static constexpr int most = 12;  ///< the oldest go
-  /// An image of which no more is left beside those held is known: half of a double's digits are rounding.
+  static constexpr int most = 12;  ///< the oldest is overwritten
+  /// An image counts as linearly dependent if orthogonalisation leaves less than this share of it: half of a
+  /// double's digits are then rounding.
   static constexpr double known_share = 1e-8;
 
   int held() const { return kept_ < most ? kept_ : most; }

@@ -10,8 +10,9 @@
 ///   index 3:              Phi(q_n+1, t_n+1) = 0,  s = 0
 ///   stabilised index 2:   Phi(q_n+1, t_n+1) = 0,  Phi_q v_n+1 = nu,  M s + Phi_q^T eta = 0
 ///
-/// The auxiliary a is v' at t + (alpha_m - alpha_f) h, to first order: so it begins, and order 2 holds from
-/// the first step, whether M depends on q or not.
+/// In the last equation M and Phi_q are those of Newton's matrix, which includes the resistance of springs.
+/// The auxiliary acceleration a approximates v' at t + (alpha_m - alpha_f) h to first order. It is
+/// initialised so; then order 2 holds from the first step on, also where M depends on q.
 
 #include <optional>
 
@@ -28,7 +29,8 @@ class GeneralizedAlpha {
  public:
   using S = typename System::Scalar;
 
-  /// rho in [0, 1] is the spectral radius at infinity: how much of the fastest oscillations a step leaves.
+  /// rho [-] in [0, 1] is the spectral radius at infinity: the factor by which a step damps the fastest
+  /// oscillations.
   GeneralizedAlpha(double rho, bool is_stabilised, const NewtonOptions& newton)
       : is_stabilised_(is_stabilised),
         alpha_m_((2 * S(rho) - 1) / (S(rho) + 1)),

@@ -1,13 +1,13 @@
 #pragma once
-/// HHT on index 3 (HHT-I3): Negrut, Rampalli, Ottarsson and Sajdak, Journal of Computational and Nonlinear
-/// Dynamics 2 (2007), after Hilber, Hughes and Taylor. Newmark's formulas with gamma = 1/2 - alpha, beta =
-/// (1 - alpha)^2 / 4, alpha in [-1/3, 0], and
+/// The method of Hilber, Hughes and Taylor for index 3 (HHT-I3): Negrut, Rampalli, Ottarsson and Sajdak,
+/// Journal of Computational and Nonlinear Dynamics 2 (2007). It has Newmark's formulas with gamma = 1/2 -
+/// alpha, beta = (1 - alpha)^2 / 4, alpha in [-1/3, 0], and the equations
 ///
 ///   M a_n+1 / (1 + alpha) + g_n+1 - alpha / (1 + alpha) g_n = 0,   g = Phi_q^T lambda - Q
 ///   Phi(q_n+1, t_n+1) = 0
 ///
-/// Where M depends on q, as in r-p and r-epsilon, g_n belongs to other coordinates than g_n+1, and with alpha
-/// < 0 the order falls to 1.
+/// Where M depends on q, as in r-p and r-epsilon, g_n and g_n+1 are generalised forces with respect to
+/// different coordinates, and with alpha < 0 the order falls to 1.
 
 #include <optional>
 
@@ -34,7 +34,7 @@ class HHT {
     v_ = y.segment(nq, nv);
     from_ = y;
     const StateVector<S>& a = a_.now();
-    // Newton's unknown is a_n+1 / (1 + alpha), with which M stands alone
+    // Newton's unknown is a_n+1 / (1 + alpha), so that its factor in the equations is M
     const S per_x = 1 + alpha_;
     const auto place = [&](const StepUnknowns<S>& x, StateVector<S>& to) {
       displacement_ = h * v_ + h * h * ((S(0.5) - beta_) * a + beta_ * per_x * x.v_dot);

@@ -1,4 +1,4 @@
-// Laws of the iterations that matrices leave to be done.
+// The laws of Anderson acceleration and of generalised conjugate residuals.
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ using Matrix = Eigen::Matrix3d;
 
 const Matrix matrix{{4, 1, -2}, {0.5, 3, 1}, {-1, 2, 5}};
 
-/// Solves matrix x = right_side from known directions and, where those do not do, along new ones. Returns how
-/// many were new.
+/// Solves matrix x = right_side along the known directions first and along new ones where needed. Returns the
+/// number of new directions.
 int solve(ConjugateResiduals<double>& known, const StateVector<double>& right_side, StateVector<double>& x) {
   x = StateVector<double>::Zero(3);
   StateVector<double> residual = -right_side;
@@ -70,8 +70,8 @@ TEST(ConjugateResiduals, KeepNoDirectionTwice) {
   EXPECT_FALSE(known.keep(direction, image));
 }
 
-// x = g(x) with g linear: after as many changes as it has unknowns the next is none, but for what counts as
-// rounding in their squares
+// For x = g(x) with a linear g in n unknowns the change is zero after n differences are known. The bound
+// follows from the regularisation: it is 1e-13 of squared differences.
 TEST(Anderson, EndsALinearIterationInAsManyStepsAsItHasUnknowns) {
   const Matrix g = 0.2 * matrix;
   const Eigen::Vector3d c(1, 2, 3);

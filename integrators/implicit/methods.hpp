@@ -1,5 +1,5 @@
 #pragma once
-/// The implicit methods of the list. A new one is an entry in methods_impl.hpp.
+/// The implicit methods of the list. To add a method, add an entry in methods_impl.hpp.
 
 #include <vector>
 

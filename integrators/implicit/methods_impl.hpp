@@ -1,6 +1,6 @@
 #pragma once
-/// The entries of the implicit methods. Each checks the range of its own parameters. One translation unit a
-/// Scalar.
+/// The list entries of the implicit methods: each checks the range of its own parameters. The template is
+/// instantiated in one translation unit per Scalar (instances/).
 
 #include <fmt/format.h>
 

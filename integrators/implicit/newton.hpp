@@ -1,8 +1,9 @@
 #pragma once
-/// Newton's method for the equations of one implicit step, with a matrix made once a step as a rule and
-/// Anderson's acceleration for the rest. Here is decided when the equations count as solved, when a matrix is
-/// made anew, and that the iteration diverges: where residuals fail to halve, by matrices made there, five
-/// times, or after forty iterations. The methods that use it take given steps, so that this ends the run.
+/// Newton's method for the equations of one implicit step of BDF, generalised-alpha and HHT. As a rule the
+/// matrix is factored once per step, and Anderson acceleration makes up for the terms that the matrix leaves
+/// out. This file decides when the equations count as solved, when the matrix is factored again, and when the
+/// iteration diverges: if the residual fails to halve five times although the matrix was factored at that
+/// iterate, or after forty iterations. These methods take given steps, so that a divergence ends the run.
 
 #include <fmt/format.h>
 
@@ -19,27 +20,30 @@
 
 namespace trivium::integrators {
 
-/// When a step's equations count as solved: their imbalance, beside the forces at work. Constraints are met
-/// to rounding always, as an error of theirs costs lambda that error over h^2.
+/// When the equations of a step count as solved: `tolerance` [-] bounds the imbalance relative to the forces
+/// at work. The constraints are always met to rounding, because an error of Phi causes an error of lambda
+/// that is 1 / h^2 times as large.
 struct NewtonOptions {
   double tolerance = 1e-10;
-  bool is_full = false;  ///< a matrix for every iteration; else one for every step, and more where needed
+  bool is_full = false;  ///< factor in every iteration; else once per step, and again where needed
 };
 
-/// The unknowns of a step, which begin as predicted. On the stabilised index 2, `shift` moves positions onto
-/// their constraints, and v' meets those of velocities; on index 3 it is empty and v' meets positions.
+/// The unknowns of a step; they begin as predicted. On index 3 v' meets the position rows, and `shift` is
+/// empty. On the stabilised index 2 v' meets the velocity rows, and `shift` moves the positions onto their
+/// rows.
 template <class S>
 struct StepUnknowns {
   StateVector<S> v_dot, lambda, shift;
 };
 
-/// Says which row is not met by the last iterate, or that its forces do not balance.
+/// Throws an IntegrationError that names the row which the last iterate violates, or says that forces do not
+/// balance.
 template <HasResidual System>
 [[noreturn]] void throw_not_converged(const System& system, const typename System::Scalar& t,
                                       const Violation<typename System::Scalar>& violation) {
   using S = typename System::Scalar;
   constexpr double met =
-      1e-8;  // half of a double's digits; what does not converge is far above or at rounding
+      1e-8;  // half of a double's digits: a divergent iteration is far above, rounding far below
   const bool of_rows = !(violation.relative <= S(met));
   throw IntegrationError({of_rows ? fmt::format("row \"{}\"", system.row_name(violation.row)) : std::string(),
                           static_cast<double>(t)},
@@ -55,8 +59,9 @@ class Newton {
 
   explicit Newton(const NewtonOptions& options) : options_(options) {}
 
-  /// `place(x, y)` moves y to where the unknowns lead; `force(at, v_dot, f)` is what stands in the place of M
-  /// v', which it is unless given. Throws an IntegrationError that names the row, or says that forces do not
+  /// Solves the equations of a step to time t. `place(x, y)` sets y to the state that follows from the
+  /// unknowns x. `force(at, v_dot, f)` sets f to the force that stands for M v' in the residual; the default
+  /// is M v'. Throws an IntegrationError that names the row which is not met, or says that forces do not
   /// balance.
   template <class Place>
   void operator()(System& system, const S& t, const Shares<S>& shares, const Place& place, StateVector<S>& y,
@@ -90,7 +95,8 @@ class Newton {
       violation = system.position_rows(at_, phi_);
       if (is_stabilised) raise(violation, Violation<S>(system.velocity_rows(at_, phi_dot_)));
       if (imbalance <= enough() && violation.relative <= rounding<S>()) return;
-      // what falls no more by a matrix made there is rounding, or no solution
+      // A residual that does not halve with a matrix factored at this iterate has reached rounding, or the
+      // iteration diverges.
       const S now = imbalance / enough() + violation.relative / rounding<S>();
       const bool falls = now <= before / 2;
       if (!falls && is_fresh) {
@@ -106,7 +112,8 @@ class Newton {
       change_.resize(nv + nc + x.shift.size());
       v_change_.setZero(nv);
       if (is_stabilised) {
-        // v' that meets the velocity rows moves Phi by a share of them
+        // The change of v' that meets the velocity rows also changes Phi, in proportion; the shift corrects
+        // the rest.
         phi_ = shares.position / shares.velocity * phi_dot_ - phi_;
         mu_.setZero(nc);
         no_force_.setZero(nv);
@@ -129,7 +136,7 @@ class Newton {
     }
     throw_not_converged(system, t, violation);
   }
-  /// Where the last iteration ended.
+  /// The model at the last iterate.
   const typename System::Evaluation& at() const { return at_; }
 
  private:

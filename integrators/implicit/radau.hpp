@@ -1,8 +1,9 @@
 #pragma once
-/// Radau IIA of s stages, of order 2 s - 1, on the stabilised index 2 (Gear, Gupta and Leimkuhler): Hairer
-/// and Wanner, Solving Ordinary Differential Equations II (1996), IV.8 and VII; of more than three stages:
-/// Hairer and Wanner, Stiff differential equations solved by Radau methods, J. Comput. Appl. Math. 111
-/// (1999). Stages i = 1 .. s, the last at the end of the step:
+/// Radau IIA with s stages, of order 2 s - 1, for the stabilised index-2 equations of Gear, Gupta and
+/// Leimkuhler. Sources: Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.8 and VII;
+/// for more than three stages: Hairer and Wanner, Stiff differential equations solved by Radau methods, J.
+/// Comput. Appl. Math. 111 (1999). Stage i = 1 .. s has the unknowns V'_i, lambda_i and a shift s_i; the last
+/// stage lies at the end of the step:
 ///
 ///   V_i = v_n + h sum a_ij V'_j,   M(Q_i) V'_i + Phi_q^T lambda_i = Q(Q_i, V_i, t_i),   Phi_q V_i = nu
 ///
@@ -10,20 +11,24 @@
 ///
 ///   Phi(Q_i, t_i) = 0,   M s_i + Phi_q^T mu_i = 0
 ///
-/// with M and Phi_q of the last from Newton's matrix, the springs' resistance included. Order s in its own
-/// lambda. Its parts:
+/// The last equation makes s_i the smallest motion that the position rows need. Its M and Phi_q are those of
+/// the factored Newton matrix, and M includes the resistance of the springs. The method's own lambda has
+/// order s. The parts of the method:
 ///
-///   radau_coefficients.hpp   c, A and the error's weights
-///   radau_stages.hpp         where the unknowns of the stages lead
-///   radau_springs.hpp        what springs do from stage to stage
-///   radau_error.hpp          corrections and the estimated error, in tolerances
-///   row_projection.hpp       the end of a step moved onto its rows
+///   radau_coefficients.hpp   c, A and the weights of the error estimate
+///   radau_stages.hpp         the stages: Q_i and V_i from the unknowns, internal rows
+///   radau_springs.hpp        coupling of the stages by springs and dampers
+///   radau_error.hpp          norms of corrections and of the error estimate
+///   row_projection.hpp       projection of the step's end onto the constraints
 ///
-/// Here is the iteration. Newton's matrix is real for each stage, and made where that stage is, as stiff
-/// springs turn within a step. Rows are met through A^-1. `solve_stages` decides when the iteration has
-/// converged (to tolerances: where the changes still to come are small by those that came), when a new matrix
-/// is made, and that the iteration diverges. `advance` then begins it from simpler predictions; where none
-/// leads to a solution, take_chosen_step tries a quarter of the length, and a given step ends the run.
+/// This file has the iteration, a simplified Newton iteration. Each stage has its own real matrix, factored
+/// at the state of that stage, because stiff springs may rotate within one step. The right sides of the rows
+/// are multiplied by A^-1, which decouples the rows of the stages; the coupling by springs is solved for in
+/// radau_springs.hpp. Anderson acceleration makes up for the terms that the matrices leave out.
+/// `solve_stages` decides when the iteration has converged (with tolerances: when the observed convergence
+/// rate says that the changes still to come are small), when matrices are factored again, and when the
+/// iteration diverges. `advance` then tries simpler predictions. If none of them converges, take_chosen_step
+/// tries a quarter of the step size; with given steps the run ends.
 
 #include <algorithm>
 #include <array>
@@ -42,21 +47,22 @@
 
 namespace trivium::integrators {
 
-/// Of an odd number of stages.
+/// The number of stages s must be odd.
 template <HasSprings System, int s>
 requires HasInternalRows<System>
 class Radau {
  public:
   using S = typename System::Scalar;
 
-  /// Steps of its own choice to the tolerances, or of the grid's length.
+  /// With tolerances the method chooses its steps; without them it takes the given steps.
   Radau(std::optional<Tolerances> tolerances, const NewtonOptions& newton)
       : newton_(newton), stages_(placed_within(tolerances)) {
-    // errors of order 9 are soon below what a balance to 1e-10 leaves
+    // the errors of order 9 soon fall below the effect of an imbalance of 1e-10
     if (tolerances || s > 3) newton_.tolerance = 0;
     if (!tolerances) return;
     error_.emplace(*tolerances);
-    // changes say when to end, beside the errors that tolerances are about; forces would not
+    // the size of the corrections, in tolerances, ends the iteration: the imbalance of forces does not tell
+    // how large the errors are that the tolerances limit
     rounding_level_ = std::min(rounding_level_, 10 * tolerances->rtol);
     iteration_tolerance_ = 0.03 * std::min(1.0, std::pow(tolerances->rtol / 1e-3, 0.25));
   }
@@ -115,36 +121,40 @@ class Radau {
   using Stages = RadauStages<System, s>;
   using Stage = typename Stages::Stage;
 
-  /// Of displacements, beside their own size: many short steps then miss no more than a few long ones.
+  /// Relative tolerance [-] of the displacements theta_i. It is relative to the displacement, not to the
+  /// position, so that the errors of many short steps add up to no more than those of a few long steps.
   static S placed_within(const std::optional<Tolerances>& tolerances) {
     return std::max(2 * std::numeric_limits<S>::epsilon(), tolerances ? S(1e-3 * tolerances->rtol) : S(0));
   }
 
-  /// Solves the stages of a step; y stays. Returns the estimated error, in tolerances.
+  /// Solves the stages of a step from y, which does not change. Returns the estimated error [tolerances], 0
+  /// for given steps.
   S advance(System& system, const S& t, const S& h, const StateVector<S>& y) {
     const auto solved = [&] { return solve_stages(system, t, h, y); };
     const auto solved_from = [&](const StateVector<S>& v_dot) {
       stages_.begin_with(v_dot, stages_.known().lambda);
       return solved();
     };
-    // after a transient what the last stages foretell may be far off, and in one even what they end with
+    // The predictions are tried in this order: the polynomial through the last step's stages, the last v' for
+    // all stages, v' = 0. After a transient the first may be far off, and within a transient even the second.
     if (!(stages_.predict(h) && solved()) && !solved_from(stages_.known().v_dot) &&
         !solved_from(StateVector<S>::Zero(nv_)))
       throw_not_converged(system, t, violation_);
     if (!error_) return S(0);
-    // where the stages were as predicted, none was asked for
+    // the error estimate needs factors, and none exist if the predicted stages met their equations at once
     if (!has_matrix_) factor(system, h);
     return error_->of_step(system, stages_, h, y);
   }
 
-  /// From the stages as predicted; whether they came to solve their equations.
+  /// Iterates from the predicted stages. Returns whether the stages solve their equations.
   bool solve_stages(System& system, const S& t, const S& h, const StateVector<S>& y) {
     v_ = y.segment(nq_, nv_);
     anderson_.clear();
     S before = std::numeric_limits<S>::max(), moved_before = before, moved_earlier = before;
     const S enough = std::max(S(newton_.tolerance), rounding<S>()),
             rounding_level = std::max(S(rounding_level_), S(1000 * rounding<S>()));
-    // the matrix is made for the first iteration and, from where changes do not halve, for every one
+    // Matrices are factored in the first iteration. As soon as residuals or changes fail to halve, they are
+    // factored in every iteration.
     bool is_fresh = false, at_each = newton_.is_full;
     const auto refresh = [&] {
       if (!std::exchange(at_each, true)) anderson_.clear();
@@ -169,7 +179,8 @@ class Radau {
       if (imbalance <= enough && violation_.relative <= rounding<S>()) return true;
       const bool falls = now <= before / 2;
       if (!falls) {
-        // forces of bodies far lighter than others are none beside theirs, but changes tell of them too
+        // The imbalance is relative to the largest forces and hides the forces on much lighter bodies. The
+        // last change shows these too, so that it must be within the tolerances.
         const bool is_still = !error_ || moved_before <= S(1);
         if (is_fresh && is_still && imbalance <= rounding_level &&
             violation_.relative <= 1000 * rounding<S>())
@@ -183,7 +194,8 @@ class Radau {
       ++counters_.iterations;
       if (!error_) continue;
       const S moved = error_->of_correction(stages_, step, h, y);
-      // how changes fell, of the last one and of the last two: one alone may be small by chance
+      // the convergence rate: over the last change and over the last two, as a single change may be small by
+      // chance
       using std::sqrt;
       const S share =
           k == 0 ? S(1) : std::max(S(moved / moved_before), k == 1 ? S(0) : S(sqrt(moved / moved_earlier)));
@@ -200,7 +212,8 @@ class Radau {
     return false;
   }
 
-  /// A change of the unknowns by Newton's matrix, and of how far the shift stretches springs; added to them.
+  /// Solves for a correction of V', lambda and the shift of every stage, and of the springs' stretch by the
+  /// shift; adds the accelerated correction to the stages. Returns it.
   const StateVector<S>& correct(System& system, const S& h, bool makes_matrix) {
     if (makes_matrix) factor(system, h);
     const auto& inverse = stages_.coefficients().inverse;
@@ -213,7 +226,8 @@ class Radau {
     stages_.solve_each(
         system,
         [&](int i) -> const StateVector<S>& {
-          // what of the shift is along the rows goes, springs too being in the way
+          // Right side -M s: the solution removes the part of the shift that is tangential to the
+          // constraints. The slack -stretched makes the springs resist the whole shift, not only its change.
           system.inertia_force(stages_[i].factors, stages_[i].shift, force_);
           force_ = -force_;
           system.reduce(stages_[i].factors, force_, along_);
@@ -252,15 +266,15 @@ class Radau {
   }
 
   NewtonOptions newton_;
-  std::optional<RadauError<System, s>> error_;  ///< where steps are chosen to tolerances
-  double rounding_level_ = 1e-7;                ///< imbalance that rounding may leave
-  S iteration_tolerance_{0};                    ///< of changes still to come; less where there are more steps
+  std::optional<RadauError<System, s>> error_;  ///< absent for given steps
+  double rounding_level_ = 1e-7;                ///< relative imbalance [-] that rounding may leave
+  S iteration_tolerance_{0};  ///< bound of the changes still to come [tolerances]; less for a tighter rtol
   StepSizeControl<S> step_size_;
   Anderson<S> anderson_;
   Stages stages_;
   RadauSprings<System, s> springs_;
   RowProjection<System> row_projection_;
-  Violation<S> violation_;  ///< of the last iterate
+  Violation<S> violation_;  ///< at the last iterate
   std::array<S, s> stage_work_;
   StateVector<S> v_, force_, along_, change_;
   int nq_ = 0, nv_ = 0, nc_ = 0;

@@ -1,7 +1,7 @@
 #pragma once
 /// The coefficients of Radau IIA: Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.5
-/// and IV.8. They are computed, in more digits than S has, from the zeros of the polynomial that defines c,
-/// for any odd number of stages.
+/// and IV.8. They are computed for any odd number of stages, from the zeros of the polynomial that defines c.
+/// For S = double the computation is in quad.
 
 #include <Eigen/LU>
 #include <array>
@@ -12,20 +12,20 @@
 
 namespace trivium::integrators {
 
-/// Of s stages, an odd number, of order 2 s - 1.
+/// The coefficients for s stages, s odd; the method has order 2 s - 1.
 template <class S, int s>
 struct RadauCoefficients {
   static_assert(s % 2 == 1, "an even number of stages has no real eigenvalue");
 
-  std::array<S, s> c;      ///< the last is 1
-  std::array<S, s> error;  ///< h gamma f(y_n) + sum error_i (Y_i - y_n) is the estimated error, of order s
+  std::array<S, s> c;      ///< nodes [-]; the last is 1
+  std::array<S, s> error;  ///< estimated error, of order s: h gamma f(y_n) + sum error_i (Y_i - y_n)
   std::array<std::array<S, s>, s> a, inverse, square;  ///< A, A^-1, A^2
-  S gamma;                                             ///< A's real eigenvalue
+  S gamma;                                             ///< the real eigenvalue of A
 
   RadauCoefficients() {
     const auto nodes = nodes_of_quadrature();
     const Wide eigenvalue = real_eigenvalue();
-    // A makes c^(k-1) into c^k / k, k = 1 .. s
+    // collocation: A maps the values c^(k-1) to c^k / k for k = 1 .. s
     Square powers, integrals;
     for (int i = 0; i < s; ++i) {
       Wide power(1);
@@ -51,14 +51,16 @@ struct RadauCoefficients {
   }
 
  private:
-  /// Doubles are what is left of quads: inverses of powers of c lose some digits.
+  /// The scalar of the computation. The inverse of the matrix of powers of c loses some digits, hence quad
+  /// for doubles.
   using Wide = std::conditional_t<std::is_same_v<S, double>, Quad, S>;
   using Square = Eigen::Matrix<Wide, s, s>;
 
   struct Value {
     Wide f, slope;
   };
-  /// Where f ends, by Newton's method from a side that it comes from monotonically, until rounding turns it.
+  /// The zero of f by Newton's method, from a start where the iteration is monotone. It ends when rounding
+  /// stops the steps from becoming smaller.
   template <class F>
   static Wide root(Wide x, const F& f) {
     for (Wide before = std::numeric_limits<Wide>::max();;) {
@@ -70,7 +72,8 @@ struct RadauCoefficients {
       x -= step;
     }
   }
-  /// The roots of P_s - P_(s-1), Legendre's polynomials on [0, 1], from the left; each without those before.
+  /// The zeros of P_s - P_(s-1), Legendre polynomials on [0, 1], from left to right. Zeros that are known are
+  /// divided out (deflation).
   static std::array<Wide, s> nodes_of_quadrature() {
     std::array<Wide, s> nodes;
     nodes.back() = 1;
@@ -91,8 +94,8 @@ struct RadauCoefficients {
       });
     return nodes;
   }
-  /// The inverse of the real root of the stability function's denominator, Pade's of exp (IV.3): the root
-  /// farthest to the right, so that Newton's method comes to it from there.
+  /// 1 / z, where z is the real zero of the stability function's denominator, a Pade denominator of exp
+  /// (IV.3). No zero lies farther to the right, so that Newton's method converges to it from there.
   static Wide real_eigenvalue() {
     return 1 / root(Wide(10 * s), [](const Wide& z) {
              Wide term(1);

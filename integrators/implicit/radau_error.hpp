@@ -1,7 +1,7 @@
 #pragma once
-/// The sizes of Radau's corrections and of its estimated error, in tolerances. Here the two are measured;
-/// Radau decides by the one when to end an iteration, and take_chosen_step by the other whether a step is
-/// taken. Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.8.
+/// Norms of Radau's corrections and of its estimated error, in units of the tolerances. Radau ends an
+/// iteration by the first norm; take_chosen_step accepts or rejects a step by the second. Hairer and Wanner,
+/// Solving Ordinary Differential Equations II (1996), IV.8.
 
 #include <algorithm>
 #include <cmath>
@@ -22,13 +22,13 @@ class RadauError {
   explicit RadauError(const Tolerances& tolerances) : tolerances_(tolerances) {}
   const Tolerances& tolerances() const { return tolerances_; }
 
-  /// Of steps from (t, y).
+  /// Prepares for steps from (t, y).
   void begin(System& system, const S& t, const StateVector<S>& y) {
     system.position_sizes(y, sizes_);
     system.evaluate(t, y, at_start_);
   }
 
-  /// How far a correction moves the stages.
+  /// Size of a correction [tolerances]: the largest change of a stage's position and velocity.
   S of_correction(const Stages& stages, const StateVector<S>& step, const S& h, const StateVector<S>& y) {
     const auto& coefficients = stages.coefficients();
     const int nv = stages.nv(), nc = stages.nc();
@@ -44,8 +44,8 @@ class RadauError {
     return largest;
   }
 
-  /// The estimated error of the step from y, of order s, filtered by the matrix of springs: what it would
-  /// damp is no error.
+  /// Estimated error [tolerances] of the step from y, of order s. Newton's matrix filters its velocities:
+  /// errors that stiff springs would damp, or that the constraints do not admit, do not count.
   S of_step(System& system, const Stages& stages, const S& h, const StateVector<S>& y) {
     const auto& coefficients = stages.coefficients();
     const auto v = y.segment(stages.nq(), stages.nv());
@@ -65,7 +65,7 @@ class RadauError {
   }
 
  private:
-  /// A displacement with a change of velocities.
+  /// Root mean square of a displacement and a change of velocities, each number divided by its tolerance.
   S in_tolerances(const Stages& stages, const StateVector<S>& y, const StateVector<S>& of_q,
                   const StateVector<S>& of_v) const {
     using std::abs, std::sqrt;
@@ -81,7 +81,7 @@ class RadauError {
   }
 
   Tolerances tolerances_;
-  StateVector<S> sizes_;  ///< of what displacements move
+  StateVector<S> sizes_;  ///< sizes that a displacement's relative errors refer to
   typename System::Evaluation at_start_;
   StateVector<S> of_q_, of_v_, off_v_, force_, left_, mu_, no_rows_;
 };

@@ -1,7 +1,8 @@
 #pragma once
-/// Springs and dampers in a correction of Radau IIA. Newton's matrix is real for each stage: in it springs
-/// resist by the share h gamma of A's real eigenvalue. The method asks for h A C + h^2 A^2 K, which couples
-/// the stages. The difference is solved for in the springs' own few numbers, without evaluating anything.
+/// Springs and dampers in a Newton correction of Radau IIA. The matrix of a stage is real: in it a spring
+/// resists with h gamma C + (h gamma)^2 K, where gamma is the real eigenvalue of A. The method asks for h A C
+/// + h^2 A^2 K, which couples the stages. This file solves for the difference iteratively, with one unknown
+/// per spring and stage. The iteration needs linear solves but no evaluation of the model.
 
 #include <algorithm>
 
@@ -21,21 +22,23 @@ class RadauSprings {
   void begin(System& system) { system.spring_constants(stiffness_, damping_); }
   Eigen::Index size() const { return stiffness_.size(); }
 
-  /// New matrices were made, in which springs resist by this share.
+  /// The matrices were factored again; in them a spring resists with share C + share^2 K.
   void refactor(const S& share) {
     spring_corrections_.clear();
     resistance_ = share * damping_ + share * share * stiffness_;
   }
 
-  /// What the stages' v' and lambda change by. The matrix resists by a share of each stage's own stretch what
-  /// A mixes from all: slacks make up for the difference, and what they do is known as long as the factors.
+  /// Solves for the changes of V' and lambda of all stages. A stage's matrix lets a spring resist the stretch
+  /// of that stage alone, where A asks for a mixture of the stretches of all stages. A slack per spring and
+  /// stage corrects the difference. The effect of slacks is linear, so that corrections found once are used
+  /// again until the matrices change.
   void solve_together(System& system, const S& h, Stages& stages, StateVector<S>& change) {
     const auto& coefficients = stages.coefficients();
     const Eigen::Index springs = size();
     const int nv = stages.nv(), nc = stages.nc();
     given_.resize(s * springs);
     for (int i = 0; i < s; ++i) {
-      // what the positions' own change stretches springs by
+      // forces of the springs by the change of the shift, which moves positions directly
       given_.segment(i * springs, springs) =
           h * stiffness_.cwiseProduct(stages.mixed(coefficients.a[i], &Stage::stretch));
       stages[i].rows = stages.mixed(coefficients.inverse[i], &Stage::phi_dot) / -h;
@@ -51,6 +54,7 @@ class RadauSprings {
     if (springs == 0) return;
     measure(h, stages, spring_residual_);
     spring_residual_ -= given_;
+    // 1 % is enough, as the next Newton iteration evaluates the remaining error anew
     const S enough = S(1e-2) * std::max(spring_residual_.cwiseAbs().maxCoeff(), given_.cwiseAbs().maxCoeff());
     auto unknowns = change.head(s * (nv + nc));
     spring_corrections_.reduce(spring_residual_, unknowns);
@@ -71,7 +75,7 @@ class RadauSprings {
  private:
   static constexpr int most_corrections = 4 * s;
 
-  /// By how much the matrix resists more than A asks for [N, N m].
+  /// Spring forces in the stages' matrices less those that A asks for [N, N m].
   void measure(const S& h, const Stages& stages, StateVector<S>& residual) const {
     const auto& coefficients = stages.coefficients();
     const Eigen::Index springs = size();
@@ -85,7 +89,7 @@ class RadauSprings {
 
   ConjugateResiduals<S> spring_corrections_;
   StateVector<S> stiffness_, damping_, resistance_;
-  StateVector<S> given_, spring_residual_, direction_, image_;  ///< stage by stage
+  StateVector<S> given_, spring_residual_, direction_, image_;  ///< all stages, one after the other
   StateVector<S> no_force_;
 };
 

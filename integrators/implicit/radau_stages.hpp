@@ -1,9 +1,12 @@
 #pragma once
-/// The stages of one step of Radau IIA: what they begin with, where their unknowns lead, and the rows that a
-/// model keeps to itself. With the unknowns V'_i, lambda_i and the shift s_i of each stage,
+/// The stages of one step of Radau IIA: their first guess, their states Q_i and V_i, and their internal rows.
+/// From the unknowns V'_i, lambda_i and the shift s_i of each stage,
 ///
-///   V_i = v_n + h sum a_ij V'_j,   Q_i = q_n o exp(theta_i),   theta_i = h sum a_ij T(theta_j)^-1 (V_j +
-///   s_j)
+///   V_i = v_n + h sum a_ij V'_j,   Q_i = q_n o exp(theta_i)
+///
+///   theta_i = h sum a_ij T(theta_j)^-1 (V_j + s_j)
+///
+/// where T(theta)^-1 is displacement_rate of the system: it maps a motion of the bodies to the rate of theta.
 
 #include <algorithm>
 #include <array>
@@ -24,27 +27,27 @@ class RadauStages {
  public:
   using S = typename System::Scalar;
 
-  /// What the next step goes on from.
+  /// The part of a stage that the next step's prediction uses.
   struct Known {
     StateVector<S> v_dot, lambda;
   };
   struct Stage : Known {
-    StateVector<S> shift;                ///< the third unknown
-    StateVector<S> internal_correction;  ///< the share in it that internal rows have
-    StateVector<S> v, theta, rate, y;    ///< where they lead
-    StateVector<S> chart_correction;     ///< by how much theta's rate is not v + shift + internal_correction
-    StateVector<S> left, phi, phi_dot;   ///< what is left to solve
-    typename System::Evaluation at;      ///< the stage, evaluated
-    typename System::Factors factors;    ///< of its matrix, or of one nearby
-    StateVector<S> rows;                 ///< asked of that
-    StateVector<S> slack, stretch;       ///< of springs, with the last change
-    StateVector<S> stretched;            ///< by the shift
+    StateVector<S> shift;                ///< s_i: extra motion that the position rows need
+    StateVector<S> internal_correction;  ///< extra motion that the internal rows need
+    StateVector<S> v, theta, rate, y;    ///< V_i, theta_i, the rate of theta_i, (Q_i, V_i)
+    StateVector<S> chart_correction;     ///< rate - (v + shift + internal_correction)
+    StateVector<S> left, phi, phi_dot;   ///< residuals: of the forces, Phi, Phi_q V_i - nu
+    typename System::Evaluation at;      ///< the model evaluated at the stage
+    typename System::Factors factors;    ///< Newton matrix at this iterate or an earlier one
+    StateVector<S> rows;                 ///< right side of the rows for the next solve
+    StateVector<S> slack, stretch;       ///< of springs: given to the next solve, found by the last solve
+    StateVector<S> stretched;            ///< stretch of the springs by the shift
   };
 
-  /// Stages are placed to `placed_within`, of displacements beside their own size.
+  /// The displacements theta are computed to the relative tolerance `placed_within` [-].
   explicit RadauStages(const S& placed_within) : placed_within_(placed_within) {}
 
-  /// At a state with this v' and lambda, of a system with so many springs.
+  /// Begins at a state with this v' and lambda, for a system with this number of springs.
   void begin(System& system, Eigen::Index springs, const StateVector<S>& v_dot,
              const StateVector<S>& lambda) {
     nq_ = system.position_size();
@@ -61,15 +64,16 @@ class RadauStages {
   const RadauCoefficients<S, s>& coefficients() const { return coefficients_; }
   Stage& operator[](int i) { return stage_[i]; }
   const Stage& operator[](int i) const { return stage_[i]; }
-  /// At the end of the step.
+  /// The stage at the end of the step.
   Stage& last() { return stage_.back(); }
   const Stage& last() const { return stage_.back(); }
   auto begin() { return stage_.begin(); }
   auto end() { return stage_.end(); }
-  /// The last stage of the step before.
+  /// v' and lambda of the previous step's last stage.
   const Known& known() const { return known_.back(); }
 
-  /// On from the last step's stages, by the polynomial through them; false where there are none.
+  /// Predicts the stages by the polynomial through the previous step's stages. Returns false if there are
+  /// none.
   bool predict(const S& h) {
     if (!known_h_) return false;
     const auto& c = coefficients_.c;
@@ -84,24 +88,25 @@ class RadauStages {
     }
     return true;
   }
-  /// All with the same.
+  /// All stages begin with the same v' and lambda.
   void begin_with(const StateVector<S>& v_dot, const StateVector<S>& lambda) {
     for (int i = 0; i < s; ++i) begin_stage(i, v_dot, lambda);
   }
   void show_memory(auto&& show) {
     for (Known& known : known_) show(known.v_dot, known.lambda);
-    S h = known_h_.value_or(S(0));  // 0: no step yet
+    S h = known_h_.value_or(S(0));  // 0 means: no step was taken yet
     show(h);
     if (h > S(0)) known_h_ = h;
-    stage_.back().lambda = known_.back().lambda;  // the method's own
+    stage_.back().lambda = known_.back().lambda;  // the method's lambda() reads it there
   }
-  /// The step was taken.
+  /// Keeps the stages of an accepted step of length h for the next prediction.
   void accept(const S& h) {
     std::copy(stage_.begin(), stage_.end(), known_.begin());
     known_h_ = h;
   }
 
-  // Mixtures by a row of A, A^-1 or A^2: expressions, of the stages as they are when it is taken
+  // Sums over the stages, weighted by a row of A, A^-1 or A^2. They are expressions: they read the stages
+  // when they are assigned, not when they are made.
   template <class Of>
   static auto mix(const std::array<S, s>& row, const Of& of) {
     return [&]<int... j>(std::integer_sequence<int, j...>) { return (... + (row[j] * of(j))); }
@@ -112,14 +117,14 @@ class RadauStages {
     return mixed(row, stage_, of);
   }
 
-  /// Q_i and V_i from the unknowns.
+  /// Computes Q_i and V_i from the unknowns.
   void place(System& system, const S& h, const StateVector<S>& y, const StateVector<S>& v) {
     for (int i = 0; i < s; ++i) {
       stage_[i].v = v + h * mixed(coefficients_.a[i], &Stage::v_dot);
       stage_[i].rate =
           stage_[i].v + stage_[i].shift + stage_[i].internal_correction + stage_[i].chart_correction;
     }
-    // theta depends on its own rate where positions are a group
+    // fixed-point iteration: on a Lie group the rate of theta depends on theta itself
     S before = std::numeric_limits<S>::max();
     for (int k = 0; k < 50; ++k) {
       S moved(0), size(0);
@@ -146,8 +151,9 @@ class RadauStages {
       stage.y.segment(nq_, nv_) = stage.v;
     }
   }
-  /// Rows that a model keeps to itself, through A^-1 as the others; at each stage by what is normal to them,
-  /// as what is along them would be a shift that nobody asks for.
+  /// Moves the stages onto the internal rows (such as |p| = 1). The corrections are multiplied by A^-1 as
+  /// those of the other rows are. Only their part normal to the internal rows is added: a tangential part
+  /// would be a shift that no row asks for.
   void normalise(System& system, const S& h, const StateVector<S>& y, const StateVector<S>& v) {
     S before = std::numeric_limits<S>::max();
     for (int k = 0; k < 20; ++k) {
@@ -173,8 +179,8 @@ class RadauStages {
       place(system, h, y, v);
     }
   }
-  /// By each stage's own matrix, for its rows and slacks, with the right side left(i); take(i, x, mu) has
-  /// what solves them.
+  /// Solves the linear system of every stage with its own factors, `rows` and `slack`, for the right side
+  /// left(i). Hands the solution to take(i, x, mu) and leaves the stage's `stretch`.
   template <class Left, class Take>
   void solve_each(System& system, const Left& left, const Take& take) {
     for (int i = 0; i < s; ++i) {
@@ -202,7 +208,7 @@ class RadauStages {
   static auto mixed(const std::array<S, s>& row, const std::array<StateVector<S>, s>& stages) {
     return mix(row, [&](int j) -> const StateVector<S>& { return stages[j]; });
   }
-  /// Of a displacement, to the internal rows at y, whose velocities are lost.
+  /// The part of a displacement that is normal to the internal rows at y. Overwrites the velocities in y.
   template <class Displacement>
   const StateVector<S>& normal_part(System& system, const Displacement& displacement, StateVector<S>& y) {
     y.segment(nq_, nv_) = displacement;
@@ -216,7 +222,7 @@ class RadauStages {
   const S placed_within_;
   std::array<Stage, s> stage_;
   std::array<Known, s> known_;
-  std::optional<S> known_h_;  ///< the length of the step that known_ is of
+  std::optional<S> known_h_;  ///< length of the step that known_ comes from
   std::array<StateVector<S>, s> moved_, turned_;
   StateVector<S> x_, mu_;
   int nq_ = 0, nv_ = 0, nc_ = 0;

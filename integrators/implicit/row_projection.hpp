@@ -1,10 +1,11 @@
 #pragma once
-/// The end of a step moved onto its rows, positions and then velocities, where its stages met them within
-/// tolerances alone. By Newton's matrix in factors: the least change in M that removes what the rows miss,
+/// Projection of the end of a step onto its constraints, positions first and then velocities, for steps whose
+/// stages meet them only within tolerances. The corrections use the factored Newton matrix: each is the
+/// smallest motion that removes the violation, in the metric of M with the springs' resistance,
 ///
 ///   M x + Phi_q^T mu = 0,   Phi_q x = -Phi    and then    Phi_q x = -(Phi_q v - nu)
 ///
-/// until rounding is left.
+/// They are repeated until the violation is rounding.
 
 #include <limits>
 
@@ -18,7 +19,8 @@ class RowProjection {
  public:
   using S = typename System::Scalar;
 
-  /// By factors of a matrix of a state nearby. Throws an IntegrationError if the rows cannot be met.
+  /// Projects y with the factors of a matrix at a nearby state. Throws an IntegrationError if a row cannot be
+  /// met.
   void move(System& system, const typename System::Factors& factors, const S& t, StateVector<S>& y) {
     const int nv = system.velocity_size();
     auto v = y.segment(system.position_size(), nv);

@@ -56,7 +56,7 @@ class Arkode final : public OdeStepper {
     iterate_by_newton();
     accept(ARKStepSetLinSysFn(library_memory(), step_matrix), "its matrix");
   }
-  /// Without a mass matrix, which y' has none of.
+  /// ARKODE also passes a mass matrix here; y' = f(t, y) has none.
   static int step_matrix(double t, N_Vector numbers, N_Vector f, SUNMatrix matrix, SUNMatrix, int is_kept,
                          int* is_current, double gamma, void* stepper, N_Vector a, N_Vector b, N_Vector c) {
     return linear_system(t, numbers, f, matrix, is_kept, is_current, gamma, stepper, a, b, c);
@@ -65,7 +65,7 @@ class Arkode final : public OdeStepper {
     if (!chooses_steps_) accept(ARKStepSetFixedStep(library_memory(), stop - t), "a step");
     return ARKStepEvolve(library_memory(), stop, numbers(), &t, ARK_ONE_STEP);
   }
-  /// So that a run of given steps goes on exactly.
+  /// With given steps the library starts anew in every step, so that a saved run continues exactly.
   bool keeps_nothing() const override { return !chooses_steps_; }
   double planned() const override { return chooses_steps_ ? Stepper::planned() : 0; }
 

@@ -56,20 +56,20 @@ class Cvode final : public OdeStepper {
       return iterate_by(Owned<SUNNonlinearSolver>(SUNNonlinSol_FixedPoint(numbers(), 0, context())));
     iterate_by_newton();
     accept(CVodeSetLinSysFn(library_memory(), linear_system), "its matrix");
-    // what Newton's method leaves along stiff springs is little of a length and much of a force, which the
-    // estimated errors of the steps behind see
+    // A small error of the positions along a stiff spring is a large error of its force, which the error
+    // estimates of later steps show. The tolerance of Newton's method is therefore a tenth of the default.
     if (system().springs() > 0)
       accept(CVodeSetNonlinConvCoef(library_memory(), 0.01), "how far Newton's method goes");
     if (!projects_) return;
     accept(CVodeSetProjFn(library_memory(), project), "its projection");
-    // what errors leave along the constraints alone lets steps grow by a tenth, and errors tenfold
+    // With a projected error estimate steps would be longer by a tenth and errors ten times as large.
     accept(CVodeSetProjErrEst(library_memory(), 0), "errors as they are");
   }
   int advance(double stop, double& t) override {
     return CVode(library_memory(), stop, numbers(), &t, CV_ONE_STEP);
   }
 
-  /// The change that leads back onto the constraints.
+  /// Called by CVODE: `change` is the correction that leads back onto the constraints.
   static int project(double t, N_Vector numbers, N_Vector change, double, N_Vector /*error*/, void* stepper) {
     Cvode& self = static_cast<Cvode&>(*static_cast<Stepper*>(stepper));
     return self.guarded([&] {

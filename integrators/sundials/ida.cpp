@@ -26,13 +26,13 @@ const Functions ida{.free = IDAFree,
                     .failed_solves = IDAGetNumStepSolveFails,
                     .iterations = IDAGetNumNonlinSolvIters};
 
-/// Unknowns y = (q, v, work), lambda and sigma:
+/// IDA for the stabilised index-2 equations. The unknowns are y = (q, v, work), lambda and sigma:
 ///
 ///   q' = v + s,   M v' + Phi_q^T lambda = Q,   Phi_q v = nu,   Phi = 0
 ///
-/// where s is the least motion in the metric of M that moves the rows by sigma (M s + Phi_q^T mu = 0,
-/// Phi_q s = sigma), by the matrix factored last: it is 0 in the solution. Rows that a model keeps to itself
-/// are met by v', and by the projection.
+/// Here s is the smallest motion, in the metric of M, that moves the rows by sigma: M s + Phi_q^T mu = 0 and
+/// Phi_q s = sigma. M and Phi_q in these two equations are those of the matrix factored last. In the solution
+/// sigma is 0. Internal rows are met by v' and by the projection after each step.
 class Ida final : public Stepper {
  public:
   explicit Ida(const Tolerances& tolerances) : Stepper(ida), tolerances_(tolerances) {}
@@ -105,7 +105,7 @@ class Ida final : public Stepper {
       return flat(left).allFinite();
     });
   }
-  /// What the equations miss, at an evaluation of the library's numbers.
+  /// Evaluates the model and the residuals of all equations at the library's numbers; `at` keeps the model.
   void evaluate(double t, N_Vector numbers, N_Vector rates, AnyEvaluation& at) {
     ++counters_.right_sides;
     AnySystem<double>& system = this->system();
@@ -123,7 +123,7 @@ class Ida final : public Stepper {
     off_work_.resize(ny_ - nq_ - nv_);
     if (off_work_.size() > 0) off_work_[0] = flat(rates)[nq_ + nv_] - system.work_rate(at, lambda_);
   }
-  /// q' where bodies move with v and the rows by sigma.
+  /// Sets rate_ to q', where the motion is v plus the smallest motion that moves the rows by sigma.
   void move(const AnyEvaluation& at, const StateVectorD& y, const StateVectorD& v,
             const StateVectorD& sigma) {
     moved_ = v;
@@ -148,11 +148,12 @@ class Ida final : public Stepper {
       return true;
     });
   }
-  /// With d the displacement (b_q + s(sigma_0))/c that meets Phi_q d = b_phi, and u = c x_v:
+  /// Solves Newton's system J x = b, where c is IDA's derivative of y' by y. Let d = (b_q + s(sigma_0)) / c
+  /// be the displacement of this form with Phi_q d = b_phi, and u = c x_v:
   ///
   ///   (M + C/c + K/c^2) u + Phi_q^T x_lambda = b_v + Q(q + d, v) - Q(q, v)
   ///
-  ///   Phi_q u = c b_phi',   with b_phi' less what d changes of Phi_q v
+  ///   Phi_q u = c b_phi',   where b_phi' is reduced by the change of Phi_q v over d
   ///
   ///   c x_q = b_q + x_v + s(x_sigma),   Phi_q x_q = b_phi
   void solve(const Eigen::Map<StateVectorD>& b, Eigen::Map<StateVectorD> x) override {
@@ -179,7 +180,7 @@ class Ida final : public Stepper {
     move(linearised_, at_, x_v, x_sigma);
     x << (b.head(nq_) + rate_) / c_, x_v, b.segment(nq_ + nv_, ny_ - nq_ - nv_) / c_, x_lambda, x_sigma;
   }
-  /// Phi_q v - nu where y is, which is evaluated then.
+  /// Phi_q v - nu at the positions of y; evaluated_ becomes the model there.
   StateVectorD rows_of(const StateVectorD& y, const StateVectorD& v) {
     StateVectorD at = y, rows;
     at.segment(nq_, nv_) = v;
@@ -192,7 +193,7 @@ class Ida final : public Stepper {
     Ida& self = of(stepper);
     Eigen::Map<StateVectorD> w = flat(weights);
     self.weigh(self.state(numbers), self.tolerances_, w);
-    // the work follows q and v, sigma is 0: they have no say in how well these are met
+    // the work follows from q and v, and sigma is 0: neither counts in error estimates and convergence tests
     w.tail(w.size() - self.nq_ - self.nv_).setConstant(no_weight);
     w.head(self.nq_ + self.nv_) *=
         std::sqrt(static_cast<double>(w.size()) / static_cast<double>(self.nq_ + self.nv_));
@@ -200,7 +201,8 @@ class Ida final : public Stepper {
     return 0;
   }
 
-  /// A share of each, or of the largest force: enough to be shown, and no burden.
+  /// Sets loose weights: the tolerance is 1e-4 of a multiplier plus 1e-7 of the largest force. The
+  /// multipliers are then good enough for output and cause no further Newton iterations.
   void weigh_multipliers(const Eigen::Ref<const StateVectorD>& lambda,
                          Eigen::Ref<StateVectorD> weights) const {
     if (lambda.size() == 0) return;
@@ -214,9 +216,9 @@ class Ida final : public Stepper {
   Owned<N_Vector> rates_, is_differential_;
   ProjectionIteration<AnySystem<double>> projection_;
   StateVectorD lambda_, y_dot_, v_dot_, force_, mu_, moved_, rate_, displacement_;
-  StateVectorD off_q_, off_v_, off_work_, phi_, phi_dot_;  ///< what the equations miss
-  StateVectorD at_, phi_dot_at_, force_at_;                ///< where the matrix was made
-  AnyEvaluation evaluated_, linearised_;                   ///< of now, and there
+  StateVectorD off_q_, off_v_, off_work_, phi_, phi_dot_;  ///< residuals of the equations
+  StateVectorD at_, phi_dot_at_, force_at_;                ///< values where the matrix was factored
+  AnyEvaluation evaluated_, linearised_;                   ///< models: evaluated last; of the factored matrix
   AnyFactors factors_;
   StateVectorD moved_force_, left_, no_rows_;
   double at_t_ = 0, c_ = 1;

@@ -6,7 +6,7 @@ namespace trivium::integrators::sundials_library {
 
 namespace {
 
-/// The functions that an integrator hands over, and what the iteration keeps.
+/// The functions that an integrator of SUNDIALS hands over, and the state of the iteration.
 class AcceleratedNewton {
  public:
   static AcceleratedNewton& of(SUNNonlinearSolver solver) {
@@ -19,10 +19,10 @@ class AcceleratedNewton {
   SUNNonlinSolConvTestFn test = nullptr;
   void* test_data = nullptr;
   int most_iterations = 3, iteration = 0;
-  long iterations = 0, failures = 0;  ///< of the last solve
+  long iterations = 0, failures = 0;  ///< in the last solve
 
-  /// The correction y of y0, which begins as given. Where a matrix of before does not do, once more with one
-  /// made there. Returns the library's code.
+  /// Iterates for the correction y of the predicted state, from the given y. If the iteration fails with an
+  /// old matrix, it starts once more with a new one. Returns the library's code.
   int solve(SUNNonlinearSolver solver, N_Vector y, N_Vector weights, double tolerance, bool needs_matrix,
             void* memory) {
     if (!left_) left_.reset(N_VClone(y));
@@ -57,7 +57,8 @@ class AcceleratedNewton {
       ++iterations;
       const auto w = flat(weights);
       change_ = flat(left_.get()).cwiseProduct(w);
-      // the first change meets terms that the matrix has, what is left after it those that it has not
+      // The first change removes the error that the matrix describes. Later changes come from terms that the
+      // matrix leaves out, and these changes are accelerated.
       if (iteration > 0) flat(left_.get()) = anderson_.step(change_, change_.size()).cwiseQuotient(w);
       flat(y) += flat(left_.get());
       const int code = test(solver, y, left_.get(), tolerance, weights, test_data);

@@ -1,6 +1,6 @@
 #pragma once
-/// Newton's method as a SUNNonlinearSolver. Beside SUNDIALS' own it has Anderson's acceleration for what
-/// matrices leave out.
+/// Newton's method as a SUNNonlinearSolver. In contrast to that of SUNDIALS it uses Anderson acceleration for
+/// the terms that Newton's matrix leaves out.
 
 #include <sundials/sundials_context.h>
 
@@ -8,7 +8,7 @@
 
 namespace trivium::integrators::sundials_library {
 
-/// Of one step.
+/// The most iterations in one solve.
 constexpr int most_iterations = 8;
 
 Owned<SUNNonlinearSolver> make_accelerated_newton(SUNContext context);

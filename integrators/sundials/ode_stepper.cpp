@@ -16,7 +16,8 @@ int OdeStepper::error_weights(N_Vector numbers, N_Vector weights, void* stepper)
   OdeStepper& self = of(stepper);
   const StateVectorD& y = self.state(numbers);
   self.weigh(y, self.tolerances_, flat(weights));
-  // Newton's matrix says nothing of the work, which follows q and v: it has no say in how well they are met
+  // Newton's matrix has no terms for the work, which follows from q and v: the work must not count in error
+  // estimates and convergence tests
   if (self.is_implicit_) {
     const auto motion = self.system().position_size() + self.system().velocity_size();
     flat(weights).tail(y.size() - motion).setConstant(no_weight);

@@ -1,22 +1,24 @@
 #pragma once
-/// The SUNDIALS integrators of y' = f(t, y), CVODE and ARKODE, as far as they are alike: the right side, the
-/// weights of errors, and linear systems with Newton's matrix I - gamma f_y. These are solved by the system's
-/// own factors, not by a matrix of SUNDIALS.
+/// The common part of CVODE and ARKODE, the SUNDIALS integrators of y' = f(t, y): the right side, the error
+/// weights, and the linear systems with Newton's matrix I - gamma f_y. The system solves these with its own
+/// factors instead of a matrix of SUNDIALS.
 
 #include "integrators/sundials/stepper.hpp"
 
 namespace trivium::integrators::sundials_library {
 
-/// f_y counts what springs and dampers resist, along their own directions, and that positions move with v:
+/// The approximation of f_y has the resistance of springs and dampers along their own directions, and the
+/// motion of q with v. The solution x for the right side b is
 ///
 ///   (M + gamma C + gamma^2 K) w + Phi_q^T mu = Q(q + b_q + gamma b_v, v + b_v) - Q(q, v),   Phi_q w = 0
 ///
 ///   x_v = b_v + gamma w,   x_q = b_q + gamma x_v
 ///
-/// What it leaves out (gyroscopic and geometric terms) is as small as the angle that bodies turn in a step.
+/// The terms left out (gyroscopic and geometric) are of the order of the angle by which bodies rotate in a
+/// step.
 class OdeStepper : public Stepper {
  public:
-  // called back by the library, with the stepper as its user data
+  // callbacks of the library; their user data is the stepper
   static int right_side(double t, N_Vector numbers, N_Vector y_dot, void* stepper);
   static int error_weights(N_Vector numbers, N_Vector weights, void* stepper);
   static int linear_system(double t, N_Vector numbers, N_Vector f, SUNMatrix, int is_kept, int* is_current,
@@ -34,7 +36,7 @@ class OdeStepper : public Stepper {
   Tolerances tolerances_;
   const bool is_implicit_;
   double t_ = 0, gamma_ = 0;
-  StateVectorD at_, force_;  ///< what was linearised about, and Q there
+  StateVectorD at_, force_;  ///< state about which f was linearised, and Q there
   AnyEvaluation evaluated_;
   AnyFactors factors_;
   StateVectorD y_dot_, b_v_, rate_, moved_, moved_force_, left_, w_, mu_, no_rows_;

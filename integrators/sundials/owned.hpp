@@ -1,6 +1,6 @@
 #pragma once
-/// Owners of vectors, matrices and solvers that SUNDIALS allocates. Each is freed by the library's own
-/// function.
+/// Owning pointers for the vectors, matrices and solvers that SUNDIALS allocates. The library's own functions
+/// free them.
 
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_linearsolver.h>
@@ -22,7 +22,7 @@ struct Destroy {
   void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
   void operator()(SUNNonlinearSolver s) const { SUNNonlinSolFree(s); }
 };
-/// Of the library's pointer types.
+/// `Pointer` is one of the library's pointer types.
 template <class Pointer>
 using Owned = std::unique_ptr<std::remove_pointer_t<Pointer>, Destroy>;
 

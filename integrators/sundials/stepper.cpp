@@ -14,7 +14,7 @@ namespace trivium::integrators::sundials_library {
 
 namespace {
 
-/// Where to step to, so that the last steps before `stop` are of one length and no crumb is left.
+/// The time to step to: the last two steps before `stop` are made equal, so that no tiny step is left.
 double target(double t, double stop, double planned) {
   const double room = stop - t;
   return planned > 0 && planned < room && room < 2 * planned ? t + room / 2 : stop;
@@ -44,9 +44,9 @@ void Stepper::step(AnySystem<double>& system, double& t, StateVectorD& y, const 
   double reached = t;
   if (advance(aim, reached) < 0) fail(t, y);
   constexpr double least = 4 * std::numeric_limits<double>::epsilon();
-  if (reached < stop && !(reached - t > least * std::abs(t))) fail(t, y);  // the library would go on for ever
+  if (reached < stop && !(reached - t > least * std::abs(t))) fail(t, y);  // else the library would not end
   y = state(numbers());
-  // the library may end within its own rounding of where it was told to
+  // the library may end a step within its own rounding of the stop time
   if (std::abs(stop - reached) <= 1e-14 * std::max(std::abs(stop), std::abs(stop - t))) reached = stop;
   last_step_ = reached - t;
   t = reached;
@@ -91,7 +91,7 @@ void Stepper::take_counters() {
   long errors = 0, solves = 0, iterations = 0;
   functions_.failed_errors(memory_, &errors);
   functions_.failed_solves(memory_, &solves);
-  if (linear_solver_) functions_.iterations(memory_, &iterations);  // Newton's alone
+  if (linear_solver_) functions_.iterations(memory_, &iterations);  // counts Newton iterations only
   counters_.rejected_steps = before_.rejected_steps + errors + solves;
   counters_.iterations = before_.iterations + iterations;
 }

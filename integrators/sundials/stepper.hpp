@@ -1,7 +1,7 @@
 #pragma once
-/// One of SUNDIALS' integrators taken step by step, as far as CVODE, ARKODE and IDA are alike. The library
-/// decides the length of a step and whether its iteration diverges; integrate.hpp decides that a finished
-/// step is taken back.
+/// The common part of CVODE, ARKODE and IDA: one step at a time of a SUNDIALS integrator. The library chooses
+/// the step size and decides whether its iteration diverges; integrate.hpp decides whether a finished step is
+/// taken back.
 
 #include <sundials/sundials_context.h>
 
@@ -14,7 +14,7 @@
 
 namespace trivium::integrators::sundials_library {
 
-/// What CVODE, ARKODE and IDA each have under a name of its own.
+/// Functions that CVODE, ARKODE and IDA all have, under different names.
 struct Functions {
   void (*free)(void** memory);
   int (*set_error_handler)(void*, void (*)(int, const char*, const char*, char*, void*), void*);
@@ -32,8 +32,9 @@ struct Functions {
   int (*iterations)(void*, long*);
 };
 
-/// The library's numbers are y less an offset: what projections after its steps change goes to the offset,
-/// so that all that it remembers of the past moves along with y, and nothing of it is lost.
+/// The library integrates y less an offset. A projection after a step changes y; this change is added to the
+/// offset, and the library's numbers stay. In this way the library's history of past steps moves along with
+/// y, and no restart is needed.
 class Stepper : public AnyMethod<double> {
  public:
   explicit Stepper(const Functions& functions) : functions_(functions) {}
@@ -49,23 +50,24 @@ class Stepper : public AnyMethod<double> {
   const StateVectorD* lambda() const override { return nullptr; }
 
  protected:
-  // what the integrators differ in
-  /// Begins at (t, y) with a first step, or one of its own choice where that is 0.
+  // the functions in which the integrators differ
+  /// Begins at (t, y). A first_step of 0 lets the integrator choose its first step size.
   virtual void begin(double t, const StateVectorD& y, double first_step) = 0;
-  /// One step from t, at most to `stop`; leaves the library's state in numbers(). Returns the library's flag.
+  /// Takes one step from t, at most to `stop`; leaves the library's state in numbers(). Returns the library's
+  /// flag.
   virtual int advance(double stop, double& t) = 0;
-  /// Whether it keeps nothing of a step for the next: each is then the first.
+  /// Whether nothing is kept from step to step: each step is then a first step.
   virtual bool keeps_nothing() const { return false; }
-  /// The length it would take next; 0 where steps are given.
+  /// The size that the library plans for its next step; 0 with given steps.
   virtual double planned() const;
-  /// A x = b with what was factored last.
+  /// Solves A x = b with the factors made last.
   virtual void solve(const Eigen::Map<StateVectorD>& b, Eigen::Map<StateVectorD> x) = 0;
-  /// The library's numbers at a time of its last step.
+  /// Sets `numbers` to the library's state at a time within its last step.
   virtual void interpolate_numbers(double t, N_Vector numbers);
-  /// What is left to do to a state of a step or of between.
+  /// Completes the state at the end of a step, or an interpolated state.
   virtual void finish(double /*t*/, StateVectorD& /*y*/) {}
 
-  /// Runs what the library calls back. Returns its code: 0, 1 where a shorter step may do, -1 where not.
+  /// Runs a callback of the library. Returns the library's code: 0; 1 if a shorter step may help; -1 if not.
   template <class Work>
   int guarded(const Work& work) noexcept {
     try {
@@ -83,12 +85,12 @@ class Stepper : public AnyMethod<double> {
   }
 
   bool has_begun() const { return has_begun_; }
-  /// y from the library's numbers.
+  /// The state y that belongs to the library's numbers.
   const StateVectorD& state(N_Vector numbers) {
     y_ = flat(numbers).head(offset_.size()) + offset_;
     return y_;
   }
-  /// Of what is measured neither by the estimated error nor by Newton's method.
+  /// The weight of elements that count neither in error estimates nor in convergence tests.
   static constexpr double no_weight = 1e-100;
   void weigh(const StateVectorD& y, const Tolerances& tolerances, Eigen::Map<StateVectorD> weights) const {
     weights.head(y.size()) = (tolerances.rtol * y.array().abs() + tolerances.atol).inverse();
@@ -99,11 +101,11 @@ class Stepper : public AnyMethod<double> {
   N_Vector numbers() { return numbers_.get(); }
   void make_numbers(Eigen::Index size) { numbers_.reset(N_VNew_Serial(size, context_)); }
   void* library_memory() const { return memory_; }
-  /// Takes what the library made; it calls back with the stepper as its user data.
+  /// Takes the memory that the library has allocated; its callbacks receive the stepper as user data.
   void open(void* memory);
   void measure_errors_by(int (*weights)(N_Vector, N_Vector, void*));
   void begin_with(double first_step);
-  /// Newton's method whose linear systems are those of solve().
+  /// Uses Newton's method, with linear systems solved by solve().
   void iterate_by_newton();
   void iterate_by(Owned<SUNNonlinearSolver> solver);
 
@@ -112,7 +114,7 @@ class Stepper : public AnyMethod<double> {
  private:
   void fail(double t, const StateVectorD& y);
   void take_counters();
-  /// A linear solver that calls solve(), and a matrix in name, which the library asks for.
+  /// A linear solver that calls solve(), and an empty matrix that the library requires.
   Owned<SUNLinearSolver> make_linear_solver();
   Owned<SUNMatrix> make_matrix();
 
@@ -127,12 +129,12 @@ class Stepper : public AnyMethod<double> {
   StateVectorD offset_, returned_, y_;
   double first_step_ = 0, last_step_ = 0;
   bool has_begun_ = false;
-  Counters before_;  ///< when it began last
+  Counters before_;  ///< counters when the integrator last began
   std::string trouble_, message_;
   std::exception_ptr failure_;
 };
 
-/// Throws where the library refuses a setting.
+/// Throws an IntegrationError if the library refuses a setting.
 void accept(int flag, const char* what);
 
 }  // namespace trivium::integrators::sundials_library

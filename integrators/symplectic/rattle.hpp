@@ -1,17 +1,18 @@
 #pragma once
 /// RATTLE on a Lie group: the variational integrator of the discrete Lagrangian h (1/2 Omega^T M Omega - V),
-/// with q_n+1 = q_n o exp(theta), theta = h Omega, and constraints on positions and velocities. Symplectic
-/// where forces have a potential, of order 2. Hairer, Lubich and Wanner, Geometric Numerical Integration
-/// (2006), VII.1 and VII.5; Lee, Leok and McClamroch, Computer Methods in Applied Mechanics and Engineering
-/// 196 (2007).
+/// with q_n+1 = q_n o exp(theta), theta = h Omega, and constraints on positions and velocities. It has order
+/// 2 and is symplectic if the forces have a potential. Hairer, Lubich and Wanner, Geometric Numerical
+/// Integration (2006), VII.1 and VII.5; Lee, Leok and McClamroch, Computer Methods in Applied Mechanics and
+/// Engineering 196 (2007).
 ///
 ///   T(theta)^-1 M theta / h = M v_n + h/2 (f_n - Phi_q^T lambda_n),      Phi(q_n+1, t_n+1) = 0
 ///   M v_n+1 = T(-theta)^-1 M theta / h + h/2 (f_n+1 - Phi_q^T mu_n+1),    Phi_q v_n+1 = nu
 ///
-/// T is that of displacement_rate, and f what effects do: gyroscopic terms are in T. Composed of five
-/// (Suzuki, Physics Letters A 146 (1990)) it has order 4; no part of such a step leaves it, so that it sees
-/// nothing of what is beyond an event. Its own multipliers are mu_n+1, less what mu_n and lambda_n tell of
-/// its error: of order 2. Work is that of the states between, by trapezoids: of the method's order.
+/// T(theta)^-1 is displacement_rate of the system. f is the applied force; T contains the gyroscopic terms.
+/// The composition of five such steps (Suzuki, Physics Letters A 146 (1990)) has order 4. All five lie within
+/// the whole step, so that no force after an event is evaluated before it. The method's own multipliers are
+/// mu_n+1, corrected by an error estimate from mu_n and lambda_n; they have order 2. The work is integrated
+/// by the trapezoidal rule over each step of the composition, which has the order of the method.
 
 #include <fmt/format.h>
 
@@ -31,7 +32,7 @@ class Rattle {
  public:
   using S = typename System::Scalar;
 
-  /// Of order 2 or 4.
+  /// The order is 2 or 4.
   explicit Rattle(int order) : is_composed_(order == 4) {}
 
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
@@ -67,7 +68,7 @@ class Rattle {
     none_.setZero(system.velocity_size());
     lambda_ = last_mu_ = start.lambda;
     last_h_ = S(0);
-    // what constraints do: what does not balance with their multipliers, less what does not without
+    // held_ = -Phi_q^T lambda, as the difference of the residuals with and without multipliers
     system.evaluate(t, y, at_);
     system.residual(at_, none_, lambda_, held_);
     system.residual(at_, none_, StateVector<S>::Zero(system.multipliers()), left_);
@@ -105,9 +106,9 @@ class Rattle {
         },
         [&] {
           theta_ += change_;
-          known_ += momentum_of(system, change_) - left_;  // by what constraints do
+          known_ += momentum_of(system, change_) - left_;  // adds the constraint forces
         });
-    // lambda_n and mu_n are off by as much to either side, in proportion to the step after and before
+    // the errors of mu_n and lambda_n have opposite signs and are proportional to the step before and after
     off_ = h / (h + last_h_) * 2 / (h * h) * mu_;
     system.inertia_force(at_, theta_, momentum_);
     y.segment(nq, nv) = theta_ / h;
@@ -140,8 +141,9 @@ class Rattle {
     work_.add(y_dot_[nq + nv], h, y[nq + nv]);
   }
 
-  /// To rounding, by the factors made last: `look` leaves what does not balance in left_, what the rows miss
-  /// in rows_, and returns their violation; `move` takes what would mend both from change_.
+  /// Solves one half of the step to rounding, with the factors made last. `look` puts the residual of the
+  /// momentum balance into left_ and that of the rows into rows_, and returns the violation of the rows.
+  /// `move` applies the correction, which it finds in change_. The balance counts relative to `beside`.
   template <class Look, class Move>
   void approach(System& system, const S& t, const StateVector<S>& beside, const Look& look,
                 const Move& move) {
@@ -181,8 +183,8 @@ class Rattle {
   typename System::Evaluation at_;
   typename System::Factors factors_;
   StateVector<S> lambda_, mu_, rows_, reduced_, force_, momentum_, rate_, left_, change_, none_, y_dot_;
-  StateVector<S> from_, v_, theta_, known_, arriving_, off_;  ///< of a step
-  StateVector<S> held_, last_mu_;                             ///< what constraints do at the last state
+  StateVector<S> from_, v_, theta_, known_, arriving_, off_;  ///< within one step
+  StateVector<S> held_, last_mu_;  ///< force [N, N m] and multipliers of the constraints at the last state
   S last_h_{0};
   WorkQuadrature<S> work_;
   Counters counters_;

@@ -1,6 +1,6 @@
 #pragma once
-/// Models of one page with known solutions, on which the tests try methods: motion without constraints, and a
-/// particle on a circle. They show what a model of the contracts must have.
+/// One-page models with known solutions for tests of methods: motion without constraints, and a particle on a
+/// circle. They show which functions a model of the contract must have.
 
 #include <cmath>
 #include <functional>
@@ -10,13 +10,13 @@
 
 namespace trivium::integrators::test {
 
-/// y' = f(t, y), free of constraints.
+/// y' = f(t, y) without constraints.
 struct Free {
   using Scalar = double;
   std::function<StateVector<double>(double, const StateVector<double>&)> f;
   StateVector<double> y0;
   double longest = 1e300;
-  int settled = 0, changes_at = -1;  ///< the settled state at which coordinates are said to have changed
+  int settled = 0, changes_at = -1;  ///< number of the accepted state at which coordinates change
 
   int size() const { return static_cast<int>(y0.size()); }
   StateVector<double> start() const { return y0; }
@@ -40,7 +40,7 @@ struct Free {
 /// A particle (x, y, x', y') on the unit circle at constant speed: Phi = (x^2 + y^2 - 1) / 2.
 struct OnACircle : Free {
   double factored_x = 0, factored_y = 0;
-  bool stuck = false;  ///< corrections do nothing
+  bool stuck = false;  ///< corrections have no effect
   int factors = 0;
 
   explicit OnACircle(double speed = 1) {
