@@ -1,7 +1,7 @@
 #pragma once
 /// Lists of formulations, and the list of the library. A new formulation of the library is added to this
 /// list; reports, comparisons and simulations find their formulations in it by name. With a formulation Mine
-/// outside the library, pass AllFormulations::With<Mine> where a list is expected.
+/// outside the library, pass `AllFormulations::With<Mine>` where a list is expected.
 
 #include <string>
 #include <tuple>
@@ -59,7 +59,7 @@ auto with_formulation_from(const std::string& name, const Use& use) {
 }
 }  // namespace detail
 
-/// Calls use.operator()<F>() with the formulation F of this name; throws a ModelError if there is none.
+/// Calls `use.operator()<F>()` with the formulation F of this name; throws a ModelError if there is none.
 template <class Scalar, class List = AllFormulations, class Use>
 auto with_formulation(const std::string& name, const Use& use) {
   return detail::with_formulation_from<Scalar, List, 0>(name, use);

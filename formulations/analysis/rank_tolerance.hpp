@@ -81,8 +81,8 @@ S inertia_rounding() {
 /// A row of a tree joint counts as dependent at first if its largest entry, after the elimination of the
 /// rows before it, is at most this share of the magnitude of its terms. Its effect on the parent grows with
 /// the inverse square of this share, so at u^(1/4) the other motions of the parent keep half of their
-/// digits. The bound 1e-32 limits the share to rank_tolerance. Rows between this and direction_tolerance are
-/// then examined one by one.
+/// digits. The bound 1e-32 limits the share to rank_tolerance. The sines of rows between this and
+/// direction_tolerance are then examined.
 template <class S>
 S joint_row_tolerance() {
   using std::sqrt;
@@ -113,7 +113,7 @@ S contradiction_tolerance_in() {
 inline constexpr double contradiction_floor = 1e-12;
 
 /// A fully refined solution violates a dependent row by at most this share of the row's terms. After a
-/// larger violation the dependent rows are examined one by one.
+/// larger violation the sines of the dependent rows are examined.
 template <class S>
 S row_rounding() {
   return S(8 * unit_roundoff<S>());

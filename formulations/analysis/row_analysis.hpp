@@ -18,8 +18,9 @@ struct RowAnalysis : RowNorms {
   int rank = 0;
   std::vector<int> independent, dependent;  ///< a dependent row is a combination of independent rows
   std::vector<bool> unique;                 ///< lambda_k is unique: row k of null_basis is zero
-  /// Basis N of the null space of Phi^T: Phi^T N = 0, E N has orthonormal columns. lambda is determined up
-  /// to N y. A row without a gradient has no column here; its multiplier has no effect and is 0.
+  /// Basis N of the null space of Phi^T, one column per dependent row with a gradient: Phi^T N = 0, E N has
+  /// orthonormal columns. lambda is determined up to N y. The multiplier of a row without a gradient has no
+  /// effect and is 0.
   MatrixX<double> null_basis;
   /// [rank x 6 nb] Maps a generalized force w to the coefficients c of the independent rows that minimise
   /// |Phi_independent^T c - w| in the geometric scaling; empty if no row is dependent.

@@ -135,7 +135,7 @@ TEST(RowAnalysis, OfDoubledJointsFindsWhatIsRedundant) {
         RC_ASSERT(rows.rank == single.rank);
         RC_ASSERT(rows.rank + static_cast<int>(rows.dependent.size()) ==
                   static_cast<int>(rows.unique.size()));
-        // the doubled joints are last in the file, and of dependent rows the later are called redundant
+        // the doubled joints are last in the file, and the last rows are chosen as dependent
         for (int k = 0; k < rows.rank; ++k) RC_ASSERT(rows.independent[k] == single.independent[k]);
         expect_null_basis(tangent(scene), rows);
       },

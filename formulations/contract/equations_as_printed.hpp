@@ -2,7 +2,8 @@
 /// The first part of a formulation: the equations of motion of one body as the textbooks print them. The
 /// augmented system needs nothing else.
 ///
-/// Per body, with n = rotational_unknowns and m = internal_constraints (0; in r-p 1, the normalisation row):
+/// Per body, with n = rotational_unknowns and m = internal_constraints, the number of internal rows:
+/// constraints between the coordinates of one body (0; in r-p 1, the normalisation row):
 ///
 ///     mass r''       + Phi_r^T lambda                        = F
 ///     mass_block q'' + Phi_rot^T lambda + P^T lambda_internal = applied_force(n_bar) + velocity_force

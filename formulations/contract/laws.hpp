@@ -219,8 +219,8 @@ class FormulationLaws {
     equal("a retraction meets the internal rows", same, retracted_there);
   }
 
-  /// Central differences with the step h = u^(1/3), where truncation and rounding errors balance. Rotations
-  /// are compared instead of coordinates, because an angle may jump by a full turn between the two points.
+  /// Central differences with the step h = u^(1/3), where truncation and rounding errors balance. The first
+  /// two laws compare rotations, not coordinates, because an angle may jump by 2 pi between the two points.
   template <class Orientation>
   void paths(const Sample& s, const Orientation& at, const Unknown& v, const Orientation& there,
              const Unknown& by) {

@@ -1,6 +1,5 @@
 #pragma once
-/// The instantiations in equations_of_motion_<scalar>.cpp: every formulation of formulation_list.hpp in one
-/// Scalar.
+/// The instantiations in equations_of_motion_*.cpp: every formulation of formulation_list.hpp in one Scalar.
 
 #include "formulations/equations_of_motion_impl.hpp"
 #include "formulations/formulation_list.hpp"

@@ -126,7 +126,7 @@ TYPED_TEST(Solutions, ReactionsOfEveryJointDoNoVirtualWork) {
         const auto& eom = s.solver.equations();
         const TangentSystem tangent = tangent_system(s.mechanism, s.state);
         for (const auto& joint : s.mechanism.joints) {
-          // a random displacement of the two bodies, projected onto this joint's own rows
+          // a random displacement, projected so that this joint's own rows allow it
           VectorX<double> step =
               test::Random(joint.first_row + 1).vector<double, 24>().head(6 * s.mechanism.nb());
           const MatrixX<double> Phi = tangent.Phi.middleRows(joint.first_row, joint.rows);

@@ -1,6 +1,5 @@
 #pragma once
-/// The instantiations in augmented_solver_<scalar>.cpp: every formulation of formulation_list.hpp in one
-/// Scalar.
+/// The instantiations in augmented_solver_*.cpp: every formulation of formulation_list.hpp in one Scalar.
 
 #include "formulations/formulation_list.hpp"
 #include "formulations/printed/augmented_solver_impl.hpp"

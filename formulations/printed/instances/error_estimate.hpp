@@ -1,6 +1,6 @@
 #pragma once
-/// The instantiations in error_estimate_<scalar>.cpp: every formulation of formulation_list.hpp in one
-/// Scalar, with the next precision for the estimate.
+/// The instantiations in error_estimate_*.cpp: every formulation of formulation_list.hpp in one Scalar, with
+/// the next precision for the estimate.
 
 #include "formulations/formulation_list.hpp"
 #include "formulations/printed/error_estimate_impl.hpp"
