@@ -1,4 +1,4 @@
-/// The laws of the Formulation concept, the same for all: accelerations.
+/// Laws of the Formulation concept, tested in every formulation: accelerations.
 
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
@@ -19,7 +19,7 @@ TYPED_TEST(FormulationAccelerations, AngularAccelerationGoesThereAndBack) {
   for_all_samples<F>([](const auto& s) {
     const typename F::Unknown q_ddot = test::unknown_of<F>(s.body, s.omega_bar_dot);
     EXPECT_LE(distance(F::to_angular_acceleration(s.body, q_ddot), s.omega_bar_dot), roundings<S>(1000));
-    // q'' is affine in omega_bar' with slope lift, and keeps the internal row
+    // q'' is an affine function of omega_bar' with the matrix lift, and satisfies the internal row
     const typename F::Unknown at_zero = test::unknown_of<F>(s.body, Vector3<S>::Zero());
     EXPECT_LE(distance(q_ddot - at_zero, F::lift(s.body) * s.omega_bar_dot), roundings<S>(1000));
     EXPECT_LE(distance(F::internal_jacobian(s.body) * q_ddot, F::internal_gamma(s.body)), roundings<S>(1000));
@@ -32,7 +32,7 @@ TYPED_TEST(FormulationAccelerations, AngularAccelerationIsTheDerivativeOfAngular
   Random random(52);
   test::for_all_charts([&](const ChartOptions& options) {
     auto path = test::random_path<F>(random, options);
-    if constexpr (F::internal_constraints == 1) {  // omega_bar is 2 G p' on the unit sphere only
+    if constexpr (F::internal_constraints == 1) {  // 2 G p' is an angular velocity only for unit p
       path.q_dot -= path.p.dot(path.q_dot) * path.p;
       path.q_ddot -= (path.p.dot(path.q_ddot) + path.q_dot.squaredNorm()) * path.p;
     }

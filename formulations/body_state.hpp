@@ -1,7 +1,8 @@
 #pragma once
-/// The state of a mechanism in a formulation's coordinates: one body in its chart, the kinematics of all
-/// bodies, and the wrenches that the effects apply to them. Kinematics (A, omega, omega' up to accelerations)
-/// are formed once and given to rows and effects alike.
+/// The state of a mechanism in the coordinates of one formulation: the state of one body in its chart, the
+/// kinematics of all bodies, and the wrenches that the effects apply to the bodies. The kinematics
+/// (positions, rotations, velocities and biases) are computed once per state; rows and effects read the
+/// same ones.
 
 #include <vector>
 
@@ -11,7 +12,7 @@
 
 namespace trivium {
 
-/// One body in a formulation's coordinates, in the chart chosen for it.
+/// Position r [m], velocity r' [m/s] and orientation of one body, in the chart chosen for it.
 template <EquationsAsPrinted F>
 struct BodyState {
   Vector3<typename F::Scalar> r, r_dot;
@@ -24,18 +25,19 @@ typename F::Kinematics kinematics_of(const BodyState<F>& body) {
   return F::kinematics(body.chart, body.r, body.r_dot, body.q);
 }
 
-/// The state of a mechanism in a formulation's coordinates; throws a ModelError that names the body whose
-/// chart is singular.
+/// The coordinates of all bodies without the ground. Throws a ModelError that names the body if its chart
+/// is singular at this state.
 template <EquationsAsPrinted F, class Types>
 std::vector<BodyState<F>> to_coordinates(const Mechanism<typename F::Scalar, Types>& mechanism,
                                          const MechanismState<typename F::Scalar>& state,
                                          const ChartOptions& options);
 
-/// The kinematics of all bodies, the ground's last.
+/// The kinematics of all bodies; the last entry is the ground.
 template <EquationsAsPrinted F>
 std::vector<typename F::Kinematics> body_kinematics(const std::vector<BodyState<F>>& bodies);
 
-/// The applied wrenches of all bodies, the ground's last.
+/// The applied wrench of each body: force [N, global] and moment about its centre of mass [N m, body
+/// frame]; the last entry is the ground.
 template <class Kinematics, class Scalar, class Types>
 std::vector<Wrench<Scalar>> applied_wrenches(const Mechanism<Scalar, Types>& mechanism,
                                              const std::vector<Kinematics>& body, const Scalar& t) {

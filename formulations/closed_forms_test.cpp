@@ -1,4 +1,4 @@
-/// gamma as the books print it, and the identities that tie one formulation's rows to another's.
+/// gamma in the closed forms of the textbooks, and identities between the rows of different formulations.
 
 #include "bodies/numbers/quad.hpp"
 #include "bodies/rotations/so3.hpp"
@@ -14,7 +14,7 @@ using test::distance, test::Random, test::roundings;
 using S = Quad;
 using Vec = Vector3<S>;
 
-/// Two bodies and every number of the four basic constraints.
+/// Two bodies, and all parameters of the basic constraints between them.
 struct Pair {
   Vec a_i, a_j, s_i, s_j, c;
   TimeFunction f = TimeFunction::Harmonic{0.3, 0.8, 1.7, 0.4};
@@ -50,7 +50,7 @@ Pair random_pair(Random& random, const ChartOptions& options = {}) {
   return x;
 }
 
-constexpr double bound = 1e-30;  // some thousand roundings of quad
+constexpr double bound = 1e-30;  // about 10000 unit roundoffs of quad (9.6e-35)
 double error(const S& a, const S& b) { return std::abs(static_cast<double>(S(a - b))); }
 
 // The lecture notes' gamma_hat (Negrut, ME751; Haug 1989, section 9.6), with B(p, abar) of r-p.
@@ -86,7 +86,7 @@ TEST(GammaInRP, IsTheLectureNotesClosedForm) {
   }
 }
 
-// The same in r-omega: A tilde(omega_bar) tilde(omega_bar) sbar in place of B(p', sbar) p'.
+// The same closed forms in r-omega: A tilde(omega_bar) tilde(omega_bar) sbar replaces B(p', sbar) p'.
 TEST(GammaInROmega, IsTheLectureNotesClosedForm) {
   Random random(62);
   for (int n = 0; n < 200; ++n) {
@@ -113,7 +113,7 @@ TEST(GammaInROmega, IsTheLectureNotesClosedForm) {
   }
 }
 
-/// Runs a law on every kind of row, over all charts.
+/// Applies a law to a row of every kind, over all charts.
 template <class Law>
 void for_all_rows(const Law& law) {
   Random random(63);
@@ -167,7 +167,7 @@ TEST(Identities, GammaOfAnglesDiffersByDDotTerms) {
     const auto i = x.body<REpsilon<S>>(x.r_i, x.v_i, x.p_i, x.w_i);
     const auto j = x.body<REpsilon<S>>(x.r_j, x.v_j, x.p_j, x.w_j);
     const S terms = omega.rot_i.dot(i.D_dot_rates) + omega.rot_j.dot(j.D_dot_rates);
-    // raw charts stand anywhere: D^-1 amplifies as 1/distance
+    // charts without re-framing may be near their singularity, where D^-1 amplifies rounding by 1 / distance
     const auto rates_of = [](const auto& body) { return Vector3<S>(body.D.inverse() * body.omega_bar); };
     const double size =
         1 + rates_of(i).squaredNorm().convert_to<double>() + rates_of(j).squaredNorm().convert_to<double>();
@@ -192,7 +192,7 @@ TEST(Identities, PDdotIsHalfGTransposedOmegaBarDotLessACentripetalTerm) {
     const Vector4<S> p_ddot = RP<S>::from_reduced(body, x.c);
     const Matrix<S, 3, 4> G = G_matrix(x.p_i);
     EXPECT_LE(distance(p_ddot, G.transpose() * x.c / 2 - x.w_i.squaredNorm() / 4 * x.p_i), bound);
-    // which is the p'' with omega_bar' = 2 G p'' and p . p'' = -p' . p'
+    // this is the p'' with omega_bar' = 2 G p'' and p . p'' = -p' . p'
     EXPECT_LE(distance(2 * G * p_ddot, x.c), bound);
     EXPECT_LE(error(x.p_i.dot(p_ddot), -body.p_dot.squaredNorm()), bound);
   }

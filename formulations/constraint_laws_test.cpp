@@ -1,5 +1,5 @@
-/// Phi_q, nu, gamma and row_acceleration of every basic constraint, in every formulation's coordinates, along
-/// any path.
+/// Phi_q, nu, gamma and row_acceleration of every basic constraint are the derivatives of Phi along any
+/// path, in the coordinates of every formulation.
 
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
@@ -15,7 +15,7 @@ template <class F>
 class ConstraintLaws : public testing::Test {};
 TYPED_TEST_SUITE(ConstraintLaws, test::TestedFormulations, test::FormulationNames);
 
-/// The worst violations of the laws by each kind of constraint, over all charts.
+/// Bounds the largest violation of the laws for each kind of constraint, over all charts.
 template <class F, class Measure>
 void for_all_kinds(const Measure& measure, double bound) {
   for (int kind = 0; kind < test::basic_kinds; ++kind) {

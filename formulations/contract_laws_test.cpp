@@ -1,4 +1,4 @@
-// The laws of the contract, of every formulation, and that each can fail.
+// The laws of contract/laws.hpp hold for every formulation, and wrong formulations violate them.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ TEST(ContractLaws, HoldForWhatIsReducedToRotation) {
     with_formulation<double>(name, []<Formulation F>() { expect_no_broken_law<ReducedToRotation<F>>(); });
 }
 
-// formulations that are wrong in one place each
+// formulations with one error each
 struct WrongSignOfGyroscopicMoment : ROmega<double> {
   static Vector3<double> velocity_force(const Kinematics& k, const Matrix3<double>& J_bar) {
     return -ROmega<double>::velocity_force(k, J_bar);

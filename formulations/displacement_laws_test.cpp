@@ -1,4 +1,4 @@
-/// The laws of the Formulation concept, the same for all: steps and displacements of an orientation.
+/// Laws of the Formulation concept, tested in every formulation: steps and displacements of an orientation.
 
 #include "bodies/numbers/quad.hpp"
 #include "bodies/testing/properties.hpp"
@@ -26,7 +26,8 @@ TYPED_TEST(FormulationDisplacements, LeadFromOnePlaceToTheOther) {
   });
 }
 
-// where a body moves with a velocity, its displacement from where it was grows by displacement_rate
+// the derivative of the displacement from a fixed orientation is displacement_rate; central differences in
+// quad with h = 1e-11
 TYPED_TEST(FormulationDisplacements, GrowAsTheBodyMoves) {
   using F = TypeParam;
   using S = typename F::Scalar;

@@ -1,6 +1,6 @@
 #pragma once
-/// The equations of motion of a mechanism in one formulation, at one state: body by body and row by row,
-/// nothing assembled. The printed and the structured solver both start here.
+/// The equations of motion of a mechanism in one formulation at one state, as separate terms of every body
+/// and row; no matrix is assembled. The printed and the structured solver both start from these terms.
 
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 namespace trivium {
 
-/// All pieces of the equations of motion at one state.
+/// The terms of the equations of motion at one state; nb bodies and nc rows.
 template <EquationsAsPrinted F>
 struct EquationsOfMotion {
   using S = typename F::Scalar;
@@ -17,10 +17,10 @@ struct EquationsOfMotion {
   using Acceleration = BodyAcceleration<S, F::rotational_unknowns>;
 
   S t{0};
-  std::vector<typename F::Kinematics> body;  ///< nb + 1, the ground last
+  std::vector<typename F::Kinematics> body;  ///< kinematics; nb + 1 entries, the last is the ground
   std::vector<S> mass;
   std::vector<Matrix<S, F::rotational_unknowns, F::rotational_unknowns>> mass_block;
-  std::vector<Vector3<S>> F_applied;     ///< F
+  std::vector<Vector3<S>> F_applied;     ///< applied forces F [N, global]
   std::vector<typename F::Unknown> tau;  ///< applied + velocity force of the rotational equations
   std::vector<BodyPair> pair;
   std::vector<Row> row;

@@ -1,6 +1,6 @@
 #pragma once
-/// The definitions behind body_state.hpp and equations_of_motion.hpp, compiled once a Scalar in instances/.
-/// Who needs another Scalar, as a batch, includes this file.
+/// The definitions of body_state.hpp and equations_of_motion.hpp, compiled once per Scalar in instances/.
+/// Include this file only for another Scalar, such as a batch.
 
 #include <fmt/format.h>
 
@@ -36,12 +36,13 @@ std::vector<typename F::Kinematics> body_kinematics(const std::vector<BodyState<
   std::vector<typename F::Kinematics> kinematics;
   kinematics.reserve(bodies.size() + 1);
   for (const BodyState<F>& b : bodies) kinematics.push_back(kinematics_of(b));
-  // the ground has no unknowns, so any regular chart serves it
+  // the ground has no unknowns, so any regular chart can be used
   const Vector3<S> zero = Vector3<S>::Zero();
   const Vector4<S> upright = Vector4<S>::Unit(0);
   const typename F::Chart chart = F::choose_chart(ChartOptions{}, upright);
   kinematics.push_back(F::kinematics(chart, zero, zero, F::from_pose(chart, upright, zero)));
-  // upright to the last bit: an angle of 90 degrees has none, and the ground's points may be far away
+  // The chart of the upright ground may use an angle of 90 degrees, whose sine and cosine are rounded. With
+  // an exact A the points of the ground stay exact, however far from the origin they are
   kinematics.back().A.setIdentity();
   return kinematics;
 }

@@ -1,9 +1,11 @@
 #pragma once
-/// The charts of r-epsilon: a sequence and a constant rotation C per body, A = A(epsilon) C.
+/// The charts of r-epsilon: an Euler sequence and a constant rotation C per body, A = A(epsilon) C.
 ///
-/// C is the identity unless the sequence would stand within |sin theta| (iji) or |cos theta| (ijk) < 0.3 of
-/// its singularity; then it is the first of the list below that keeps 0.3 away: quarter turns about x, y, z.
-/// One always does, because the quarter turns put three orthogonal directions where the sequence looks.
+/// The distance of a chart from its singularity is |sin theta| (sequences iji) or |cos theta| (ijk). C is
+/// the identity if the distance is at least 0.3 with it; otherwise C is the first quarter turn about x, y or
+/// z that gives 0.3. Such a C always exists: the distance depends on one entry of A C^T, and the list puts
+/// each of the three entries of a row of A there. The smallest of them is at most 1/sqrt(3), which gives a
+/// distance of at least sqrt(2/3).
 
 #include <fmt/format.h>
 
@@ -20,7 +22,7 @@
 
 namespace trivium {
 
-/// One member of the list: its name and axis, -1 for the identity.
+/// A re-framing rotation C: its name and its axis (0, 1, 2), or -1 for the identity.
 struct Reframing {
   std::string_view name;
   int axis;
@@ -32,16 +34,16 @@ inline constexpr double reframing_distance = 0.3;
 template <class S>
 struct EulerChart {
   EulerSequence sequence;
-  int reframing = 0;  ///< its place in the list; of a batch, that of one lane
+  int reframing = 0;  ///< index of C in reframings; for a batch of states, the index of one lane
   Matrix3<S> C = Matrix3<S>::Identity();
 
-  /// "313" or "313 Rx(90)".
+  /// The sequence and, unless C is the identity, the re-framing: "313" or "313 Rx(90)".
   std::string name() const {
     return reframing == 0 ? sequence.name() : sequence.name() + " " + std::string(reframings[reframing].name);
   }
 };
 
-/// A quarter turn of the list, exact: its entries are 0 and +-1.
+/// The rotation C of an entry of reframings, exact: its entries are 0 and +-1.
 template <class S>
 Matrix3<S> reframing_rotation(int index) {
   const int k = reframings[index].axis;
@@ -54,7 +56,7 @@ Matrix3<S> reframing_rotation(int index) {
   return C;
 }
 
-/// The chart of that name; returns whether there is one.
+/// Reads a chart from its name; returns false if no chart has this name.
 template <class S>
 bool read_chart(std::string_view name, EulerChart<S>& chart) {
   const auto sequence = parse_euler_sequence(name.substr(0, 3));
@@ -66,8 +68,8 @@ bool read_chart(std::string_view name, EulerChart<S>& chart) {
   return false;
 }
 
-/// |sin theta| (iji) or |cos theta| (ijk) of A(epsilon): 0 where the sequence is singular, from the entries
-/// of A.
+/// |sin theta| (iji) or |cos theta| (ijk) of A = A(epsilon) [-], computed from the entries of A; 0 at the
+/// singularity.
 template <class S>
 S distance_from_singularity(const EulerSequence& s, const Matrix3<S>& A) {
   using std::sqrt;
@@ -76,8 +78,8 @@ S distance_from_singularity(const EulerSequence& s, const Matrix3<S>& A) {
   return sqrt(A(i, first) * A(i, first) + A(i, second) * A(i, second));
 }
 
-/// The chart for a body at p. With reframe off the identity, whatever the distance; a chart closer than a few
-/// u to its singularity has no rates at all and is a ModelError.
+/// The chart for a body with Euler parameters p. With options.reframe off, C is the identity at any
+/// distance; then a distance of at most 16 u, where D has no usable inverse, throws a ModelError.
 template <class S>
 EulerChart<S> choose_euler_chart(const ChartOptions& options, const Vector4<S>& p) {
   const Matrix3<S> A = rotation_matrix(p);
@@ -91,7 +93,7 @@ EulerChart<S> choose_euler_chart(const ChartOptions& options, const Vector4<S>& 
           static_cast<double>(distance)));
     return chart;
   }
-  // the first of the list that is far enough
+  // the loop runs backwards, so the first entry at a distance of at least 0.3 is stored last
   S farthest(0);
   for (int index = static_cast<int>(reframings.size()) - 1; index >= 0; --index) {
     const Matrix3<S> C = reframing_rotation<S>(index);

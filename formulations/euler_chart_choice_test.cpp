@@ -12,7 +12,7 @@ namespace {
 
 using test::distance, test::for_all, test::Random, test::roundings;
 
-/// The distance that the chart itself sees: |sin theta| or |cos theta| of its middle angle.
+/// Distance from the singularity, computed from the angles: |sin theta| or |cos theta| of the middle angle.
 double middle_angle_distance(const EulerSequence& s, const Matrix3<double>& A) {
   const double theta = euler_angles(s, A)[1];
   return std::abs(s.is_symmetric() ? std::sin(theta) : std::cos(theta));
@@ -44,7 +44,7 @@ TEST(EulerChart, IsTheFirstOfTheListThatKeepsItsDistance) {
 }
 
 TEST(EulerChart, AlwaysExistsEvenWhereEverySequenceIsSingular) {
-  // the 24 orientations of a cube, where most sequences stand on their singularity, and their neighbours
+  // the 24 orientations of a cube, which are singular for most sequences, and orientations near them
   Random random(71);
   for (const auto name : euler_sequence_names)
     for (int i = 0; i < 3; ++i)

@@ -1,4 +1,4 @@
-/// The laws of the Formulation concept, the same for all: forces.
+/// Laws of the Formulation concept, tested in every formulation: forces.
 
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
@@ -17,7 +17,8 @@ TYPED_TEST(FormulationForces, EquationsAreEulersInDisguise) {
   using F = TypeParam;
   using S = typename F::Scalar;
   for_all_samples<F>([](const auto& s) {
-    // lift^T (mass_block q'' - velocity_force - applied_force) is Euler's Jbar omega_bar' + ... - nbar
+    // lift^T (mass_block q'' - velocity_force - applied_force) = Jbar omega_bar' +
+    // omega_bar x Jbar omega_bar - n_bar
     const Vector3<S> n_bar = s.a_bar;
     const typename F::Unknown q_ddot = test::unknown_of<F>(s.body, s.omega_bar_dot);
     const typename F::Unknown native = F::mass_block(s.body, s.J_bar) * q_ddot -
@@ -49,7 +50,7 @@ TYPED_TEST(FormulationForces, AppliedForceDoesTheWorkOfItsMoment) {
   });
 }
 
-// what a generalised force does along the increments of the reduced unknowns, and as a moment
+// a force and its reduced force do the same work along an increment; moment() recovers an applied moment
 TYPED_TEST(FormulationForces, ReducedForceDoesTheSameWork) {
   using F = TypeParam;
   using S = typename F::Scalar;

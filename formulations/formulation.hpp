@@ -1,12 +1,14 @@
 #pragma once
-/// The contract of a formulation: one set of absolute coordinates (r, orientation) per body and the equations
-/// of motion written in it. Four files stand side by side, same headings, same order: r_omega, r_p, r_epsilon
-/// and r_epsilon_omega_first. Each is native: its Jacobians, biases, mass block and forces come from its own
-/// coordinates, never from another formulation's numbers; that lambda agrees is the theorem, not the
-/// implementation.
+/// The contract of a formulation: one set of absolute coordinates (r, orientation) per body, and the
+/// equations of motion written in these coordinates. Four parallel files have the same headings in the same
+/// order: r_omega, r_p, r_epsilon and r_epsilon_omega_first. The first three compute Jacobians, biases,
+/// mass blocks and forces from their own coordinates alone, never from the numbers of another formulation.
+/// So the equality of their lambda is a result and does not come from shared code. The fourth combines the
+/// angles of r_epsilon with the equations of r_omega.
 ///
-/// The contract has three parts: the equations as printed, the same with the internal row eliminated, and the
-/// coordinates moved in time. Their laws are in contract/laws.hpp.
+/// The contract has three parts: the equations as printed, the equations with the internal row eliminated,
+/// and the motion of the coordinates in time. What each function must satisfy is tested by
+/// contract/laws.hpp.
 
 #include "formulations/contract/equations_as_printed.hpp"
 #include "formulations/contract/moving_coordinates.hpp"
@@ -36,7 +38,8 @@ struct TypesOf<F> {
 };
 }  // namespace detail
 
-/// What the solvers and simulations of a formulation take.
+/// Types of constraints and effects in the mechanisms that the solvers of F accept; F::Types, or else the
+/// library's.
 template <class F>
 using MechanismTypesOf = typename detail::TypesOf<F>::type;
 template <class F>
@@ -44,8 +47,8 @@ using MechanismOf = Mechanism<typename F::Scalar, MechanismTypesOf<F>>;
 template <class F>
 using ModelOf = Model<typename F::Scalar, MechanismTypesOf<F>>;
 
-/// The same formulation for mechanisms with other types of constraints and effects: nothing of it changes but
-/// the mechanisms that its solvers take.
+/// The formulation F for mechanisms with other types of constraints and effects. Only the mechanism type
+/// that its solvers accept changes.
 template <template <class> class F, class OfTypes>
 struct Retyped {
   template <class S>
@@ -54,7 +57,7 @@ struct Retyped {
   };
 };
 
-/// The same formulation over another Scalar.
+/// The formulation F over another Scalar.
 template <class F, class Scalar>
 using InScalarT = typename detail::InScalar<F, Scalar>::type;
 

@@ -1,15 +1,15 @@
 #pragma once
-/// From lambda to joint reactions. With M r'' + Phi_r^T lambda = F, the force of a joint on a body is
-/// -Phi_r^T lambda and its moment about the centre of mass -Phi_pi_bar^T lambda in the body frame; here
-/// Phi_pi_bar comes from the formulation's own Jacobian, Phi_rot lift.
+/// Joint reactions from lambda. With M r'' + Phi_r^T lambda = F, a joint acts on a body with the force
+/// -Phi_r^T lambda [N, global] and the moment -Phi_pi_bar^T lambda about the centre of mass [N m, body
+/// frame]. Here Phi_pi_bar = Phi_rot lift, from the Jacobian of the formulation itself.
 
 #include "bodies/reaction.hpp"
 #include "formulations/equations_of_motion.hpp"
 
 namespace trivium {
 
-/// The reaction of one joint on the body at one end: global frame, about that body's centre of mass (the
-/// ground's is the origin).
+/// Force and moment of a joint on its body at `end`, in the global frame, about the centre of mass of this
+/// body (for the ground: about the origin).
 template <EquationsAsPrinted F>
 Reaction<typename F::Scalar> joint_reaction(const EquationsOfMotion<F>& eom,
                                             const Joint<typename F::Scalar>& joint,
@@ -26,7 +26,7 @@ Reaction<typename F::Scalar> joint_reaction(const EquationsOfMotion<F>& eom,
   return {force, body.A * (F::lift(body).transpose() * rotational), body.r};
 }
 
-/// The global position of a joint's point on body i.
+/// The point of a joint on its body i [m, global].
 template <EquationsAsPrinted F>
 Vector3<typename F::Scalar> joint_point(const EquationsOfMotion<F>& eom,
                                         const Joint<typename F::Scalar>& joint) {

@@ -1,4 +1,4 @@
-/// Reactions worked out by hand, in every formulation: sign, point, frame, on either body.
+/// Reactions computed by hand, in every formulation: sign, point and frame, on both bodies.
 
 #include "formulations/joint_reaction.hpp"
 
@@ -22,7 +22,7 @@ TYPED_TEST_SUITE(Reactions, test::AllFormulations<double>, test::FormulationName
 template <class F>
 struct Solved : test::Solved<F> {
   using test::Solved<F>::Solved;
-  /// Global frame, about the body's centre of mass.
+  /// Reaction in the global frame, about the body's centre of mass.
   Reaction<double> on(End end, int joint = 0) const {
     return joint_reaction<F>(this->solver.equations(), this->mechanism.joints[joint], this->u.lambda, end);
   }
@@ -67,10 +67,10 @@ TYPED_TEST(Reactions, AHorizontalCantileverIsHeldByForceAndTorque) {
   const Reaction<double> at_wall = s.on(End::j).about(s.joint_point());
   expect_vector(at_wall.force, {0, 0, m * g});
   expect_vector(at_wall.torque, {0, -m * g * L, 0});
-  // about its own centre of mass the body needs no torque
+  // about the centre of mass of the body the reaction has no torque
   expect_vector(s.on(End::j).torque, Vec::Zero());
   expect_vector(s.on(End::j).point, {L, 0, 0});
-  // and the wall feels the opposite
+  // the wall has the opposite reaction
   expect_vector(s.on(End::i).force, {0, 0, -m * g});
   expect_vector(s.on(End::i).torque, {0, m * g * L, 0});
 }
@@ -87,7 +87,7 @@ TYPED_TEST(Reactions, ASpinningRotorIsPulledToItsAxis) {
 }
 
 TYPED_TEST(Reactions, AFallingPendulumIsHeldByHalfItsFall) {
-  // let go from the horizontal: alpha = m g L / (J + m L^2), the pin carries m (g - L alpha)
+  // released from the horizontal: alpha = m g L / (J + m L^2), and the pin carries m (g - L alpha)
   const double J = 0.4, alpha = m * g * L / (J + m * L * L);
   const Solved<TypeParam> s(held_at_origin(JointType::revolute, {L, 0, 0}));
   expect_vector(s.on(End::j).force, {0, 0, m * (g - L * alpha)});
@@ -104,7 +104,7 @@ TYPED_TEST(Reactions, ADriverTurnsBodyJWithMinusLambda) {
   driver.angle = TimeFunction::Polynomial{{0, 0, alpha_ddot / 2}};
   scene.constraints.push_back(driver);
   const Solved<TypeParam> s(scene);
-  const double torque = (J + m * L * L) * alpha_ddot;  // the weight has no lever here
+  const double torque = (J + m * L * L) * alpha_ddot;  // the weight acts through the axis and has no moment
   expect_vector(s.on(End::j, 1).torque, {0, torque, 0});
   expect_vector(s.on(End::j, 1).force, Vec::Zero());
   expect_vector(s.on(End::i, 1).torque, {0, -torque, 0});
@@ -138,7 +138,7 @@ TEST(Reaction, AboutAnotherPointIsTheSameWrench) {
                              random.vector<double, 3>()};
   const Vec other = random.vector<double, 3>();
   const Reaction<double> two = one.about(other);
-  // the power in any motion of the body is the same
+  // equal power in any motion of the body
   const Vec omega = random.vector<double, 3>(), v = random.vector<double, 3>();
   const auto power = [&](const Reaction<double>& r) {
     return r.force.dot(v + omega.cross(r.point)) + r.torque.dot(omega);
@@ -150,7 +150,7 @@ TEST(Reaction, AboutAnotherPointIsTheSameWrench) {
 
 TEST(Reaction, InAnotherFrameHasTheComponentsOfThatFrame) {
   const Reaction<double> global{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
-  // a frame whose x points along global y, its y against global x
+  // the x axis of this frame is the global y axis, its y axis the negative global x axis
   const Reaction<double> turned = global.in_frame(axis_rotation(2, std::acos(0.0)));
   expect_vector(turned.force, {2, -1, 3});
   expect_vector(turned.torque, {5, -4, 6});

@@ -1,4 +1,4 @@
-/// The laws of the Formulation concept, the same for all: places and velocities.
+/// Laws of the Formulation concept, tested in every formulation: poses and velocities.
 
 #include "bodies/numbers/quad.hpp"
 #include "bodies/rotations/so3.hpp"
@@ -36,7 +36,7 @@ TYPED_TEST(FormulationKinematics, BodyVectorJacobianIsTheDerivativeAlongTheRetra
       const typename F::Orientation from = F::orientation_of(s.chart, s.p);
       const typename F::Unknown v = F::velocity_of(s.chart, s.q);
       for (int k = 0; k < 3; ++k) {
-        // the increment that turns the body about its own axis k
+        // the increment of the unknowns that rotates the body about its axis k
         const typename F::Unknown step = F::lift(s.body) * Vector3<S>::Unit(k);
         const auto moved = [&](const S& by) {
           const auto orientation = F::retract(s.chart, from, (by * step).eval());
@@ -48,7 +48,7 @@ TYPED_TEST(FormulationKinematics, BodyVectorJacobianIsTheDerivativeAlongTheRetra
         EXPECT_LE(distance(A_k, s.body.A * tilde<S>(Vector3<S>::Unit(k))), 1e-19);
       }
     });
-  else  // the retraction of no increment is where it started
+  else  // the retraction of a zero increment is the starting orientation
     for_all_samples<F>([](const auto& s) {
       const auto orientation = F::retract(s.chart, F::orientation_of(s.chart, s.p), F::Unknown::Zero());
       const auto q = F::from_orientation(s.chart, orientation, F::velocity_of(s.chart, s.q));
@@ -63,7 +63,7 @@ TYPED_TEST(FormulationKinematics, BodyVectorRateAndBiasAreThoseOfARotatingVector
   for_all_samples<F>([](const auto& s) {
     const Matrix3<S> A = rotation_matrix(s.p), W = tilde(s.omega_bar);
     EXPECT_LE(distance(s.body.vector(s.a_bar).rate, A * W * s.a_bar), roundings<S>(300));
-    // q'' of no angular acceleration leaves the centripetal term alone
+    // with q'' for omega_bar' = 0 only the centripetal term of a'' remains
     const typename F::Unknown q_ddot = test::unknown_of<F>(s.body, Vector3<S>::Zero());
     EXPECT_LE(distance(s.body.jacobian(s.body.vector(s.a_bar)) * q_ddot + s.body.vector(s.a_bar).bias,
                        A * W * W * s.a_bar),

@@ -1,8 +1,15 @@
 #pragma once
-/// r-epsilon: r'' and the second derivative epsilon'' of three Euler angles, in any of the twelve body-fixed
-/// sequences, each body in its own chart A = A(epsilon) C (euler_chart_choice.hpp). Haug (1989), section 9.3
-/// and problem 11.2: the equations as printed, solved for epsilon''. Near its singularity (distance theta)
-/// this form loses lambda as u / theta^3; r_epsilon_omega_first loses u / theta.
+/// r-epsilon: the unknowns of a body are r'' and the second derivatives epsilon'' of three Euler angles, in
+/// any of the twelve body-fixed sequences. Each body has its own chart A = A(epsilon) C
+/// (euler_chart_choice.hpp). Haug (1989), section 9.3 and problem 11.2, with omega_bar = D epsilon':
+///
+///     m r'' + Phi_r^T lambda = F
+///     D^T Jbar D epsilon'' + Phi_epsilon^T lambda
+///         = D^T (n_bar - omega_bar x Jbar omega_bar - Jbar D' epsilon')
+///
+/// These equations are solved for epsilon'' as printed. At an angle theta from the singularity of the
+/// sequence the relative error of lambda grows as u / theta^3; in r_epsilon_omega_first it grows as
+/// u / theta.
 
 #include "bodies/rigid_body.hpp"
 #include "bodies/rotations/euler_angles.hpp"
@@ -25,31 +32,33 @@ struct REpsilon {
 
   using Chart = EulerChart<S>;
 
+  /// Euler angles epsilon [rad] and their rates epsilon' [rad/s].
   struct Coordinates {
     Vector3<S> epsilon = Vector3<S>::Zero(), epsilon_dot = Vector3<S>::Zero();
   };
 
-  // orientation: A = R_1 R_2 R_3 C; g_k the axes of the three turns in the global frame
+  // orientation: A = R_1 R_2 R_3 C; R_k is the rotation by epsilon_k about axis e_k of the sequence
   struct Kinematics : BodyMotion<S> {
     using Scalar = S;
     static constexpr int rotational_unknowns = 3;
-    Matrix3<S> g;                   ///< [e_1, R_1 e_2, R_1 R_2 e_3]: omega = g epsilon'
-    Vector3<S> omega, g_dot_rates;  ///< g epsilon' and g' epsilon'
-    Matrix3<S> D;                   ///< A^T g: omega_bar = D epsilon'; singular where the sequence is
-    Vector3<S> D_dot_rates;         ///< D' epsilon' = A^T g' epsilon'
+    Matrix3<S> g;  ///< axes of the elementary rotations in the global frame: [e_1, R_1 e_2, R_1 R_2 e_3]
+    Vector3<S> omega, g_dot_rates;  ///< g epsilon' [rad/s] and g' epsilon' [rad/s^2], both global
+    Matrix3<S> D;            ///< A^T g [3x3, -]: omega_bar = D epsilon'; singular where the sequence is
+    Vector3<S> D_dot_rates;  ///< D' epsilon' = A^T g' epsilon' [rad/s^2, body frame]
 
-    /// Rate B(epsilon, abar) epsilon' = omega x a, bias B'(epsilon, epsilon', abar) epsilon'.
+    /// a = A abar, its rate B(epsilon, abar) epsilon' = omega x a, and its bias B' epsilon': a'' at
+    /// epsilon'' = 0.
     BodyVector<S> vector(const Vector3<S>& a_bar) const {
       const Vector3<S> a = this->A * a_bar, rate = omega.cross(a);
       return {a_bar, a, rate, g_dot_rates.cross(a) + omega.cross(rate)};
     }
-    /// B = [A_phi abar, A_theta abar, A_psi abar] = [g_1 x a, g_2 x a, g_3 x a].
+    /// B = [A_phi abar, A_theta abar, A_psi abar] = [g_1 x a, g_2 x a, g_3 x a] [3x3].
     Matrix3<S> jacobian(const BodyVector<S>& v) const {
       Matrix3<S> B;
       for (int k = 0; k < 3; ++k) B.col(k) = g.col(k).cross(v.a);
       return B;
     }
-    /// w^T B.
+    /// w^T B [1x3].
     Matrix<S, 1, 3> jacobian_along(const BodyVector<S>& v, const Vector3<S>& w) const {
       return v.a.cross(w).transpose() * g;
     }
@@ -74,11 +83,11 @@ struct REpsilon {
     return k.D.transpose() * n_bar;
   }
 
-  // internal row: none
+  // internal constraint row: none
   static Matrix<S, 0, 3> internal_jacobian(const Kinematics&) { return {}; }
   static Vector<S, 0> internal_gamma(const Kinematics&) { return {}; }
 
-  // internal row eliminated: there is none
+  // reduced equations (internal row eliminated): there is no internal row, so x = epsilon''
   using Reduced = Kinematics;
   static constexpr bool reduced_mass_is_constant = false;
   static AngularMotion<S> angular_motion(const Reduced& k) { return {k.A, k.g, k.omega, k.g_dot_rates}; }
@@ -91,13 +100,13 @@ struct REpsilon {
   static Unknown from_reduced(const Kinematics&, const Vector3<S>& epsilon_ddot) { return epsilon_ddot; }
   static Unknown increment(const Kinematics&, const Vector3<S>& x) { return x; }
 
-  // the unknown and omega_bar': omega_bar' = D epsilon'' + D' epsilon'
+  // unknown and angular acceleration: omega_bar' = D epsilon'' + D' epsilon'
   static Matrix3<S> lift(const Kinematics& k) { return k.D.inverse(); }
   static Vector3<S> to_angular_acceleration(const Kinematics& k, const Unknown& epsilon_ddot) {
     return k.D * epsilon_ddot + k.D_dot_rates;
   }
 
-  // orientation as an integrator carries it: epsilon, with the rate epsilon'; retraction: angles add
+  // orientation in an integrator: epsilon, with the rate epsilon'. Retraction: epsilon + increment
   static Orientation orientation_of(const Chart& chart, const Vector4<S>& p) {
     return euler_angles<S>(chart.sequence, rotation_matrix(p) * chart.C.transpose());
   }
@@ -113,7 +122,7 @@ struct REpsilon {
   }
   static void normalise(Orientation&, Unknown&) {}
 
-  // steps of implicit methods: angles and rates are plain numbers
+  // steps of implicit methods: angles and rates are added as plain vectors
   static Orientation step(const Chart&, const Orientation& epsilon, const Unknown& change) {
     return epsilon + change;
   }
@@ -124,6 +133,7 @@ struct REpsilon {
   static void normalise_step(Orientation&, const S&, Unknown&) {}
   static void normalise_step_velocity(const Orientation&, const Unknown&, const S&, Unknown&) {}
   static constexpr bool inertia_is_constant = false;
+  // generalized forces in the reduced unknowns, and as a moment [N m, body frame]: force = D^T moment
   static Vector3<S> reduced(const Reduced&, const Unknown& force) { return force; }
   static Vector3<S> moment(const Reduced& k, const Vector3<S>& force) {
     return k.D.transpose().inverse() * force;
@@ -161,7 +171,7 @@ struct REpsilon {
     g.col(2) = R.col(third_axis);
     turn<S>(R, third_axis, q.epsilon[2]);
     const PaddedColumns<S, 3> A = times<S, 3>(R, chart.C), A_T = transposed<S>(A);
-    // each axis is carried by the turns before it
+    // an axis moves with the rotations before it: g_k' = (sum over m < k of epsilon_m' g_m) x g_k
     const Padded<S> first = rate[0] * g.col(0), second = first + rate[1] * g.col(1);
     const Padded<S> g_dot_rates =
         rate[1] * cross_product<S>(first, g.col(1)) + rate[2] * cross_product<S>(second, g.col(2));

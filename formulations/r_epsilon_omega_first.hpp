@@ -1,7 +1,12 @@
 #pragma once
-/// r-epsilon solved omega-first: the coordinates are Euler angles, the unknown is omega_bar'. With omega_bar
-/// = D epsilon' the equations are solved for omega_bar' and lambda, and epsilon'' = D^-1 (omega_bar' - D'
-/// epsilon') follows. Near the singularity it loses u / theta where the printed form loses u / theta^3.
+/// r-epsilon-omega-first: the coordinates of a body are r and Euler angles epsilon, its unknowns are r''
+/// and omega_bar'. The equations of r-omega are solved for omega_bar' and lambda; then epsilon'' follows
+/// from omega_bar = D epsilon':
+///
+///     epsilon'' = D^-1 (omega_bar' - D' epsilon')
+///
+/// At an angle theta from the singularity of the sequence the relative error of lambda grows as u / theta;
+/// in the printed form (r_epsilon) it grows as u / theta^3.
 
 #include "bodies/rigid_body.hpp"
 #include "bodies/rotations/euler_angles.hpp"
@@ -27,12 +32,13 @@ struct REpsilonOmegaFirst {
   using Chart = typename Angles::Chart;
   using Coordinates = typename Angles::Coordinates;
 
-  // orientation: A(epsilon) C and omega_bar = D epsilon'; body vectors move with omega_bar
+  // orientation: A = A(epsilon) C; a body vector has the rate and the Jacobian of r-omega, with omega_bar =
+  // D epsilon'
   struct Kinematics : Rates::Kinematics {
     Matrix3<S> D;
     Vector3<S> D_dot_rates;
 
-    /// epsilon'' of an angular acceleration.
+    /// epsilon'' [rad/s^2] of an angular acceleration omega_bar' [rad/s^2, body frame].
     Vector3<S> epsilon_ddot(const Vector3<S>& omega_bar_dot) const {
       return D.inverse() * (omega_bar_dot - D_dot_rates);
     }
@@ -43,7 +49,7 @@ struct REpsilonOmegaFirst {
     return {{BodyMotion<S>(k), k.A * k.omega_bar}, k.D, k.D_dot_rates};
   }
 
-  // mass block and quadratic-velocity force
+  // mass block and quadratic-velocity force: those of r-omega
   static Matrix3<S> mass_block(const Kinematics& k, const Matrix3<S>& J_bar) {
     return Rates::mass_block(k, J_bar);
   }
@@ -54,11 +60,11 @@ struct REpsilonOmegaFirst {
     return Rates::applied_force(k, n_bar);
   }
 
-  // internal row: none
+  // internal constraint row: none
   static Matrix<S, 0, 3> internal_jacobian(const Kinematics&) { return {}; }
   static Vector<S, 0> internal_gamma(const Kinematics&) { return {}; }
 
-  // internal row eliminated: there is none
+  // reduced equations (internal row eliminated): there is no internal row, so x = omega_bar'
   using Reduced = Kinematics;
   static constexpr bool reduced_mass_is_constant = true;
   static AngularMotion<S> angular_motion(const Reduced& k) { return Rates::angular_motion(k); }
@@ -69,14 +75,14 @@ struct REpsilonOmegaFirst {
   static Unknown from_reduced(const Kinematics&, const Vector3<S>& omega_bar_dot) { return omega_bar_dot; }
   static Unknown increment(const Kinematics&, const Vector3<S>& x) { return x; }
 
-  // the unknown is omega_bar'
+  // unknown and angular acceleration: the unknown is omega_bar'
   static Matrix3<S> lift(const Kinematics& k) { return Rates::lift(k); }
   static Vector3<S> to_angular_acceleration(const Kinematics&, const Unknown& omega_bar_dot) {
     return omega_bar_dot;
   }
 
-  // orientation as an integrator carries it: epsilon, with epsilon' = D^-1 omega_bar; retraction: angles add,
-  // by epsilon increments that turn the body by phi
+  // orientation in an integrator: epsilon, with the rate epsilon' = D^-1 omega_bar. Retraction: epsilon +
+  // D^-1 phi, which turns the body by phi to first order
   static Orientation orientation_of(const Chart& chart, const Vector4<S>& p) {
     return Angles::orientation_of(chart, p);
   }
@@ -96,7 +102,8 @@ struct REpsilonOmegaFirst {
   }
   static void normalise(Orientation&, Unknown&) {}
 
-  // steps of implicit methods: on SO(3), where velocities are
+  // steps of implicit methods: a displacement is a rotation vector phi [rad, body frame], A becomes A
+  // exp(tilde(phi))
   static Orientation step(const Chart& chart, const Orientation& epsilon, const Unknown& phi) {
     return euler_angles<S>(
         chart.sequence,
@@ -112,6 +119,7 @@ struct REpsilonOmegaFirst {
   static void normalise_step(Orientation&, const S&, Unknown&) {}
   static void normalise_step_velocity(const Orientation&, const Unknown&, const S&, Unknown&) {}
   static constexpr bool inertia_is_constant = true;
+  // generalized forces in the reduced unknowns, and as a moment [N m, body frame]: the same numbers here
   static Vector3<S> reduced(const Reduced&, const Unknown& force) { return force; }
   static Vector3<S> moment(const Reduced&, const Vector3<S>& n_bar) { return n_bar; }
 

@@ -1,6 +1,9 @@
 #pragma once
-/// r-omega: r'' and the body-frame angular acceleration omega_bar'. Newton-Euler equations; Haug (1989),
-/// section 11.2.
+/// r-omega: the unknowns of a body are r'' and its angular acceleration omega_bar' in the body frame; the
+/// rotation matrix A is the coordinate of orientation. Newton-Euler equations; Haug (1989), section 11.2:
+///
+///     m r'' + Phi_r^T lambda = F
+///     Jbar omega_bar' + Phi_pi_bar^T lambda = n_bar - omega_bar x Jbar omega_bar
 
 #include "bodies/rigid_body.hpp"
 #include "bodies/rotations/so3.hpp"
@@ -23,27 +26,28 @@ struct ROmega {
 
   using Chart = NoChart;
 
-  /// A itself, and omega_bar.
+  /// Rotation A [3x3, body to global] and angular velocity omega_bar [rad/s, body frame].
   struct Coordinates {
     Matrix3<S> A = Matrix3<S>::Identity();
     Vector3<S> omega_bar = Vector3<S>::Zero();
   };
 
-  // orientation: A is a coordinate
+  // orientation: A itself is the coordinate
   struct Kinematics : BodyMotion<S> {
     using Scalar = S;
     static constexpr int rotational_unknowns = 3;
 
-    Vector3<S> omega;  ///< A omega_bar
+    Vector3<S> omega;  ///< angular velocity A omega_bar [rad/s, global]
 
-    /// Rate A tilde(omega_bar) abar = omega x a, bias A tilde(omega_bar)^2 abar.
+    /// a = A abar, its rate A tilde(omega_bar) abar = omega x a, and its bias A tilde(omega_bar)^2 abar:
+    /// a'' at omega_bar' = 0.
     BodyVector<S> vector(const Vector3<S>& a_bar) const {
       const Vector3<S> a = this->A * a_bar, rate = omega.cross(a);
       return {a_bar, a, rate, omega.cross(rate)};
     }
-    /// B = -A tilde(abar): (A abar)' = B omega_bar.
+    /// B = -A tilde(abar) [3x3]: (A abar)' = B omega_bar.
     Matrix3<S> jacobian(const BodyVector<S>& v) const { return -times_tilde<S>(this->A, v.a_bar); }
-    /// w^T B.
+    /// w^T B [1x3].
     Matrix<S, 1, 3> jacobian_along(const BodyVector<S>& v, const Vector3<S>& w) const {
       return v.a_bar.cross(Vector3<S>(this->A.transpose() * w)).transpose();
     }
@@ -53,7 +57,7 @@ struct ROmega {
     return {BodyMotion<S>{r, r_dot, q.A, q.omega_bar}, q.A * q.omega_bar};
   }
 
-  // mass block
+  // mass block: Jbar
   static Matrix3<S> mass_block(const Kinematics&, const Matrix3<S>& J_bar) { return J_bar; }
 
   // quadratic-velocity force: -tilde(omega_bar) Jbar omega_bar
@@ -62,11 +66,11 @@ struct ROmega {
   }
   static Unknown applied_force(const Kinematics&, const Vector3<S>& n_bar) { return n_bar; }
 
-  // internal row: none
+  // internal constraint row: none
   static Matrix<S, 0, 3> internal_jacobian(const Kinematics&) { return {}; }
   static Vector<S, 0> internal_gamma(const Kinematics&) { return {}; }
 
-  // internal row eliminated: there is none
+  // reduced equations (internal row eliminated): there is no internal row, so x = omega_bar'
   using Reduced = Kinematics;
   static constexpr bool reduced_mass_is_constant = true;
   static AngularMotion<S> angular_motion(const Reduced& k) { return {k.A, k.A, k.omega, Vector3<S>::Zero()}; }
@@ -77,14 +81,14 @@ struct ROmega {
   static Unknown from_reduced(const Kinematics&, const Vector3<S>& omega_bar_dot) { return omega_bar_dot; }
   static Unknown increment(const Kinematics&, const Vector3<S>& x) { return x; }
 
-  // the unknown is omega_bar'
+  // unknown and angular acceleration: the unknown is omega_bar'
   static Matrix3<S> lift(const Kinematics&) { return Matrix3<S>::Identity(); }
   static Vector3<S> to_angular_acceleration(const Kinematics&, const Unknown& omega_bar_dot) {
     return omega_bar_dot;
   }
 
-  // orientation as an integrator carries it: p, with p' = 1/2 G^T omega_bar; p counts by its direction alone;
-  // retraction A exp(tilde(phi))
+  // orientation in an integrator: p, with the rate p' = 1/2 G^T omega_bar; A depends on the direction of p
+  // only. Retraction: A exp(tilde(phi))
   static Orientation orientation_of(const Chart&, const Vector4<S>& p) { return p; }
   static Unknown velocity_of(const Chart&, const Coordinates& q) { return q.omega_bar; }
   static Coordinates from_orientation(const Chart&, const Orientation& p, const Unknown& omega_bar) {
@@ -99,7 +103,8 @@ struct ROmega {
   }
   static void normalise(Orientation& p, Unknown&) { p /= p.norm(); }
 
-  // steps of implicit methods: on SO(3), A exp(tilde(phi))
+  // steps of implicit methods: a displacement is a rotation vector phi [rad, body frame], A becomes A
+  // exp(tilde(phi))
   static Orientation step(const Chart& chart, const Orientation& p, const Unknown& phi) {
     return retract(chart, p, phi);
   }
@@ -112,6 +117,7 @@ struct ROmega {
   static void normalise_step(Orientation&, const S&, Unknown&) {}
   static void normalise_step_velocity(const Orientation&, const Unknown&, const S&, Unknown&) {}
   static constexpr bool inertia_is_constant = true;
+  // generalized forces in the reduced unknowns, and as a moment [N m, body frame]: the same numbers here
   static Vector3<S> reduced(const Reduced&, const Unknown& force) { return force; }
   static Vector3<S> moment(const Reduced&, const Vector3<S>& n_bar) { return n_bar; }
 

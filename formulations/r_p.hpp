@@ -1,11 +1,16 @@
 #pragma once
-/// r-p: r'' and the second derivative p'' of the Euler parameters, with one normalisation row a body. Haug
-/// (1989), section 11.3; J^p, P, tau_hat, gamma^p as in the lecture notes.
+/// r-p: the unknowns of a body are r'' and the second derivative p'' of its four Euler parameters
+/// p = (e0, e). One internal row per body, the normalisation row, keeps p a unit vector. Haug (1989),
+/// section 11.3; J^p, P, tau_hat, gamma^p as in the lecture notes:
 ///
-/// The row is (p . p - 1)/2 = 0, so P = p^T and gamma^p = -p' . p'. (Notes that take P = p^T from one form of
-/// the row and gamma^p = -2 p' . p' from the other get a wrong omega_bar' and lambda wherever Phi_p p is not
-/// 0.) lambda^p depends on how A(p) goes on off the unit sphere; here A = E G^T. Compare lambda across codes,
-/// not lambda^p.
+///     m r'' + Phi_r^T lambda = F
+///     J^p p'' + Phi_p^T lambda + P^T lambda^p = tau_hat
+///     P p'' = gamma^p
+///
+/// The row is (p . p - 1)/2 = 0, so P = p^T and gamma^p = -p' . p'. Some notes combine this P with
+/// gamma^p = -2 p' . p', which belongs to the row p . p - 1 = 0. Their omega_bar' and lambda are wrong
+/// wherever Phi_p p is not 0. The multiplier lambda^p depends on how the function A(p) continues off the
+/// unit sphere; here A = E G^T. Between codes, compare lambda, not lambda^p.
 
 #include "bodies/rigid_body.hpp"
 #include "bodies/rotations/so3.hpp"
@@ -28,11 +33,13 @@ struct RP {
 
   using Chart = NoChart;
 
+  /// Euler parameters p [-] and their rates p' [1/s].
   struct Coordinates {
     Vector4<S> p = Vector4<S>::Unit(0), p_dot = Vector4<S>::Zero();
   };
 
-  /// B(p, abar) = 2 [(e0 I + tilde e) abar, e abar^T - (e0 I + tilde e) tilde(abar)], 3x4, linear in p.
+  /// B(p, abar) = 2 [(e0 I + tilde e) abar, e abar^T - (e0 I + tilde e) tilde(abar)] [3x4], linear in p:
+  /// (A abar)' = B(p, abar) p'.
   static Matrix<S, 3, 4> B(const Vector4<S>& p, const Vector3<S>& a_bar) {
     const Matrix3<S> block = euler_parameter_block(p);
     Matrix<S, 3, 4> b;
@@ -48,13 +55,14 @@ struct RP {
     Vector4<S> p, p_dot;
     Matrix<S, 3, 4> G;
 
-    /// Rate B(p, abar) p' = 2 E G'^T abar, bias B(p', abar) p' = 2 E' G'^T abar.
+    /// a = A abar, its rate B(p, abar) p' = 2 E G'^T abar, and its bias B(p', abar) p' = 2 E' G'^T abar:
+    /// a'' at p'' = 0.
     BodyVector<S> vector(const Vector3<S>& a_bar) const {
       const Vector4<S> g = 2 * (G_matrix(p_dot).transpose() * a_bar);
       return {a_bar, this->A * a_bar, E_matrix(p) * g, E_matrix(p_dot) * g};
     }
     Matrix<S, 3, 4> jacobian(const BodyVector<S>& v) const { return B(p, v.a_bar); }
-    /// w^T B.
+    /// w^T B [1x4].
     Matrix<S, 1, 4> jacobian_along(const BodyVector<S>& v, const Vector3<S>& w) const {
       const Vector3<S> e = p.template tail<3>(), y = p[0] * w - e.cross(w);
       Matrix<S, 1, 4> row;
@@ -69,7 +77,7 @@ struct RP {
     return {BodyMotion<S>{r, r_dot, E_matrix(q.p) * G.transpose(), 2 * G * q.p_dot}, q.p, q.p_dot, G};
   }
 
-  // mass block: J^p = 4 G^T Jbar G, of rank 3
+  // mass block: J^p = 4 G^T Jbar G [4x4], of rank 3: J^p p = 0
   static Matrix<S, 4, 4> mass_block(const Kinematics& k, const Matrix3<S>& J_bar) {
     return 4 * k.G.transpose() * J_bar * k.G;
   }
@@ -83,16 +91,17 @@ struct RP {
     return 2 * k.G.transpose() * n_bar;
   }
 
-  // internal row: P = p^T, gamma^p = -p' . p'
+  // internal constraint row: P = p^T, gamma^p = -p' . p'
   static Matrix<S, 1, 4> internal_jacobian(const Kinematics& k) { return k.p.transpose(); }
   static Vector<S, 1> internal_gamma(const Kinematics& k) { return Vector<S, 1>(-k.p_dot.squaredNorm()); }
 
-  // internal row eliminated: p'' = 1/2 G^T x - |p'|^2 p meets it for every x, and 1/2 G J^p 1/2 G^T = Jbar: x
-  // is omega_bar', and p counts as unit
+  // reduced equations (internal row eliminated): p'' = 1/2 G^T x - |p'|^2 p satisfies the internal row for
+  // every x, where p is taken as a unit vector. The reduced mass block is (1/2 G) J^p (1/2 G^T) = Jbar, so
+  // x is omega_bar'
   struct Reduced : Kinematics {
     static constexpr int rotational_unknowns = 3;
 
-    /// At x = 0 the bias is B(p', abar) p' - |p'|^2 B(p, abar) p, and B(p, abar) p = 2 A abar.
+    /// The bias is a'' at x = 0: B(p', abar) p' - |p'|^2 B(p, abar) p, where B(p, abar) p = 2 A abar.
     BodyVector<S> vector(const Vector3<S>& a_bar) const {
       BodyVector<S> v = Kinematics::vector(a_bar);
       v.bias -= 2 * this->p_dot.squaredNorm() * v.a;
@@ -118,13 +127,13 @@ struct RP {
   }
   static Unknown increment(const Kinematics& k, const Vector3<S>& x) { return k.G.transpose() * x / 2; }
 
-  // the unknown and omega_bar': omega_bar' = 2 G p'', p'' = 1/2 G^T omega_bar' - 1/4 |omega_bar|^2 p
+  // unknown and angular acceleration: omega_bar' = 2 G p'', p'' = 1/2 G^T omega_bar' - 1/4 |omega_bar|^2 p
   static Matrix<S, 4, 3> lift(const Kinematics& k) { return k.G.transpose() / 2; }
   static Vector3<S> to_angular_acceleration(const Kinematics& k, const Unknown& p_ddot) {
     return 2 * k.G * p_ddot;
   }
 
-  // orientation as an integrator carries it: p, with the rate p'; retraction back to the unit sphere
+  // orientation in an integrator: p, with the rate p'. Retraction: p + increment, scaled to unit length
   static Orientation orientation_of(const Chart&, const Vector4<S>& p) { return p; }
   static Unknown velocity_of(const Chart&, const Coordinates& q) { return q.p_dot; }
   static Coordinates from_orientation(const Chart&, const Orientation& p, const Unknown& p_dot) {
@@ -142,7 +151,8 @@ struct RP {
     p_dot -= p.dot(p_dot) * p;
   }
 
-  // steps of implicit methods: p and p' are plain numbers, kept on the unit sphere by their row
+  // steps of implicit methods: p and p' are added as plain vectors, also off the unit sphere. The normalise
+  // functions bring them back onto the internal row: a change of p'' by c moves p (or p') by share c
   static Orientation step(const Chart&, const Orientation& p, const Unknown& change) { return p + change; }
   static Unknown displacement(const Chart&, const Orientation& from, const Orientation& to) {
     return to - from;
@@ -158,6 +168,8 @@ struct RP {
     p_ddot -= p.dot(p_dot) / (share * p.squaredNorm()) * p;
   }
   static constexpr bool inertia_is_constant = false;
+  // generalized forces in the reduced unknowns (1/2 G removes the part along p), and as a moment [N m, body
+  // frame]
   static Vector3<S> reduced(const Reduced& k, const Unknown& force) { return k.G * force / 2; }
   static Vector3<S> moment(const Reduced&, const Vector3<S>& n_bar) { return n_bar; }
 

@@ -1,4 +1,4 @@
-/// What is special about Euler parameters: the singular J^p, the normalisation row and its multiplier.
+/// Properties of Euler parameters: the singular J^p, the normalisation row and its multiplier.
 
 #include "formulations/r_p.hpp"
 
@@ -37,7 +37,7 @@ TEST(EulerParameterMass, HasRankThreeAndKernelP) {
     const Matrix<S, 4, 4> Jp = F::mass_block(body, J);
     EXPECT_LE(distance(Jp, 4 * body.G.transpose() * J * body.G), 1e-32);
     EXPECT_LE(distance(Jp * body.p, Vector4<S>::Zero()), 1e-32);
-    // regular on the complement of p: G J^p G^T = 4 Jbar
+    // J^p is regular on the complement of p: G J^p G^T = 4 Jbar
     EXPECT_LE(distance(body.G * Jp * body.G.transpose(), 4 * J), 1e-31);
   }
 }
@@ -81,8 +81,8 @@ TEST(NormalisationMultiplier, HasItsClosedForm) {
   }
 }
 
-/// Solves the printed system with its normalisation rows replaced by (row_scale p^T) p'' = gamma_scale
-/// (-p'.p').
+/// Solves the printed system with the normalisation rows replaced by row_scale p^T p'' =
+/// gamma_scale (-p' . p').
 Unknowns<F> with_norm_row(const Solved& s, int row_scale, int gamma_scale) {
   AugmentedSystem<F> other = s.system;
   other.P *= S(row_scale);
@@ -108,7 +108,7 @@ TEST(NormalisationRow, MayBeScaledIfItsRightSideIsToo) {
 }
 
 TEST(NormalisationRow, OfOneFormWithTheRightSideOfTheOtherGivesAnotherLambda) {
-  // P = p^T with gamma^p = -2 p'.p', as some notes have it: wrong wherever Phi_p p is not 0
+  // P = p^T with gamma^p = -2 p' . p', as in some notes: wrong wherever Phi_p p is not 0
   for (int seed = 0; seed < 5; ++seed) {
     Solved s(seed);
     EXPECT_GE(largest_difference(s, with_norm_row(s, 1, 2)), 1e-6);
@@ -118,7 +118,7 @@ TEST(NormalisationRow, OfOneFormWithTheRightSideOfTheOtherGivesAnotherLambda) {
 TEST(RangeSpaceElimination, WithJpPlusPPIsExact) {
   for (int seed = 0; seed < 5; ++seed) {
     Solved s(seed);
-    // H q'' + Phi^T lambda + P^T lambda^p = tau_hat + p gamma^p with H = J^p + p p^T
+    // H q'' + Phi^T lambda + P^T lambda^p = tau_hat + p gamma^p, with the regular H = J^p + p p^T
     const int nb = s.nb(), nc = s.mechanism.nc();
     MatrixX<S> inverse = MatrixX<S>::Zero(7 * nb, 7 * nb), rows = MatrixX<S>::Zero(nc + nb, 7 * nb);
     VectorX<S> force(7 * nb), right(nc + nb);

@@ -1,7 +1,8 @@
 #pragma once
-/// All formulations at one state of one scene, side by side, which is the theorem of the paper: lambda is the
-/// same in all of them. Each is solved as printed; discrepancies are relative, and their bound is 100 u kappa
-/// (analysis/comparison.hpp). Formulations are told apart at run time here and nowhere below.
+/// All formulations solved at one state of one scene, and the differences between their solutions. The
+/// theorem of the paper is tested here: lambda is the same in all formulations. Each is solved as printed;
+/// differences are relative, and their bound is 100 u kappa (analysis/comparison.hpp). Formulations are
+/// selected by name at run time here; the code below this level is compiled for one formulation each.
 
 #include <fmt/format.h>
 
@@ -21,12 +22,13 @@
 
 namespace trivium {
 
+/// Which formulations are solved, and in which charts.
 struct SolveOptions {
-  std::vector<std::string> formulations;  ///< by name; empty: all of the list
+  std::vector<std::string> formulations;  ///< names; empty: all formulations of the list
   ChartOptions charts;
 };
 
-/// One formulation's answer, or the error that kept it from answering.
+/// The solution of one formulation, or the error that prevented it.
 template <class Scalar>
 struct FormulationResult {
   std::string name;
@@ -34,12 +36,13 @@ struct FormulationResult {
   PhysicalSolution<Scalar> solution;
   VectorX<Scalar> lambda_internal;  ///< lambda^p in r-p
   std::vector<Reaction<Scalar>>
-      reactions;                    ///< per joint, on body j, global frame, about the joint's point on i
-  std::vector<std::string> charts;  ///< per body; empty for formulations without charts
+      reactions;  ///< one per joint: on body j, global frame, about the joint's point on body i
+  std::vector<std::string> charts;  ///< one per body; empty for formulations without charts
   ErrorEstimate estimate;
   MatrixFreeResidual residual;
 };
 
+/// Relative differences of lambda, r'' and omega_bar' [-].
 struct Discrepancy {
   double lambda = 0, r_ddot = 0, omega_bar_dot = 0;
 };
@@ -52,7 +55,7 @@ struct SideBySide {
   bool any_unique() const {
     return std::find(rows.unique.begin(), rows.unique.end(), true) != rows.unique.end();
   }
-  /// How much of what could cause lambda cancels (Comparison), the least over the formulations that solved.
+  /// The smallest cancellation factor of lambda (Comparison::cancellation) over the solved formulations.
   double cancellation() const {
     double least = std::numeric_limits<double>::infinity();
     for (const auto& f : formulations)
@@ -60,16 +63,17 @@ struct SideBySide {
         least = std::min(least, compare_lambda(rows, f.solution.lambda, f.solution.lambda).cancellation());
     return std::isfinite(least) ? least : 1.0;
   }
-  /// Throws the error of the first formulation that did not solve: it is in no discrepancy.
+  /// Throws the ModelError of the first formulation without a solution; discrepancy() does not see such a
+  /// formulation.
   void require_solved() const {
     for (const auto& f : formulations)
       if (!f.error.empty()) throw ModelError(fmt::format("{}: {}", f.name, f.error));
   }
-  /// The bound of lambda's discrepancy: 100 u kappa.
+  /// The bound of discrepancy().lambda: 100 u kappa.
   double lambda_bound() const {
     return trivium::lambda_bound(static_cast<double>(unit_roundoff<Scalar>()), rows.kappa);
   }
-  /// The largest difference between any two formulations that solved; NaN where the norms are not known.
+  /// The largest differences between any two solved formulations; NaN if the norms E are not known.
   Discrepancy discrepancy() const {
     Discrepancy worst;
     if (rows.E.size() != static_cast<Eigen::Index>(rows.unique.size())) {
@@ -90,11 +94,11 @@ struct SideBySide {
   }
 };
 
-/// Solves a model as printed, in every formulation asked for. A formulation that cannot is an entry with an
-/// error; what no formulation can do (singular mass without constraint, an effect that is not defined here)
-/// throws a ModelError. Errors are estimated where the same model in more digits judges them.
-/// Compiled in instances/, for float to Real50; for a list of other formulations, or
-/// other types of constraints and effects, include side_by_side_impl.hpp.
+/// Solves a model as printed in the requested formulations. A formulation that fails has an entry with its
+/// error; a failure that concerns all formulations (singular mass without a constraint, an effect that is
+/// not defined at this state) throws a ModelError. With `judge`, the same model in the next precision,
+/// errors are estimated. Compiled in instances/ for float to Real50; for other formulations, constraints or
+/// effects include side_by_side_impl.hpp.
 template <class List = AllFormulations, class Scalar, class Types>
 SideBySide<Scalar> side_by_side(
     const Model<Scalar, Types>& model, const RowAnalysis& rows, const SolveOptions& options = {},

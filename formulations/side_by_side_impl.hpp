@@ -1,6 +1,6 @@
 #pragma once
-/// The one definition behind the side_by_side instances, one translation unit a Scalar. Each formulation is
-/// solved as printed in a chart of its own; an error of one is kept beside the answers of the others.
+/// The definition of side_by_side, compiled in one translation unit per Scalar. Each formulation is solved
+/// as printed in its own chart; a formulation that fails does not affect the others.
 
 #include "formulations/printed/augmented_solver.hpp"
 #include "formulations/side_by_side.hpp"
@@ -9,7 +9,7 @@
 
 namespace trivium::detail {
 
-/// Everything of one formulation but what can fail; throws a ModelError if the formulation cannot answer.
+/// The result of one formulation without its name; throws a ModelError if the formulation cannot be solved.
 template <EquationsAsPrinted F>
 FormulationResult<typename F::Scalar> solve_one(
     const ModelOf<F>& model, const Model<NextPrecisionT<typename F::Scalar>, MechanismTypesOf<F>>* judge,
@@ -22,7 +22,8 @@ FormulationResult<typename F::Scalar> solve_one(
   const VectorX<S> full = solver.to_minimum_norm(solver.expand(x));
   result.solution = solver.accelerations_of(full);
   result.lambda_internal = solver.split(full).lambda_internal;
-  // of the solution itself: sharing lambda out among dependent rows puts rounding where there was nothing
+  // The residual is computed before lambda is distributed over dependent rows: the distribution would add
+  // rounding to multipliers that are zero
   result.residual = solver.residual(solver.expand(x));
   for (const Joint<S>& joint : model.mechanism.joints)
     result.reactions.push_back(joint_reaction<F>(solver.equations(), joint, result.solution.lambda, End::j)
@@ -36,7 +37,7 @@ FormulationResult<typename F::Scalar> solve_one(
   return result;
 }
 
-/// Adds the answer of each formulation that is asked for, solve(name), or the error that kept it from one.
+/// Appends solve(name), or its error, for each requested name to `out`.
 template <class Scalar, class Solve>
 void solve_each(const std::vector<std::string>& names, const SolveOptions& options, SideBySide<Scalar>& out,
                 const Solve& solve) {
@@ -54,7 +55,7 @@ void solve_each(const std::vector<std::string>& names, const SolveOptions& optio
   }
 }
 
-// those of the library are compiled with it
+// instances for the formulations of the library are compiled in instances/
 #define TRIVIUM_SOLVE_ONE(F, S, kind)                                                                  \
   kind template FormulationResult<S> solve_one<F<S>>(const Model<S>&, const Model<NextPrecisionT<S>>*, \
                                                      const RowAnalysis&, const ChartOptions&);

@@ -1,4 +1,5 @@
-/// All formulations at one state: the same lambda, whatever the precision, the charts and the common motion.
+/// All formulations at one state give the same lambda, for any precision, charts and common motion of the
+/// bodies
 
 #include "formulations/side_by_side.hpp"
 
@@ -66,7 +67,7 @@ TEST(Invariance, LambdaIsTheSameInEverySequence) {
     expect_lambda_is_invariant<double>(8, {*parse_euler_sequence(name), true});
 }
 
-/// A rotor on a bearing along its axis of symmetry, which points nowhere in particular.
+/// A rotor on a bearing along its axis of symmetry, in a general direction.
 scenes::Scene rotor(double spin) {
   scenes::Scene scene;
   scene.bodies = {test::body("rotor", 1.2, {0.003, 0.003, 0.005})};
@@ -84,7 +85,7 @@ TEST(BalancedRotor, HasADiscrepancyWithinWhatCancels) {
   for (const double spin : {30.0, 3000.0}) {
     const auto result = test::solve_scene<double>(rotor(spin));
     EXPECT_LE(result.discrepancy().lambda, result.lambda_bound() * result.cancellation()) << spin;
-    // nothing acts and nothing is felt: what lambda there is, is rounding, and no reason to worry
+    // without loads lambda consists of rounding errors, and its error estimate must be small nevertheless
     for (const auto& f : result.formulations) EXPECT_LE(f.estimate.lambda, 1e-6) << f.name;
   }
 }
@@ -100,7 +101,7 @@ TEST(BalancedRotor, IsNotTouchedByASpringWithoutLength) {
   EXPECT_EQ(test::solve_scene<double>(scene).cancellation(), before);
 }
 
-/// Two bodies in space on a rope, and a spring and damper between them.
+/// A scene of three bodies without joints: a rope between two of them, and random effects with a spring.
 scenes::Scene roped_pair() {
   auto scene = test::random_scene(3, {.bodies = 3, .closings = 0});
   auto rope = test::joint(basic_type<D>, "rope", test::side(0), test::side(1));
@@ -195,7 +196,7 @@ TEST(SideBySide, ReportsChartsWhereThereAreAny) {
   }
 }
 
-/// Size and nonzeros of the printed matrix of a scene, all rows in it.
+/// Size and number of nonzeros of the printed matrix of a scene, with all rows.
 template <class F>
 std::pair<long, long> printed_matrix(const scenes::Scene& scene) {
   const test::Solved<F> s(scene);

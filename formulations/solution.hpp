@@ -1,6 +1,6 @@
 #pragma once
-/// What every formulation answers, in the same physical terms: accelerations r'' and omega_bar', and
-/// multipliers lambda. Answers of different formulations are compared in these.
+/// The solution of any formulation in the same physical terms, so that solutions of different formulations
+/// can be compared: accelerations r'' and omega_bar', and multipliers lambda.
 
 #include <vector>
 
@@ -13,7 +13,7 @@ template <class Scalar>
 struct PhysicalSolution {
   std::vector<Vector3<Scalar>> r_ddot;         ///< [m/s^2, global]
   std::vector<Vector3<Scalar>> omega_bar_dot;  ///< [rad/s^2, body frame]
-  VectorX<Scalar> lambda;                      ///< one per row; non-unique ones of minimum |E lambda|
+  VectorX<Scalar> lambda;  ///< one per row; multipliers that are not unique have minimum |E lambda|
 };
 
 }  // namespace trivium

@@ -22,10 +22,11 @@ Equations equations_at(const Model<double>& model) {
       model.mechanism, to_coordinates<ROmega<double>>(model.mechanism, model.state, {}), model.state.t);
 }
 
-/// The norms of row_norms.hpp, row by row, where M is block diagonal and regular; left empty where it is not.
+/// The norms of row_norms.hpp, computed row by row from a regular block-diagonal M; empty if an inertia is
+/// singular.
 void find_norms(const Equations& eom, RowNorms& out) {
   std::vector<Eigen::LLT<Matrix3<double>>> J;
-  VectorX<double> reach = VectorX<double>::Zero(6 * (eom.nb() + 1));  // M^-1 |Q|; the ground's is 0
+  VectorX<double> reach = VectorX<double>::Zero(6 * (eom.nb() + 1));  // M^-1 |Q|; 0 for the ground
   VectorX<double> scale(6 * eom.nb());
   double bound = 0;
   for (int b = 0; b < eom.nb(); ++b) {
@@ -84,7 +85,7 @@ FormulationResult<double> solve_one(const Model<double>& model, const RowAnalysi
   const auto eom = equations_of_motion<F>(mechanism, state, model.state.t);
   FormulationResult<double> result;
   Unknowns<F> found;
-  found.body.resize(mechanism.nb() + 1);  // the ground's are zero
+  found.body.resize(mechanism.nb() + 1);  // zero for the ground
   for (int b = 0; b < mechanism.nb(); ++b) {
     found.body[b] = {solver.r_ddot(b), solver.q_ddot(b)};
     result.solution.r_ddot.push_back(solver.r_ddot(b));
@@ -92,7 +93,7 @@ FormulationResult<double> solve_one(const Model<double>& model, const RowAnalysi
     if (const std::string chart(state[b].chart.name()); !chart.empty()) result.charts.push_back(chart);
   }
   found.lambda = solver.lambda();
-  // the internal rows' multipliers are what the bodies' own equations leave
+  // the multipliers of the internal rows balance the residual of the rotational equations of each body
   constexpr int internal = F::internal_constraints;
   std::vector<typename F::Unknown> left(mechanism.nb() + 1, F::Unknown::Zero());
   for (int b = 0; b < mechanism.nb(); ++b) left[b] = eom.tau[b] - eom.mass_block[b] * found.body[b].q_ddot;

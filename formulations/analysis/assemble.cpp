@@ -19,7 +19,7 @@ EquationsOfMotion<F> equations(const Mechanism<double>& mechanism, const Mechani
   return equations_of_motion<F>(mechanism, to_coordinates<F>(mechanism, state, {}), state.t);
 }
 
-/// The least change x, in the metric, with Phi x = c (least squares where rows contradict each other).
+/// The smallest change x in the mass metric with Phi x = c (least squares if rows contradict each other).
 VectorX<double> least_change(const TangentSystem& system, const VectorX<double>& c,
                              double threshold = rank_tolerance) {
   const MassMetric metric(system);
@@ -53,7 +53,7 @@ VectorX<double> positions_residual(const EquationsOfMotion<F>& eom) {
 }  // namespace
 
 void project_velocities(const Mechanism<double>& mechanism, MechanismState<double>& state) {
-  for (int pass = 0; pass < 2; ++pass) {  // the second removes what rounding of the first left
+  for (int pass = 0; pass < 2; ++pass) {  // the second pass removes rounding errors of the first
     const VectorX<double> step =
         least_change(tangent_system(mechanism, state), -velocity_residual(equations(mechanism, state)));
     for (std::size_t b = 0; b < state.twist.size(); ++b) {
@@ -69,7 +69,7 @@ double violation(const Mechanism<double>& mechanism, const MechanismState<double
   return worst_size(check_consistency(mechanism, state).positions);
 }
 
-/// Gauss-Newton to the rounding level, steps halved where they do not help.
+/// Gauss-Newton iteration down to rounding; a step that does not reduce the violation is halved.
 void close_gaps(const Mechanism<double>& mechanism, MechanismState<double>& state) {
   constexpr int most_steps = 100;
   const double length = extent_of(mechanism, state).length;
@@ -90,14 +90,15 @@ void close_gaps(const Mechanism<double>& mechanism, MechanismState<double>& stat
     return false;
   };
   for (int step = 0; step < most_steps && last > 0; ++step) {
-    // rows that depend on each other do so only where they hold: as far as they are from that, what they
-    // differ by is no direction to move in
+    // Redundant rows are dependent only where they hold. Elsewhere their gradients differ by about the
+    // relative violation, and this difference must not be taken as a direction of motion: the rank threshold
+    // grows with it
     const double trusted = std::clamp(10 * last / length, rank_tolerance, 0.03);
     if (!improves(trusted) && !(trusted > rank_tolerance && improves(rank_tolerance))) return;
   }
 }
 
-/// From one state to another: displacement and body-frame rotation vector of every body.
+/// Displacement [m, global] and rotation vector [rad, body frame] of every body from one state to another.
 VectorX<double> displacement(const MechanismState<double>& from, const MechanismState<double>& to) {
   VectorX<double> d(6 * static_cast<Eigen::Index>(to.pose.size()));
   for (std::size_t b = 0; b < to.pose.size(); ++b) {
@@ -124,13 +125,14 @@ double mass_norm(const Mechanism<double>& mechanism, const VectorX<double>& d) {
   return std::sqrt(sum);
 }
 
-/// Along the constraints to the state nearest the start: what of the way from there lies along them is
-/// undone.
+/// Moves along the constraints to the state nearest to `start`. `way` is the displacement from there, and
+/// each step removes its component tangential to the constraints.
 void approach(const Mechanism<double>& mechanism, const MechanismState<double>& start,
               MechanismState<double>& state) {
   constexpr int most_steps = 50;
-  constexpr double nearest_tolerance =
-      1e-9;  // of the way; steps beyond are lost in the rounding of its square
+  // [-], of the distance: a tangential step reduces it by half of the step's square, which below this is
+  // rounding
+  constexpr double nearest_tolerance = 1e-9;
   VectorX<double> way = displacement(start, state);
   for (int step = 0; step < most_steps; ++step) {
     const TangentSystem system = tangent_system(mechanism, state);

@@ -1,21 +1,22 @@
 #pragma once
-/// A state projected onto the constraints, positions first and then velocities: to the nearest state in the
-/// mass metric that satisfies them. No integrator is needed for this.
+/// Assembly: projects a state onto the constraints, first positions, then velocities. The result is the
+/// nearest consistent state in the mass metric. No time integration is involved.
 
 #include "formulations/analysis/consistency.hpp"
 
 namespace trivium {
 
-/// What to do about a wrong branch: to project is none of it.
+/// Advice in messages about joints on a wrong branch, which projection cannot correct.
 inline constexpr const char* wrong_branch_advice =
     "a wrong branch cannot be left by projection: turn the body or the axis in the file";
 
-/// Projects positions, then velocities, onto the constraints: to the state nearest the given one,
-/// displacements and rotation vectors weighted by mass and inertia; dependent rows are allowed. Throws a
-/// ModelError naming the rows that cannot be met together.
+/// The consistent state nearest to `state`: displacements and rotation vectors are weighted by mass and
+/// inertia. Dependent rows are allowed. Throws a ModelError that names the rows that cannot be satisfied
+/// together.
 MechanismState<double> assemble(const Mechanism<double>& mechanism, MechanismState<double> state);
 
-/// The velocity part alone.
+/// Projects the velocities onto Phi_q q' = nu, with the smallest change in the mass metric; positions are
+/// not changed.
 void project_velocities(const Mechanism<double>& mechanism, MechanismState<double>& state);
 
 }  // namespace trivium

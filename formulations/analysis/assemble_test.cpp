@@ -1,4 +1,4 @@
-/// Laws of consistency and assembly, and of the generated scenes that must be consistent without it.
+/// Laws of consistency and assembly, and of generated scenes, which must be consistent without assembly.
 
 #include "formulations/analysis/assemble.hpp"
 
@@ -66,7 +66,8 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, Assembly,
                                          "parallelogram", "stewart_platform", "n_four_bar_2", "open_arm_7"),
                          [](const auto& test) { return std::string(test.param); });
 
-/// How much of the way from `from` to `to` lies along what the constraints at `to` allow, in the mass metric.
+/// The tangential share [-] of the displacement between two states: its component along the motions that the
+/// constraints at `to` allow, relative to its norm, in the mass metric.
 double share_along_constraints(const scenes::Scene& from, const scenes::Scene& to) {
   const auto mechanism = make_mechanism<double>(to);
   const auto start = make_state<double>(from), end = make_state<double>(to);
@@ -79,7 +80,7 @@ double share_along_constraints(const scenes::Scene& from, const scenes::Scene& t
     way.segment<3>(6 * b + 3) =
         Vector3<double>(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1)) / 2;
     root.segment<3>(6 * b).setConstant(std::sqrt(mechanism.bodies[b].mass));
-    // the catalogue's closed loops have their bodies' principal axes along the body frames, or nearly
+    // in the closed loops of the catalogue the principal axes are the body axes, or nearly so
     root.segment<3>(6 * b + 3) = mechanism.bodies[b].inertia.diagonal().cwiseSqrt();
   }
   const MatrixX<double> W =
@@ -105,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, RedundantAssembly,
                          [](const auto& scene) { return std::string(scene.param); });
 
 TEST(VelocityProjection, IsTheLeastChangeInTheMassMetric) {
-  // what is projected off is M-orthogonal to every velocity that the constraints allow
+  // the removed velocity is M-orthogonal to every velocity that the constraints allow
   scenes::Scene scene = catalogue_scene("open_arm_7");
   const auto mechanism = make_mechanism<double>(scene);
   const auto consistent = make_state<double>(scene);
@@ -122,7 +123,7 @@ TEST(VelocityProjection, IsTheLeastChangeInTheMassMetric) {
     const Vector3<double> r_off = moved.twist[b].r_dot - projected.twist[b].r_dot;
     const Vector3<double> omega_off = moved.twist[b].omega_bar - projected.twist[b].omega_bar;
     const Vector3<double> r_in =
-        projected.twist[b].r_dot - consistent.twist[b].r_dot;  // allowed: no driver in this scene
+        projected.twist[b].r_dot - consistent.twist[b].r_dot;  // allowed, because this scene has no driver
     const Vector3<double> omega_in = projected.twist[b].omega_bar - consistent.twist[b].omega_bar;
     const double term = body.mass * r_off.dot(r_in) + omega_off.dot(body.inertia * omega_in);
     product += term;
@@ -165,8 +166,7 @@ TEST(Consistency, AnAntiparallelAxisIsAWrongBranch) {
   EXPECT_NE(result.wrong_branches[0].find(scene.constraints[0].name), std::string::npos);
 }
 
-/// A body welded to the ground in every joint's sense, its frame turned so that the rows hold and the joint
-/// does not.
+/// A body on a joint with the ground, with a joint frame for which the rows hold on a wrong branch.
 struct Turned {
   const char* name;
   ConstraintType type;

@@ -1,6 +1,6 @@
 #pragma once
-/// How far two solutions of one scene are from each other: differences of lambda in the norm of E and of
-/// accelerations in the mass metric, and what each is measured against. Decides the bound within which
+/// Differences between two solutions of one scene: of lambda in the norm |E lambda|, of accelerations
+/// weighted by the mass metric, and the magnitudes that make them relative. Defines the bound within which
 /// formulations must agree: 100 u kappa.
 
 #include <algorithm>
@@ -10,25 +10,26 @@
 
 namespace trivium {
 
-/// Of the bound below: how many roundings each way to lambda is allowed, beside what kappa makes of one.
+/// Factor of lambda_bound: how many roundings, each amplified by kappa, may separate two formulations.
 inline constexpr int bound_factor = 100;
 
-/// The bound of a relative difference of lambda between two formulations in arithmetic of unit roundoff u:
-/// 100 u kappa, what a system of condition number kappa may lose to rounding, times bound_factor. Differences
-/// within cancellation() of it are rounding too.
+/// The bound of the relative difference of lambda between two formulations, in arithmetic of unit roundoff
+/// u: bound_factor u kappa. A difference within cancellation() times this bound is rounding error as well.
 inline double lambda_bound(double u, double kappa) { return bound_factor * u * kappa; }
 
-/// A difference and what it may be measured against; all in one norm.
+/// A difference of two solutions and the magnitudes that make it relative, all in one norm.
 struct Comparison {
+  /// reference_size: magnitude of the solution that the right side could cause, |E^-1 b| for lambda.
   double difference = 0, size_1 = 0, size_2 = 0, reference_size = 0;
-  double size_uncancelled = 0;  ///< 0: not known
+  double size_uncancelled = 0;  ///< reference_size with every term by magnitude; 0: not known
 
-  /// Against the larger of the two, or what could cause either.
+  /// The difference relative to the largest of size_1, size_2 and reference_size.
   double relative() const { return over(std::max({size_1, size_2, reference_size})); }
-  /// The error of the first where the second is the truth.
+  /// The relative error of the first solution if the second is exact.
   double error() const { return over(std::max(size_2, reference_size)); }
-  /// How many times a quarter of what could cause it, nothing cancelling, exceeds the scale: 1 in an ordinary
-  /// state, |omega_bar|^2 in units of the load where a symmetric body spins fast. Rounding grows with it.
+  /// Cancellation factor [-], at least 1: size_uncancelled relative to four times the largest of size_1,
+  /// size_2 and reference_size. It is 1 in ordinary states and grows with |omega_bar|^2 relative to the load
+  /// where a symmetric body spins fast. Rounding errors grow by this factor.
   double cancellation() const {
     const double scale = std::max({size_1, size_2, reference_size});
     return size_uncancelled > 0 && scale > 0 ? std::max(1.0, size_uncancelled / (4 * scale)) : 1.0;
@@ -38,20 +39,20 @@ struct Comparison {
   double over(double scale) const { return difference == 0 ? 0.0 : difference / scale; }
 };
 
-/// |E (lambda_1 - lambda_2)| beside |E lambda| and |E^-1 b|; differences and lambda over the unique rows.
-/// What could cause lambda is taken over all rows: a row that carries nothing is measured against its
-/// neighbours.
+/// Compares lambda: difference |E (lambda_1 - lambda_2)| and sizes |E lambda| over the unique rows. The
+/// reference size |E^-1 b| is taken over all rows, so that a row without load is measured relative to the
+/// loads of the others.
 template <class Scalar>
 Comparison compare_lambda(const RowAnalysis& rows, const VectorX<Scalar>& lambda_1,
                           const VectorX<Scalar>& lambda_2);
 
-/// |E (lambda_1 - lambda_2)| / max(|E lambda|, |E^-1 b|); 0 where no multiplier is unique.
+/// |E (lambda_1 - lambda_2)| / max(|E lambda_1|, |E lambda_2|, |E^-1 b|); 0 if no multiplier is unique.
 template <class Scalar>
 double lambda_distance(const RowAnalysis& rows, const VectorX<Scalar>& lambda_1,
                        const VectorX<Scalar>& lambda_2);
 
-/// Accelerations in the mass metric (mass_metric.hpp): all, and the shares of r'' and omega_bar', measured
-/// against all.
+/// Accelerations, weighted by the square root of the metric's diagonal (mass_metric.hpp): all together, r''
+/// alone and omega_bar' alone. The sizes are those of all accelerations in the three cases.
 struct AccelerationComparison {
   Comparison all, r_ddot, omega_bar_dot;
 };
@@ -60,7 +61,7 @@ template <class Scalar>
 AccelerationComparison compare_accelerations(const RowAnalysis& rows, const PhysicalSolution<Scalar>& a,
                                              const PhysicalSolution<Scalar>& b);
 
-/// The differences relative to the larger of the accelerations, or of what Q and gamma could cause.
+/// Differences of accelerations relative to the larger solution or to the size that Q and gamma could cause.
 struct AccelerationDistance {
   double all = 0, r_ddot = 0, omega_bar_dot = 0;
 };

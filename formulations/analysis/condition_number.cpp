@@ -5,7 +5,6 @@
 
 namespace trivium {
 
-// kappa of the bound 100 u kappa
 double condition_number(const MatrixX<double>& W, int rank) {
   if (rank == 0) return 1;
   const MatrixX<double> S = W.transpose() * W;

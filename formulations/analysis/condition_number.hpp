@@ -1,14 +1,14 @@
 #pragma once
-/// kappa: the condition number of the equilibrated S = Phi M^-1 Phi^T, E^-1 S E^-1 with E = diag(S)^(1/2),
-/// over its nonzero singular values. Rounding of lambda grows with it; the bound on lambda's difference
-/// between two formulations is 100 u kappa (lambda_bound in comparison.hpp).
+/// kappa: the condition number of the equilibrated Schur complement E^-1 S E^-1, with S = Phi M^-1 Phi^T and
+/// E = diag(S)^(1/2), over its nonzero singular values. Rounding errors of lambda grow with kappa; the bound
+/// on the difference of lambda between two formulations is 100 u kappa (lambda_bound in comparison.hpp).
 
 #include "bodies/numbers/vectors.hpp"
 
 namespace trivium {
 
-/// Of S = W^T W with W = L^-1 Phi^T E^-1 [6 nb x nc], where the mass metric is L L^T, and the rank of its
-/// rows; 1 where the rank is 0.
+/// kappa [-] from W = L^-1 Phi^T E^-1 [6 nb x nc], where the mass metric is L L^T: the largest over the
+/// rank-th largest eigenvalue of W^T W, at most 1e16; 1 if the rank is 0.
 double condition_number(const MatrixX<double>& W, int rank);
 
 }  // namespace trivium

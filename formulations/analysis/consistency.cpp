@@ -20,7 +20,7 @@ double row_norm(const EquationsOfMotion<F>::Row& row, double length, bool is_ang
   return norm > 0 ? norm : 1.0;
 }
 
-/// z, u and v of a joint on both sides, global.
+/// Axes of a joint on both bodies in the global frame.
 struct GlobalAxes {
   Vector3<double> u_i, v_i, z_i, u_j, z_j;
 };
@@ -105,9 +105,9 @@ Consistency check_consistency(const Mechanism<double>& mechanism, const Mechanis
   const auto eom = equations_of_motion<F>(mechanism, to_coordinates<F>(mechanism, state, {}), state.t);
   const Extent m = extent_of(mechanism, state);
   Consistency out;
-  constexpr double tolerance = 1e-8;  // of the scene's own lengths and speeds
+  constexpr double tolerance = 1e-8;  // relative to the lengths and speeds of the scene
   constexpr double rate_of_rounding =
-      1e-12;  // [1/s]: of a scene at rest, speeds that are rounding of its lengths
+      1e-12;  // [1/s]: speed tolerance per length, for scenes at rest whose speeds are rounding errors
   const VectorX<double> velocity = velocity_residual(eom);
   for (int k = 0; k < eom.nc(); ++k) {
     const bool is_angle = is_of_angle(mechanism.rows[k]);

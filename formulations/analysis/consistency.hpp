@@ -1,7 +1,7 @@
 #pragma once
-/// Does a state satisfy its constraints? Decides whether the position and the velocity of every row hold
-/// within 1e-8 of the scene's own lengths and speeds, and whether every joint is on the branch that its type
-/// names.
+/// Checks whether a state satisfies its constraints: the positions and velocities of every row within 1e-8
+/// of the lengths and speeds of the scene, and every joint on the branch that its type requires. (The rows
+/// of a joint also hold on other branches, for example with antiparallel axes.)
 
 #include <string>
 #include <vector>
@@ -11,40 +11,44 @@
 
 namespace trivium {
 
-/// How far one row is from holding: |Phi| or |Phi_q q' - nu| divided by the norm of the row's Jacobian, so
-/// metres or radians (per second), whatever the scaling of the row.
+/// The violation of one row: |Phi| or |Phi_q q' - nu| divided by the norm of the row's Jacobian. This gives
+/// metres or radians (per second), whatever the scale factor of the row.
 struct RowViolation {
   std::string row;
   double residual = 0;   ///< Phi, or Phi_q q' - nu
-  double size = 0;       ///< in m or rad (per second)
-  double tolerance = 0;  ///< of size
+  double size = 0;       ///< violation [m or rad (per second)]
+  double tolerance = 0;  ///< largest accepted size
   const char* unit = "";
   bool exceeds = false;
 };
 
+/// The largest size of the violations; 0 if there are none.
 double worst_size(const std::vector<RowViolation>& violations);
 
 struct Consistency {
   std::vector<RowViolation> positions, velocities;  ///< every row, in order
-  std::vector<std::string> wrong_branches;  ///< joints whose rows hold on a branch that is not the joint's
+  std::vector<std::string> wrong_branches;          ///< joints on a wrong branch, with the reason
 
   bool holds() const;
   bool holds_positions() const;
-  bool holds_rows() const;  ///< positions and velocities, on whatever branch
-  /// The offending rows, worst first, with their residuals; empty where all holds.
+  bool holds_rows() const;  ///< positions and velocities, on any branch
+  /// The violated rows with their residuals, largest first, and the wrong branches; empty if the state is
+  /// consistent.
   std::string report() const;
 };
 
-/// A state is consistent to 1e-8 of the scene's own lengths and speeds (and 1e-12 where nothing moves).
+/// Checks a state with the tolerances 1e-8 of the scene's lengths and speeds; for speeds plus 1e-12 of its
+/// length per second.
 Consistency check_consistency(const Mechanism<double>& mechanism, const MechanismState<double>& state);
 
-/// The largest coordinate of any body or joint point, and the largest speed: what rounding scales with.
+/// The largest distance of a body or joint point from its origin [m] and the largest speed [m/s]: the scales
+/// of rounding.
 struct Extent {
   double length = 0, speed = 0;
 };
 Extent extent_of(const Mechanism<double>& mechanism, const MechanismState<double>& state);
 
-/// Phi_q q' - nu of every row.
+/// Phi_q q' - nu of every row [m/s, rad/s, times the scale of the row].
 VectorX<double> velocity_residual(const EquationsOfMotion<ROmega<double>>& eom);
 
 }  // namespace trivium

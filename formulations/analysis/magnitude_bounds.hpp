@@ -1,7 +1,7 @@
 #pragma once
-/// What could cause lambda if nothing cancelled: bounds of Q, gamma and the rows' gradients in a tangent
-/// system, by magnitudes alone. Decides in what unit a lambda is measured that is left of terms which cancel.
-/// Rows follow from their features, effects say which of their parts may cancel.
+/// Bounds of Q, gamma and the row gradients of a tangent system in which every term enters by its magnitude,
+/// so that nothing cancels. They give the scale of a lambda that is a small difference of large terms. The
+/// bounds of rows come from their features, the bounds of effects from add_load_bounds.
 
 #include <cmath>
 #include <vector>
@@ -22,7 +22,7 @@ class MagnitudeBounds {
         t_(state.t),
         body_(body_kinematics(to_coordinates<ROmega<double>>(mechanism, state, {}))) {}
 
-  /// |Q| of one body: its rotational part alone holds the gyroscopic moment.
+  /// Bounds of |Q| [6 nb: N, N m]; the gyroscopic moment enters as |omega_bar|^2 |Jbar|.
   VectorX<double> forces() const {
     VectorX<double> Q = VectorX<double>::Zero(6 * mechanism_.nb());
     const auto wrenches = applied_wrenches(mechanism_, body_, t_);
@@ -42,7 +42,7 @@ class MagnitudeBounds {
     return Q;
   }
 
-  /// |gamma| and the gradients of every row.
+  /// Adds the bounds of |gamma| and of the gradients of every row.
   void add_rows(Magnitudes& sizes) const {
     sizes.gamma.resize(mechanism_.nc());
     for (int k = 0; k < mechanism_.nc(); ++k) {
@@ -71,10 +71,11 @@ class MagnitudeBounds {
 
 }  // namespace detail
 
-/// Sets the magnitudes of Q and gamma in a tangent system: every part of a force and of gamma by its own,
-/// omega_bar by its norm. In a fast spin about an axis of symmetry Q and gamma vanish, but r-p carries
-/// |omega_bar|^2 / 4 in its unknowns all the same, and its rounding is of that size; where c is nearly along
-/// a lever, so is that of every formulation's gradient.
+/// Sets system.magnitudes; omega_bar enters by its norm. Two examples of why the values of Q and gamma are
+/// not enough: if a body spins fast about an axis of symmetry, Q and gamma vanish, but p'' of r-p contains
+/// |omega_bar|^2 p / 4, whose rounding remains. If the direction c of a row is nearly parallel to the vector
+/// from the centre of mass to its point, the gradient in the rotations is a small difference in every
+/// formulation.
 template <class Types>
 void add_magnitude_bounds(const Mechanism<double, Types>& mechanism, const MechanismState<double>& state,
                           TangentSystem& system) {

@@ -28,12 +28,12 @@ MatrixX<double> mass_matrix(const TangentSystem& s) {
   return M;
 }
 
-/// mu, see MassMetric.
+/// The weights mu of MassMetric.
 VectorX<double> row_weights(const TangentSystem& s) {
   VectorX<double> mu = VectorX<double>::Zero(s.Phi.rows());
   for (Eigen::Index k = 0; k < s.Phi.rows(); ++k) {
     double least = std::numeric_limits<double>::infinity();
-    // a row between bodies without any inertia weighs rotations as if over a metre
+    // a row on rotations of bodies without any inertia: moment of inertia as if mass times 1 m^2
     double fallback = std::numeric_limits<double>::infinity();
     for (std::size_t b = 0; b < s.mass.size(); ++b) {
       const Eigen::Index at = 6 * static_cast<Eigen::Index>(b);
@@ -54,7 +54,7 @@ VectorX<double> least_direction(const MatrixX<double>& H) {
   return Eigen::SelfAdjointEigenSolver<MatrixX<double>>(H).eigenvectors().col(0);
 }
 
-/// Where the metric cannot be factored: the body that moves most in the direction without mass or constraint.
+/// Throws for a singular metric; names the body that rotates most in the direction without mass and rows.
 [[noreturn]] void throw_without_inertia(const TangentSystem& s, const VectorX<double>& direction) {
   Eigen::Index worst = 0;
   double size = -1;
@@ -101,7 +101,8 @@ void MassMetric::factor_augmented(const TangentSystem& s) {
   mu_ = row_weights(s);
   const MatrixX<double> H = mass_matrix(s) + s.Phi.transpose() * mu_.asDiagonal() * s.Phi;
   diagonal_ = H.diagonal();
-  // an axis without inertia must be a coordinate axis for the scaling to reach it: principal axes
+  // principal axes: the diagonal scaling below can equilibrate a direction without inertia only if this
+  // direction is a coordinate axis
   MatrixX<double> axes = MatrixX<double>::Identity(6 * nb, 6 * nb);
   for (Eigen::Index b = 0; b < nb; ++b)
     axes.block<3, 3>(6 * b + 3, 6 * b + 3) =
@@ -113,17 +114,18 @@ void MassMetric::factor_augmented(const TangentSystem& s) {
     const Vector3<double> moments = (axes.block<3, 3>(6 * b + 3, 6 * b + 3).transpose() * s.inertia[b] *
                                      axes.block<3, 3>(6 * b + 3, 6 * b + 3))
                                         .diagonal();
-    // a moment within the rounding of the tensor is none
+    // a principal moment within the rounding error of the tensor is taken as zero
     for (int n = 0; n < 3; ++n)
       if (moments[n] > inertia_tolerance * moments.sum())
         principal(6 * b + 3 + n, 6 * b + 3 + n) += moments[n];
   }
-  // a direction without mass or rows keeps its zero pivot, to be found below
+  // a direction without mass and rows keeps its zero pivot, which the factorisation below detects
   const VectorX<double> scale =
       principal.diagonal().unaryExpr([](double x) { return x > 0 ? 1 / std::sqrt(x) : 1.0; });
   const MatrixX<double> scaled = scale.asDiagonal() * principal * scale.asDiagonal();
   const Eigen::LLT<MatrixX<double>> llt(scaled);
-  // a pivot of the equilibrated metric is the square of a distance, and rounding below this
+  // pivots of the equilibrated metric are squared distances between columns of unit size; below this they
+  // are rounding
   constexpr double least_pivot = 1e-13;
   if (llt.info() != Eigen::Success || llt.matrixLLT().diagonal().minCoeff() < std::sqrt(least_pivot))
     throw_without_inertia(s, axes * scale.cwiseProduct(least_direction(scaled)));

@@ -1,7 +1,7 @@
 #pragma once
-/// The metric of the tangent space in which accelerations and rows are measured: the mass matrix, or the mass
-/// matrix with weighted rows added where it is singular. Decided here: the weights of those rows, and which
-/// motions have no inertia and no constraint.
+/// The metric in which accelerations and row gradients are measured: the mass matrix M, or M plus weighted
+/// rows if M is singular. This file defines the weights of the rows and finds motions that have neither
+/// inertia nor a constraint.
 
 #include <vector>
 
@@ -9,17 +9,16 @@
 
 namespace trivium {
 
-/// A symmetric positive definite metric of the tangent space: M, or where M is singular
-/// M + Phi^T diag(mu) Phi. mu_k makes row k as heavy as the lighter of its bodies: the least of
-/// m / |Phi_r|^2 and tr(Jbar) / |Phi_pi_bar|^2 over them, to the nearest power of two, so that the metric
-/// depends neither on units nor on how a row is scaled (but for that rounding). Multipliers and accelerations
-/// do not change with mu.
+/// A symmetric positive definite metric of the tangent space: M, or M + Phi^T diag(mu) Phi if M is singular.
+/// mu_k gives row k the inertia of the lighter of its bodies: the smallest of m / |Phi_r|^2 and tr(Jbar) /
+/// |Phi_pi_bar|^2 over its bodies, rounded to a power of two. Except for this rounding, the metric does not
+/// depend on units or on the scale of a row. Unique multipliers and accelerations do not depend on mu.
 class MassMetric {
  public:
-  /// Throws a ModelError that names the body and axis where [M; Phi] lacks full column rank.
+  /// Throws a ModelError that names a body and an axis if [M; Phi] does not have full column rank.
   explicit MassMetric(const TangentSystem& system);
 
-  /// One per row; all zero where M is regular.
+  /// Weights mu, one per row; all zero if M is regular.
   const VectorX<double>& mu() const { return mu_; }
   const VectorX<double>& diagonal() const { return diagonal_; }
   /// L^-1 x, where the metric is L L^T.
@@ -32,9 +31,9 @@ class MassMetric {
   void factor_augmented(const TangentSystem& system);
 
   VectorX<double> mu_, diagonal_;
-  std::vector<Matrix3<double>> block_factor_;  ///< of Jbar, per body; used where M is regular
+  std::vector<Matrix3<double>> block_factor_;  ///< Cholesky factor of Jbar per body; used if M is regular
   VectorX<double> root_mass_;
-  MatrixX<double> axes_, dense_factor_;  ///< where M is singular: principal axes, and the factor in them
+  MatrixX<double> axes_, dense_factor_;  ///< if M is singular: principal axes, Cholesky factor in them
 };
 
 }  // namespace trivium

@@ -14,7 +14,7 @@ namespace trivium {
 
 namespace {
 
-/// Bodies that rows connect, not through the ground: each gets the number of its component.
+/// The connected component of each body; rows connect bodies, but not through the ground.
 std::vector<Eigen::Index> connected_components(const TangentSystem& s) {
   const Eigen::Index nb = static_cast<Eigen::Index>(s.mass.size());
   std::vector<Eigen::Index> of(s.mass.size());
@@ -33,12 +33,12 @@ std::vector<Eigen::Index> connected_components(const TangentSystem& s) {
   return of;
 }
 
-/// Rotations in metres: a rotation column is divided by the lever with which the rows that hold points of the
-/// same component see rotations.
+/// Column scales that measure rotations in metres: a rotation column is divided by the root mean square of
+/// |Phi_pi_bar| / |Phi_r| [m] over the rows with a translational part in the same component.
 VectorX<double> geometric_column_scale(const TangentSystem& s) {
   const Eigen::Index nb = static_cast<Eigen::Index>(s.mass.size());
   const std::vector<Eigen::Index> component = connected_components(s);
-  VectorX<double> translation = VectorX<double>::Zero(nb), rotation = translation;  // sums, per component
+  VectorX<double> translation = VectorX<double>::Zero(nb), rotation = translation;  // sums per component
   for (Eigen::Index k = 0; k < s.Phi.rows(); ++k) {
     double r2 = 0, rot2 = 0;
     Eigen::Index in = 0;
@@ -72,8 +72,8 @@ struct ScaledJacobian {
   }
 };
 
-/// The last rows, as far as possible, that the others determine: rows of the null basis picked from the end
-/// so that they stay well conditioned.
+/// Chooses the dependent rows from the null basis Z: as far as possible the last rows of the file, such that
+/// their rows of Z stay well conditioned (null_space_share).
 std::vector<int> choose_dependent(const MatrixX<double>& Z) {
   const Eigen::Index d = Z.cols();
   for (double threshold = null_space_share;; threshold /= 10) {
@@ -107,7 +107,7 @@ void decide_rank(const ScaledJacobian& scaled, RowAnalysis& out) {
   const int rank = static_cast<int>(qr.rank()), defect = nc - rank;
   out.rank = rank;
 
-  // a row without a gradient holds nothing: it is dependent, and has no share in the null basis
+  // a row without a gradient constrains nothing: it is dependent and has no column in the null basis
   std::vector<Eigen::Index> dependent;
   for (int d = 0; d < defect; ++d) {
     const int k = qr.colsPermutation().indices()[rank + d];
@@ -117,7 +117,7 @@ void decide_rank(const ScaledJacobian& scaled, RowAnalysis& out) {
       out.unique[k] = false;
   }
   const Eigen::Index null = static_cast<Eigen::Index>(dependent.size());
-  MatrixX<double> Z(nc, null);  // combinations of the scaled rows that vanish
+  MatrixX<double> Z(nc, null);  // null space of the transposed scaled Jacobian
   if (null > 0) {
     const auto& R = qr.matrixR();
     const MatrixX<double> shares = R.topRightCorner(rank, defect)(Eigen::all, dependent);
@@ -139,7 +139,7 @@ void decide_rank(const ScaledJacobian& scaled, RowAnalysis& out) {
   for (int k = 0; k < nc; ++k)
     if (!std::binary_search(out.dependent.begin(), out.dependent.end(), k)) out.independent.push_back(k);
 
-  // to combinations of the rows themselves, orthonormal in E
+  // from the scaled rows to the rows themselves, orthonormal in E
   const VectorX<double> to_E = out.E.cwiseProduct(row_scale);
   const MatrixX<double> EN = to_E.asDiagonal() * Z;
   if (null > 0) {
@@ -153,7 +153,7 @@ void decide_rank(const ScaledJacobian& scaled, RowAnalysis& out) {
   }
 }
 
-/// The least-squares inverse of the independent rows' transpose, in geometric scaling.
+/// RowAnalysis::combination: pseudo-inverse of the transposed independent rows in geometric scaling.
 MatrixX<double> combination_of(const ScaledJacobian& scaled, const std::vector<int>& independent) {
   const Eigen::Index rank = static_cast<Eigen::Index>(independent.size()), columns = scaled.Phi.cols();
   const MatrixX<double> rows = scaled.Phi(independent, Eigen::all);
@@ -164,11 +164,11 @@ MatrixX<double> combination_of(const ScaledJacobian& scaled, const std::vector<i
          scaled.columns.asDiagonal();
 }
 
-/// Dependent rows: gamma_k against what the independent rows make of it.
+/// Compares gamma of each dependent row with the value that the independent rows imply.
 void find_contradictions(const TangentSystem& s, const ScaledJacobian& scaled, RowAnalysis& out) {
   const VectorX<double>&columns = scaled.columns, &row_scale = scaled.rows;
   const VectorX<double> gamma = (row_scale.array() > 0).select(row_scale, 1.0).cwiseProduct(s.gamma);
-  // the least acceleration that meets the independent rows shows what they make of the others
+  // the minimum-norm acceleration that satisfies the independent rows gives the implied values
   const VectorX<double> acceleration = out.combination.transpose() * s.gamma(out.independent);
   const double largest = std::max(gamma.cwiseAbs().maxCoeff(), acceleration.cwiseQuotient(columns).norm());
   for (int k : out.dependent)

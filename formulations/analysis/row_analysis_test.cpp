@@ -13,7 +13,7 @@ namespace {
 
 using test::distance, test::for_all;
 
-/// A door: a body that hangs in coaxial revolutes about the global z, at the given heights.
+/// A door: a body on coaxial revolutes about the global z axis at the given heights [m, times length].
 scenes::Scene door(const std::vector<double>& heights, double length = 1) {
   scenes::Scene scene;
   scene.bodies = {test::body("door", 10, {3 * length * length, 2 * length * length, 2 * length * length},
@@ -28,7 +28,7 @@ scenes::Scene door(const std::vector<double>& heights, double length = 1) {
   return scene;
 }
 
-/// A planar four-bar in the xy plane from four revolutes.
+/// A planar four-bar linkage in the xy plane with four revolutes.
 scenes::Scene four_bar(double length = 1) {
   const std::array<scenes::Vector3, 4> corner{
       {{0, 0, 0}, {0.2 * length, 0.5 * length, 0}, {1.3 * length, 0.9 * length, 0}, {1.0 * length, 0, 0}}};
@@ -58,7 +58,7 @@ TangentSystem tangent(const scenes::Scene& scene) {
   return tangent_system(make_mechanism<double>(scene), make_state<double>(scene));
 }
 
-/// Phi^T N = 0, E N orthonormal, zero where lambda is unique.
+/// Expects Phi^T N = 0, orthonormal E N, and zero rows of N where lambda is unique.
 void expect_null_basis(const TangentSystem& s, const RowAnalysis& rows) {
   const MatrixX<double>& N = rows.null_basis;
   const double size = rows.E.maxCoeff() * N.cwiseAbs().maxCoeff();
@@ -94,7 +94,7 @@ TEST(RowAnalysis, OfASpatialFourBarHasRankSeventeenOfTwenty) {
   const RowAnalysis rows = analyse_rows(make_model<double>(scene));
   EXPECT_EQ(rows.rank, 17);
   EXPECT_EQ(rows.dependent.size(), 3u);
-  // what a planar linkage determines are the forces in its plane: cd(e_x) and cd(e_y) of every joint
+  // only the forces in the plane are unique: cd(e_x) and cd(e_y) of every joint
   std::vector<bool> in_plane;
   for (int joint = 0; joint < 4; ++joint)
     for (const bool unique : {true, true, false, false, false}) in_plane.push_back(unique);
@@ -135,7 +135,7 @@ TEST(RowAnalysis, OfDoubledJointsFindsWhatIsRedundant) {
         RC_ASSERT(rows.rank == single.rank);
         RC_ASSERT(rows.rank + static_cast<int>(rows.dependent.size()) ==
                   static_cast<int>(rows.unique.size()));
-        // the doubles stand last in the file, and the later of dependent rows are the redundant ones
+        // the doubled joints are last in the file, and the last rows are chosen as dependent
         for (int k = 0; k < rows.rank; ++k) RC_ASSERT(rows.independent[k] == single.independent[k]);
         expect_null_basis(tangent(scene), rows);
       },
@@ -160,7 +160,7 @@ TEST(RowAnalysis, DoesNotDependOnTheUnitOfLength) {
 }
 
 TEST(RowAnalysis, OfOneAssemblyDoesNotDependOnAnotherBesideIt) {
-  // a pair of points micrometres apart, beside a door of kilometres that nothing joins to it
+  // two points 10 micrometres apart, and a door of 10 km that is not connected to them
   auto scene = door({0, 2}, 1e4);
   scenes::Body small = test::body("small", 1);
   small.position = {3, 0, 0};
@@ -186,7 +186,7 @@ TEST(RowAnalysis, KappaAndETimesLambdaDoNotDependOnTheScaleOfARow) {
   const RowAnalysis after = analyse_rows(s);
   EXPECT_EQ(after.rank, before.rank);
   EXPECT_NEAR(after.kappa, before.kappa, 1e-9 * before.kappa);
-  // a row c times as large has lambda / c: E lambda stays
+  // a row multiplied by c has lambda / c, so E lambda does not change
   EXPECT_LE(distance(after.E.cwiseQuotient(scale), before.E), 1e-12 * before.E.maxCoeff());
   EXPECT_LE(distance(after.schur_rhs_bound.cwiseQuotient(scale), before.schur_rhs_bound),
             1e-12 * before.schur_rhs_bound.maxCoeff());
@@ -194,7 +194,7 @@ TEST(RowAnalysis, KappaAndETimesLambdaDoNotDependOnTheScaleOfARow) {
 }
 
 TEST(RowAnalysis, KappaAndEAreThoseOfTheirDefinition) {
-  // one body on a rope: S = Phi M^-1 Phi^T is a number, E its root; two ropes at right angles: kappa = 1
+  // one rope on a body: S = Phi M^-1 Phi^T is a number, E its root; two ropes at right angles: kappa = 1
   scenes::Scene scene;
   scene.bodies = {test::body("weight", 4)};
   const auto rope = [&](const char* name, const scenes::Vector3& end) {
@@ -222,7 +222,7 @@ TEST(RowAnalysis, OfNothingIsEmpty) {
   EXPECT_EQ(rows.kappa, 1);
 }
 
-// ---- rows without a gradient: d . d between points that coincide
+// rows without a gradient: d . d between points that coincide
 
 scenes::Constraint points_together(const char* name) {
   return test::joint(basic_type<D>, name, test::side(scenes::ground), test::side(0, scenes::Vector3{}));
@@ -252,7 +252,7 @@ TEST(RowAnalysis, ARowWithoutGradientDoesNotDisturbTheOthers) {
   EXPECT_EQ(rows.rank, 3);
   EXPECT_EQ(rows.dependent, (std::vector<int>{3, 4, 5, 6}));
   EXPECT_EQ(rows.unique, std::vector<bool>(7, false));
-  // two balls share the weight of 20 N evenly: lambda = -10 each, and none where there is nothing to hold
+  // two balls share the weight of 20 N equally: lambda = -10 each, and 0 in the row without a gradient
   VectorX<double> expected(7);
   expected << 0, 0, -10, 0, 0, 0, -10;
   for (const auto& formulation : test::solve_scene<double>(scene).formulations) {

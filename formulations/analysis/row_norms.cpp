@@ -13,7 +13,7 @@ VectorX<double> inverse_or_zero(const VectorX<double>& v) {
 
 namespace {
 
-/// |Phi| M^-1 |Q| + |gamma| in which nothing cancels.
+/// |Phi| M^-1 |Q| + |gamma| from the magnitudes, where nothing cancels.
 VectorX<double> size_uncancelled(const Magnitudes& sizes, const MassMetric& metric) {
   const VectorX<double> reach = metric.half_solve_transposed(metric.half_solve(sizes.Q));
   VectorX<double> bound = sizes.gamma;
@@ -39,7 +39,7 @@ RowNorms row_norms(const TangentSystem& s, const MassMetric& metric, const Matri
   if (s.Phi.rows() > 0) {
     out.E = W.colwise().norm();
     const VectorX<double> E_inverse = inverse_or_zero(out.E);
-    // magnitudes throughout: M^-1 |Q| has components of either sign where the metric couples coordinates
+    // absolute values of M^-1 |Q| too: a metric that couples coordinates can make components negative
     out.schur_rhs_bound =
         s.Phi.cwiseAbs() * metric.half_solve_transposed(metric.half_solve(s.Q.cwiseAbs())).cwiseAbs() +
         s.gamma.cwiseAbs();

@@ -1,31 +1,31 @@
 #pragma once
-/// The norms in which lambda and accelerations are measured, and what could cause them, at one state. No rank
-/// is decided here and no condition number: those are row_analysis.hpp and condition_number.hpp.
+/// The norms of lambda and accelerations, and the magnitudes that Q and gamma could cause in them, at one
+/// state. Rank and condition number are computed in row_analysis.hpp and condition_number.hpp.
 
 #include "formulations/analysis/mass_metric.hpp"
 
 namespace trivium {
 
 struct RowNorms {
-  VectorX<double> E;   ///< diag(S)^(1/2), S = Phi M^-1 Phi^T: the norm of lambda, independent of units and of
-                       ///< row scaling
-  VectorX<double> mu;  ///< see MassMetric
+  /// diag(S)^(1/2), S = Phi M^-1 Phi^T: |E lambda| does not depend on units or on the scale of a row.
+  VectorX<double> E;
+  VectorX<double> mu;  ///< weights of the rows in a metric for singular M (MassMetric)
 
-  VectorX<double> schur_rhs_bound;  ///< b = |Phi| M^-1 |Q| + |gamma|
-  /// The same in which nothing cancels (magnitude_bounds.hpp); empty: not known.
+  VectorX<double> schur_rhs_bound;  ///< b = |Phi| M^-1 |Q| + |gamma|, a bound of the right side of S lambda
+  /// b with every term of Q, gamma and Phi by magnitude (magnitude_bounds.hpp); empty if not known.
   VectorX<double> schur_rhs_bound_uncancelled;
-  VectorX<double> acceleration_scale;  ///< square root of the metric's diagonal, 6 nb
-  double acceleration_bound = 0;  ///< the size of accelerations that Q and gamma could cause, in the metric
+  VectorX<double> acceleration_scale;  ///< square root of the metric's diagonal [6 nb]
+  double acceleration_bound = 0;  ///< norm of the accelerations that Q and gamma could cause, in the metric
 };
 
-/// Where all that could cause lambda cancels, b is at least this share of what it would be if it did not:
-/// what is left then is rounding, and no unit to measure lambda in.
+/// Least value of b relative to its bound without cancellation. If all terms of b cancel, the remainder is
+/// rounding error and must not be the scale of lambda.
 inline constexpr double cancellation_floor = 1e-8;
 
-/// W = L^-1 Phi^T, where the metric is L L^T: the norms of its columns are E.
+/// The norms at a state. W = L^-1 Phi^T [6 nb x nc] with the metric L L^T; E are its column norms.
 RowNorms row_norms(const TangentSystem& system, const MassMetric& metric, const MatrixX<double>& W);
 
-/// 1 / v, and 0 where v is 0: the inverse of a row's norm, where a row may be without a gradient.
+/// 1 / v for every component, and 0 where v is 0, as for a row without a gradient.
 VectorX<double> inverse_or_zero(const VectorX<double>& v);
 
 }  // namespace trivium

@@ -1,7 +1,7 @@
 #pragma once
 /// The equations of a mechanism at one state in the tangent space, in double: mass, forces, and the Jacobian
-/// [Phi_r, Phi_pi_bar] whose columns are the bodies' velocities and body-frame angular velocities. A property
-/// of the mechanism, the same for every formulation.
+/// [Phi_r, Phi_pi_bar], whose columns belong to the velocities and the body-frame angular velocities of the
+/// bodies. They are the same for every formulation.
 
 #include <string>
 #include <vector>
@@ -12,9 +12,9 @@
 
 namespace trivium {
 
-/// A tangent system with every part of its entries by its own magnitude (magnitude_bounds.hpp).
+/// Bounds of a tangent system in which every term enters by its magnitude (magnitude_bounds.hpp).
 struct Magnitudes {
-  /// One row: its bodies, |Phi_r|, and |Phi_pi_bar| on each.
+  /// One row: its bodies, a bound of |Phi_r|, and bounds of |Phi_pi_bar| on each body.
   struct Row {
     BodyPair bodies;
     double r = 0, rot_i = 0, rot_j = 0;
@@ -23,18 +23,18 @@ struct Magnitudes {
   std::vector<Row> rows;
 };
 
-/// The tangent system in double.
+/// Mass, forces, Jacobian and gamma in double.
 struct TangentSystem {
   std::vector<std::string> body_names;
   std::vector<double> mass;
   std::vector<Matrix3<double>> inertia;
-  MatrixX<double> Phi;  ///< nc x 6 nb: a body's columns are r (3), then body-frame rotation (3)
-  VectorX<double> Q;    ///< 6 nb: F; n_bar - tilde(omega_bar) Jbar omega_bar
+  MatrixX<double> Phi;  ///< [nc x 6 nb]; columns of a body: r (3), then body-frame rotation (3)
+  VectorX<double> Q;    ///< [6 nb]: F; n_bar - tilde(omega_bar) Jbar omega_bar
   VectorX<double> gamma;
-  Magnitudes magnitudes;  ///< empty: not known
+  Magnitudes magnitudes;  ///< empty if not computed
 };
 
-/// The tangent system of a mechanism at a state, formed in Scalar.
+/// The tangent system of a mechanism at a state, computed in Scalar and rounded to double.
 template <class Scalar, class Types>
 TangentSystem tangent_system(const Mechanism<Scalar, Types>& mechanism, const MechanismState<Scalar>& state) {
   using F = ROmega<Scalar>;

@@ -1,12 +1,14 @@
 #pragma once
-/// How a body turns in the reduced unknowns x of a formulation. All that a point joint asks of coordinates.
+/// The angular motion of a body as a function of the reduced unknowns x of a formulation. Point joints need
+/// nothing else from the coordinates.
 
 #include "bodies/numbers/register_vectors.hpp"
 
 namespace trivium {
 
-/// With omega' = axes x + drift in the global frame, a body vector a has the rate omega x a, the second
-/// derivative (axes x + drift) x a + omega x (omega x a), and a moment about it does axes^T times itself.
+/// Rotation A, angular velocity omega and angular acceleration omega' = axes x + drift, all in the global
+/// frame. A body vector a has the rate omega x a and the second derivative (axes x + drift) x a + omega x
+/// (omega x a). A moment in the global frame acts on x with the generalized force axes^T times the moment.
 template <class S>
 struct AngularMotion {
   PaddedColumns<S, 3> A, axes_T;

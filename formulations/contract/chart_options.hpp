@@ -1,6 +1,6 @@
 #pragma once
-/// Charts as a formulation's caller sees them: what may be asked for, and the chart of a formulation that has
-/// none. Which chart a body gets is decided in euler_chart_choice.hpp.
+/// Charts for the callers of a formulation: the options that a caller can set, and the chart type of a
+/// formulation without charts. euler_chart_choice.hpp chooses the chart of each body.
 
 #include <string_view>
 
@@ -8,18 +8,18 @@
 
 namespace trivium {
 
-/// What the caller may say about charts; only a formulation that has charts listens.
+/// Options for the choice of charts; formulations without charts ignore them.
 struct ChartOptions {
-  EulerSequence sequence;  ///< default 3-1-3
-  bool reframe = true;  ///< turn a body's reference frame where the sequence would stand near its singularity
+  EulerSequence sequence;  ///< 3-1-3 by default
+  bool reframe = true;     ///< rotate the reference frame of a body whose sequence is near its singularity
 };
 
-/// Nothing to choose and nothing to store: the chart of a formulation without charts.
+/// The chart of a formulation without charts: it has no data and an empty name.
 struct NoChart {
   std::string_view name() const { return {}; }
 };
-/// The chart of a name; returns whether there is one. A run that goes on from a saved state asks for it; a
-/// chart that has no such function cannot be gone on in.
+/// Reads a chart from its name; returns false if no chart has this name. A run that continues from a saved
+/// state calls this function; with a chart type that lacks it no run can be continued.
 inline bool read_chart(std::string_view name, NoChart&) { return name.empty(); }
 
 }  // namespace trivium

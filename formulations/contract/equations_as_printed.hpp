@@ -1,14 +1,14 @@
 #pragma once
-/// The first part of a formulation: the equations of motion of one body as the books print them. All that the
-/// augmented system asks for.
+/// The first part of a formulation: the equations of motion of one body as the textbooks print them. The
+/// augmented system needs nothing else.
 ///
-/// Per body, with n = rotational_unknowns and m = internal_constraints (0 except for r-p's normalisation
-/// row):
+/// Per body, with n = rotational_unknowns and m = internal_constraints, the number of internal rows:
+/// constraints between the coordinates of one body (0; in r-p 1, the normalisation row):
 ///
-///   m r''          + Phi_r^T lambda                        = F
-///   mass_block q'' + Phi_rot^T lambda + P^T lambda_internal = applied_force(n_bar) + velocity_force
-///   Phi_r r'' + Phi_rot q''                                = gamma
-///   P q''                                                  = internal_gamma
+///     mass r''       + Phi_r^T lambda                        = F
+///     mass_block q'' + Phi_rot^T lambda + P^T lambda_internal = applied_force(n_bar) + velocity_force
+///     Phi_r r'' + Phi_rot q''                                = gamma
+///     P q''                                                  = internal_gamma
 
 #include <concepts>
 #include <string_view>
@@ -30,24 +30,25 @@ concept EquationsAsPrinted = BodyKinematics<typename F::Kinematics> &&
   { F::name } -> std::convertible_to<std::string_view>;
   { F::rotational_unknowns } -> std::convertible_to<int>;
   { F::internal_constraints } -> std::convertible_to<int>;
-  // conversion from a pose (p, omega_bar), in a chart that is chosen first, and back
+  // conversion between a pose (p, omega_bar) and coordinates, in a chart that is chosen first
   { F::choose_chart(options, p) } -> std::same_as<typename F::Chart>;
-  { chart.name() } -> std::convertible_to<std::string_view>;  // empty where there is nothing to choose
-  // how far q is from where its chart has no rates: 1 at most, 0 there. Below 0.3 a motion asks choose_chart
-  // for another chart; who has none to offer throws a ModelError there
+  { chart.name() } -> std::convertible_to<std::string_view>;  // empty for formulations without charts
+  // distance of q from the singularity of its chart: at most 1, and 0 where the rates are not defined. Below
+  // 0.3 a simulation asks choose_chart for another chart; a formulation that has no other chart throws a
+  // ModelError then
   { F::chart_distance(chart, q) } -> std::convertible_to<typename F::Scalar>;
   { F::from_pose(chart, p, v) } -> std::same_as<typename F::Coordinates>;
   { F::to_euler_parameters(chart, q) } -> std::convertible_to<Vector4<typename F::Scalar>>;
-  // orientation, and with it a body vector's value, Jacobian, rate and bias (BodyKinematics)
+  // orientation, and the value, Jacobian, rate and bias of body vectors (BodyKinematics)
   { F::kinematics(chart, v, v, q) } -> std::same_as<typename F::Kinematics>;
-  // mass block, quadratic-velocity force, applied force of a body-frame moment
+  // mass block, quadratic-velocity force, generalized force of a moment in the body frame
   {F::mass_block(body, J_bar)};
   {F::velocity_force(body, J_bar)};
   {F::applied_force(body, v)};
   // internal row
   {F::internal_jacobian(body)};
   {F::internal_gamma(body)};
-  // the rotational unknown and omega_bar': q'' = lift omega_bar' + (terms of q, q'), and back
+  // rotational unknown and omega_bar': q'' = lift omega_bar' + (terms of q and q'), and omega_bar' from q''
   {F::lift(body)};
   { F::to_angular_acceleration(body, q_ddot) } -> std::convertible_to<Vector3<typename F::Scalar>>;
 };

@@ -1,7 +1,8 @@
 #pragma once
-/// The laws of a formulation, for whoever writes one: what its three parts must do, which types cannot say.
-/// `broken_laws<F>()` tries those of every part that F has at fixed states of a body and names what does not
-/// hold. Newton and Euler's equations in the body frame are what the printed ones are held against.
+/// Tests of a formulation, for authors of a new one: the laws that the functions of its three parts must
+/// satisfy and that types cannot express. `broken_laws<F>()` evaluates the laws of every part that F has, at
+/// fixed states of one body, and returns the laws that do not hold. The printed equations are compared with
+/// the Newton-Euler equations in the body frame.
 
 #include <fmt/format.h>
 
@@ -43,7 +44,7 @@ class FormulationLaws {
   using Unknown = typename F::Unknown;
   using Coordinates = typename F::Coordinates;
 
-  /// A body somewhere, turning somehow.
+  /// A test state of one body: pose, angular velocity [rad/s, body frame], chart and coordinates.
   struct Sample {
     Vector4<S> p;
     V omega_bar;
@@ -52,7 +53,7 @@ class FormulationLaws {
     Kinematics body;
   };
 
-  /// Fixed numbers without a pattern, of size 1.
+  /// A reproducible vector without symmetry; its components lie between -1 and 1.
   static V numbers(int seed) {
     const auto at = [seed](int k) { return S(std::sin(1.7 * (7 * k + 13 * seed + 1))); };
     return {at(0), at(1), at(2)};
@@ -67,11 +68,12 @@ class FormulationLaws {
 
   static constexpr double pi = 3.14159265358979323846;
 
-  /// Turned by two thirds of half a turn at most: coordinates that have no rates at half a turn have them.
+  /// A pose rotated by at most 120 degrees (e0 is at least half of the norm), so that coordinates that are
+  /// singular at 180 degrees can be tested.
   static Vector4<S> pose(int n) {
     Vector4<S> p;
     p << S(1 + 0.01 * n), numbers(3 * n + 1);
-    return (n % 2 == 0 ? 1 : -1) * p / p.norm();  // either sign is the same rotation
+    return (n % 2 == 0 ? 1 : -1) * p / p.norm();  // p and -p are the same rotation
   }
   static Sample sample(int n) {
     Sample s;
@@ -105,8 +107,8 @@ class FormulationLaws {
     const Vector4<S> p = F::to_euler_parameters(s.chart, s.q);
     equal("coordinates give the pose back", rotation_matrix(Vector4<S>(p / p.norm())), rotation_matrix(s.p));
   }
-  /// Of every body vector: a'' from the rotation's own derivatives, and from the formulation's. Returns an
-  /// acceleration that meets the internal rows.
+  /// Compares a'' of body vectors from the derivatives of the rotation with a'' from the Jacobian and bias
+  /// of F. Returns a q'' that satisfies the internal rows.
   Unknown accelerations(const Sample& s, int n) {
     const Matrix<S, F::rotational_unknowns, 3> lift = F::lift(s.body);
     Unknown q_0 = Unknown::Zero();
@@ -217,8 +219,8 @@ class FormulationLaws {
     equal("a retraction meets the internal rows", same, retracted_there);
   }
 
-  /// A little on and a little back. Rotations are compared, not numbers: angles may turn over between the
-  /// two.
+  /// Central differences with the step h = u^(1/3), where truncation and rounding errors balance. The first
+  /// two laws compare rotations, not coordinates, because an angle may jump by 2 pi between the two points.
   template <class Orientation>
   void paths(const Sample& s, const Orientation& at, const Unknown& v, const Orientation& there,
              const Unknown& by) {
@@ -246,7 +248,7 @@ class FormulationLaws {
           Unknown(F::displacement_rate(by, v)), digits_lost);
   }
 
-  /// The way back onto the internal rows, from a displacement off them.
+  /// Normalisation: the return onto the internal rows from a displacement off them.
   template <class Orientation>
   void normalised(const Sample& s, const Orientation& at, const Unknown& v, const Unknown& by, int n) {
     const auto meets = [&](const char* law, const Orientation& x, const Unknown& v_x) {

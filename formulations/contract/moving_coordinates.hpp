@@ -1,6 +1,7 @@
 #pragma once
-/// The third part of a formulation: its coordinates moved in time, as numbers that integrators carry. An
-/// orientation of orientation_size numbers, and a velocity of which the rotational unknown is the derivative.
+/// The third part of a formulation: the motion of its coordinates in time. Per body, an integrator holds an
+/// orientation of orientation_size numbers and a rotational velocity; the rotational unknown is the time
+/// derivative of this velocity.
 
 #include <concepts>
 
@@ -13,18 +14,22 @@ concept MovingCoordinates = requires(const typename F::Scalar& s, const typename
                                      const Vector4<typename F::Scalar>& p, const typename F::Coordinates& q,
                                      const typename F::Unknown& x, const typename F::Orientation& orientation,
                                      typename F::Orientation& moved, typename F::Unknown& moved_x) {
-  // orientation and velocity, and the coordinates that they are
+  // orientation from a pose, velocity from coordinates, and coordinates from both
   { F::orientation_size } -> std::convertible_to<int>;
   { F::orientation_of(chart, p) } -> std::convertible_to<typename F::Orientation>;
   { F::velocity_of(chart, q) } -> std::convertible_to<typename F::Unknown>;
   { F::from_orientation(chart, orientation, x) } -> std::same_as<typename F::Coordinates>;
-  // the orientation's rate; its retraction, rates kept; and what meets the internal row and its derivative
+  // rate of the orientation; orientation after an increment (retraction); and normalise, which makes
+  // orientation and velocity satisfy the internal row and its time derivative
   { F::orientation_rate(chart, orientation, x) } -> std::convertible_to<typename F::Orientation>;
   { F::retract(chart, orientation, x) } -> std::convertible_to<typename F::Orientation>;
   F::normalise(moved, moved_x);
-  // steps of implicit methods, in the same numbers: where a displacement leads, off the internal row too, and
-  // from where to where it is; how it grows where the body moves with a velocity; the way back onto the
-  // internal row and its derivative (by a share of what is added to the unknown); whether M depends on q
+  // Steps of implicit methods are displacements with as many numbers as the velocity. step: the orientation
+  // after a displacement, which may leave the internal row. displacement: the one between two orientations.
+  // displacement_rate: time derivative of a displacement (first argument) at a velocity (second argument).
+  // normalise_step, normalise_step_velocity: the orientation or velocity moves by s times a change of the
+  // unknown; they add the change that satisfies the internal row or its derivative. inertia_is_constant:
+  // whether mass_block is independent of q
   { F::step(chart, orientation, x) } -> std::convertible_to<typename F::Orientation>;
   { F::displacement(chart, orientation, orientation) } -> std::convertible_to<typename F::Unknown>;
   { F::displacement_rate(x, x) } -> std::convertible_to<typename F::Unknown>;

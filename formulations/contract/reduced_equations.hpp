@@ -1,8 +1,8 @@
 #pragma once
-/// The second part of a formulation: the internal row eliminated in closed form, so that three rotational
-/// unknowns x are left to a body. All that the structured solver asks for.
+/// The second part of a formulation: the equations of one body with the internal row eliminated in closed
+/// form, so that three rotational unknowns x remain. The structured solver needs nothing else.
 ///
-///   q'' = from_reduced(x),    reduced_mass_block x + Phi_x^T lambda = reduced_force(n_bar)
+///     q'' = from_reduced(x),    reduced_mass_block x + Phi_x^T lambda = reduced_force(n_bar)
 
 #include <concepts>
 
@@ -22,9 +22,10 @@ concept ReducedEquations = BodyKinematics<typename F::Reduced> && F::Reduced::ro
   { F::reduced_mass_block(body, J_bar) } -> std::convertible_to<Matrix3<typename F::Scalar>>;
   { F::reduced_force(body, J_bar, v) } -> std::convertible_to<Vector3<typename F::Scalar>>;
   { F::from_reduced(body, v) } -> std::convertible_to<typename F::Unknown>;
-  // how far the unknown moves with x
+  // the linear part of from_reduced: the change of q'' with x
   { F::increment(body, v) } -> std::convertible_to<typename F::Unknown>;
-  // a generalised force without what it does to the internal row, and that as a moment in the body frame
+  // a generalized force reduced to x, without its part along the internal row; and a reduced force as a
+  // moment [N m, body frame]
   { F::reduced(reduced, force) } -> std::convertible_to<Vector3<typename F::Scalar>>;
   { F::moment(reduced, v) } -> std::convertible_to<Vector3<typename F::Scalar>>;
 };

@@ -1,14 +1,13 @@
 #pragma once
-/// What is missing of a formulation that is written as printed alone: its reduced and its moving part, in the
-/// unknown x = omega_bar' and with the body's own turning as its motion. With q'' = lift x + q_0, where q_0
-/// turns no body and meets the internal rows,
+/// Completes a formulation F that defines only the equations as printed: ReducedToRotation adds the reduced
+/// equations and the moving coordinates, with the unknown x = omega_bar' and the motion of r-omega. With
+/// q'' = lift x + q_0, where q_0 satisfies the internal rows and has no angular acceleration,
 ///
-///   lift^T mass_block lift x + (Phi_rot lift)^T lambda
+///     lift^T mass_block lift x + (Phi_rot lift)^T lambda
+///         = lift^T (applied_force + velocity_force - mass_block q_0)
 ///
-///      = lift^T (applied_force + velocity_force - mass_block q_0)
-///
-/// Everything is made of the printed functions, so Jacobians, biases and forces stay the formulation's own; a
-/// formulation that writes these parts itself is faster, and equal to rounding.
+/// All terms are computed from the printed functions of F. A formulation that defines the two parts itself
+/// is faster and agrees with this one to rounding.
 
 #include <type_traits>
 
@@ -18,8 +17,8 @@
 
 namespace trivium {
 
-/// A formulation of three parts from one that has the first. Its coordinates are those of F; an integrator
-/// carries p and omega_bar, as it does for r-omega.
+/// A formulation with all three parts, made from the first part of F. The coordinates are those of F; an
+/// integrator holds p and omega_bar, as for r-omega.
 template <EquationsAsPrinted F>
 struct ReducedToRotation {
   using Scalar = typename F::Scalar;
@@ -61,7 +60,7 @@ struct ReducedToRotation {
     const Matrix<S, F::rotational_unknowns, 3> lift = F::lift(printed);
     typename F::Unknown q_0 = F::Unknown::Zero();
     if constexpr (F::internal_constraints > 0) {
-      // the least q'' that meets the rows
+      // the q'' of minimum norm that satisfies the internal rows; below, its angular acceleration is removed
       const Matrix<S, F::internal_constraints, F::rotational_unknowns> P = F::internal_jacobian(printed);
       q_0 = P.transpose() * (P * P.transpose()).inverse() * F::internal_gamma(printed);
     }
@@ -80,7 +79,7 @@ struct ReducedToRotation {
     return k.lift.transpose() * F::applied_force(k.printed, n_bar);
   }
 
-  // internal row: met by every x
+  // internal row: satisfied by every x, so none remains
   static Matrix<S, 0, 3> internal_jacobian(const Kinematics&) { return {}; }
   static Vector<S, 0> internal_gamma(const Kinematics&) { return {}; }
   using Reduced = Kinematics;
@@ -103,7 +102,7 @@ struct ReducedToRotation {
   static Matrix3<S> lift(const Kinematics&) { return Matrix3<S>::Identity(); }
   static Vector3<S> to_angular_acceleration(const Kinematics&, const Unknown& x) { return x; }
 
-  // orientation as an integrator carries it: p, with the rate of r-omega
+  // orientation in an integrator: p, with the rate of r-omega
   static Orientation orientation_of(const Chart&, const Vector4<S>& p) { return p; }
   static Unknown velocity_of(const Chart& chart, const Coordinates& q) {
     const Vector3<S> none = Vector3<S>::Zero();
@@ -153,7 +152,7 @@ struct InScalar<ReducedToRotation<F>, Scalar> {
 
 template <class F>
 struct WholeForm {
-  // what a formulation wrote in part would be passed over
+  // an incomplete part of F would be ignored silently: it is refused
   static_assert(
       ReducedEquations<F> || !requires { requires !std::is_void_v<typename F::Reduced>; },
       "the formulation has a Reduced, but not all of ReducedEquations");
@@ -170,8 +169,8 @@ struct WholeForm<F> {
 };
 }  // namespace detail
 
-/// F where it has all three parts, else what reduces it to rotation: what the structured solver and
-/// simulations take.
+/// F itself if it has all three parts, otherwise ReducedToRotation of F. The structured solver and
+/// simulations take this type.
 template <EquationsAsPrinted F>
 using WholeFormulation = typename detail::WholeForm<F>::type;
 

@@ -1,6 +1,5 @@
 #pragma once
-/// What the units of equations_of_motion_<scalar>.cpp compile: every formulation in one Scalar. The
-/// formulations are those of formulation_list.hpp.
+/// The instantiations in equations_of_motion_*.cpp: every formulation of formulation_list.hpp in one Scalar.
 
 #include "formulations/equations_of_motion_impl.hpp"
 #include "formulations/formulation_list.hpp"

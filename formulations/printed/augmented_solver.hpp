@@ -1,7 +1,6 @@
 #pragma once
-/// The augmented system of one formulation, solved as printed, dense: accelerations and lambda at one state.
-/// Dependent rows are left out of the matrix; of the multipliers that then are equivalent those of minimum
-/// norm are reported.
+/// The dense solver of the printed equations: accelerations and lambda of one formulation at one state. The
+/// matrix omits the dependent rows; among equivalent multipliers those of minimum |E lambda| are returned.
 
 #include <vector>
 
@@ -15,14 +14,14 @@
 
 namespace trivium {
 
-/// One formulation's augmented system at one state, and what a solution of it means. The system is solved
-/// with its dependent rows left out: x is a solution of that reduced system, in printed order.
+/// The augmented system K x = b of one formulation at one state. A full vector holds all unknowns in printed
+/// order (augmented_system.hpp); a reduced vector omits the multipliers of dependent rows.
 template <EquationsAsPrinted F>
 class AugmentedEquations {
  public:
   using S = typename F::Scalar;
 
-  /// Mechanism and rows must outlive this.
+  /// `mechanism` and `rows` must outlive this object.
   AugmentedEquations(const MechanismOf<F>& mechanism, const MechanismState<S>& state, const RowAnalysis& rows,
                      const ChartOptions& options = {});
   AugmentedEquations(const MechanismOf<F>&&, const MechanismState<S>&, const RowAnalysis&,
@@ -37,15 +36,15 @@ class AugmentedEquations {
   MatrixX<S> reduced_matrix() const;
   VectorX<S> reduced_right_side() const;
 
-  /// All unknowns, lambda 0 in dependent rows.
+  /// The full vector of a reduced one, with lambda = 0 in dependent rows.
   VectorX<S> expand(const VectorX<S>& x) const;
   VectorX<S> reduce(const VectorX<S>& full) const;
-  /// b - K x over all equations and unknowns, dependent rows among them.
+  /// b - K x over all equations and unknowns, dependent rows included.
   VectorX<S> defect(const VectorX<S>& full) const;
-  /// The unknowns by name.
+  /// The parts of a full vector by name.
   Unknowns<F> split(const VectorX<S>& full) const;
   PhysicalSolution<S> accelerations_of(const VectorX<S>& full) const;
-  /// The residual of every body's own equations and of every row.
+  /// The relative residual of the equations of every body and of every row.
   MatrixFreeResidual residual(const VectorX<S>& full) const;
 
  private:
@@ -54,11 +53,11 @@ class AugmentedEquations {
   std::vector<BodyState<F>> states_;
   EquationsOfMotion<F> eom_;
   std::vector<Eigen::Index> kept_;
-  MatrixX<S> K_;  ///< as printed, all rows
+  MatrixX<S> K_;  ///< as printed, with all rows
   VectorX<S> b_;
 };
 
-/// The same with its reduced matrix factored.
+/// The augmented system with the factors of its reduced matrix.
 template <EquationsAsPrinted F>
 class AugmentedSolver : public AugmentedEquations<F> {
  public:
@@ -71,13 +70,14 @@ class AugmentedSolver : public AugmentedEquations<F> {
   AugmentedSolver(const MechanismOf<F>&, const MechanismState<S>&, const RowAnalysis&&,
                   const ChartOptions& = {}) = delete;
 
-  /// All unknowns in printed order, lambda of minimum norm among the equivalent.
+  /// The full solution, with lambda of minimum |E lambda| among equivalent multipliers.
   VectorX<S> solve() const;
-  /// Dependent rows left out; throws a ModelError where the matrix is numerically singular.
+  /// The reduced solution. Throws a ModelError if the matrix is numerically singular.
   VectorX<S> solve_reduced() const;
-  /// The reduced K^-1 b by the factors at hand, unrefined.
+  /// The reduced K^-1 b from the factors, without iterative refinement.
   VectorX<S> substitute(const VectorX<S>& b) const;
 
+  /// Replaces lambda by the equivalent multipliers of minimum |E lambda|.
   VectorX<S> to_minimum_norm(VectorX<S> full) const;
   const RedundantMultipliers<S>& redundant_multipliers() const { return redundant_multipliers_; }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The definitions behind augmented_solver.hpp, compiled once a Scalar. Include it only to instantiate
-/// another one.
+/// The definitions of augmented_solver.hpp, compiled once per Scalar. Include this file only for another
+/// Scalar.
 
 #include "base/error.hpp"
 #include "formulations/printed/augmented_solver.hpp"

@@ -1,4 +1,4 @@
-/// What a solution of the augmented system must satisfy, on random mechanisms.
+/// Laws that a solution of the augmented system must satisfy, on random mechanisms.
 
 #include "formulations/printed/augmented_solver.hpp"
 
@@ -38,7 +38,7 @@ template <class F>
 class Solutions : public testing::Test {};
 TYPED_TEST_SUITE(Solutions, test::AllFormulations<double>, test::FormulationNames);
 
-/// The size of lambda's effects: what rounding is to be measured against.
+/// The largest force of a row, as the scale of rounding errors.
 template <class F>
 double force_scale(const Solved<F>& s) {
   double scale = 1;
@@ -67,7 +67,7 @@ TYPED_TEST(Solutions, MatrixFreeResidualIsAtRoundingLevel) {
         const MatrixFreeResidual residual = s.solver.residual(s.solver.expand(s.solver.solve_reduced()));
         RC_ASSERT(residual.bodies <= 1e-13);
         RC_ASSERT(residual.rows <= 1e-13);
-        // what was left out holds by itself, to what the consistency of the scene is worth
+        // the omitted rows are satisfied too, to the consistency of the scene
         RC_ASSERT(residual.dependent_rows <= 1e-11 * s.rows.kappa);
       },
       60);
@@ -108,7 +108,7 @@ TYPED_TEST(Solutions, BalanceTheMomentumOfEveryBody) {
           const auto& [mass, J] = s.mechanism.bodies[b];
           const Vector3<double>& w = s.state.twist[b].omega_bar;
           const double scale = force_scale(s);
-          // Newton: m r'' = sum of forces. Euler: Jbar omega_bar' + omega_bar~ Jbar omega_bar = sum of
+          // Newton: m r'' = sum of forces. Euler: Jbar omega_bar' + omega_bar x Jbar omega_bar = sum of
           // torques.
           RC_ASSERT(distance(mass * physical.r_ddot[b], force) <= 1e-12 * scale);
           RC_ASSERT(distance(J * physical.omega_bar_dot[b] + w.cross(J * w),
@@ -126,7 +126,7 @@ TYPED_TEST(Solutions, ReactionsOfEveryJointDoNoVirtualWork) {
         const auto& eom = s.solver.equations();
         const TangentSystem tangent = tangent_system(s.mechanism, s.state);
         for (const auto& joint : s.mechanism.joints) {
-          // any displacement of the two bodies that this joint's own rows allow
+          // a random displacement, projected so that this joint's own rows allow it
           VectorX<double> step =
               test::Random(joint.first_row + 1).vector<double, 24>().head(6 * s.mechanism.nb());
           const MatrixX<double> Phi = tangent.Phi.middleRows(joint.first_row, joint.rows);
@@ -154,7 +154,7 @@ TYPED_TEST(Solutions, LambdaHasMinimumNormAmongTheEquivalent) {
     const VectorX<double> E_lambda = s.rows.E.cwiseProduct(s.u.lambda);
     const MatrixX<double> EN = s.rows.E.asDiagonal() * s.rows.null_basis;
     EXPECT_LE((EN.transpose() * E_lambda).cwiseAbs().maxCoeff(), 1e-12 * E_lambda.norm());
-    // the same forces as with the redundant multipliers at zero
+    // the same forces as with the multipliers of the dependent rows set to zero
     const Unknowns<F> plain = s.solver.split(s.solver.expand(s.solver.solve_reduced()));
     const TangentSystem tangent = tangent_system(s.mechanism, s.state);
     for (int k : s.rows.dependent) EXPECT_EQ(plain.lambda[k], 0);

@@ -1,6 +1,6 @@
 #pragma once
-/// The augmented system of one formulation, as printed in the books: its dense blocks, its matrix and right
-/// side, and its unknowns by name. Haug (1989), sections 11.2 and 11.3.
+/// The augmented system of one formulation as printed in the textbooks: its dense blocks, its matrix and
+/// right side, and its unknowns by name. Haug (1989), sections 11.2 and 11.3.
 
 #include <vector>
 
@@ -12,13 +12,14 @@ namespace trivium {
 /// The augmented system as printed, in the order r'', q'', lambda_internal, lambda (r-p: r'', p'', lambda^p,
 /// lambda):
 ///
-///   [ M                     Phi_r^T  ] [ r''      ]   [ F              ]
-///   [      J        P^T     Phi_rot^T] [ q''      ] = [ tau            ]
-///   [      P                         ] [ lambda^p ]   [ gamma_internal ]
-///   [ Phi_r  Phi_rot                 ] [ lambda   ]   [ gamma          ]
+///     [ M                     Phi_r^T  ] [ r''      ]   [ F              ]
+///     [      J        P^T     Phi_rot^T] [ q''      ] = [ tau            ]
+///     [      P                         ] [ lambda^p ]   [ gamma_internal ]
+///     [ Phi_r  Phi_rot                 ] [ lambda   ]   [ gamma          ]
 ///
-/// J, Phi_rot, tau, gamma are the literature's J^p, Phi_p, tau_hat, gamma_hat in r-p; Jbar, Phi_pi_bar, n_bar
-/// - omega~ Jbar omega_bar in r-omega; J^epsilon, Phi_epsilon, tau in r-epsilon.
+/// In the literature J, Phi_rot, tau, gamma are J^p, Phi_p, tau_hat, gamma_hat in r-p; Jbar, Phi_pi_bar,
+/// n_bar - tilde(omega_bar) Jbar omega_bar, gamma in r-omega; and J^epsilon, Phi_epsilon, tau, gamma in
+/// r-epsilon.
 template <EquationsAsPrinted F>
 struct AugmentedSystem {
   using S = typename F::Scalar;
@@ -87,15 +88,15 @@ AugmentedSystem<F> augmented_system(const EquationsOfMotion<F>& eom) {
   return s;
 }
 
-/// Accelerations in a formulation's own unknowns, and the multipliers.
+/// The unknowns of the augmented system by name, with accelerations r'' and q'' per body.
 template <EquationsAsPrinted F>
 struct Unknowns {
   using S = typename F::Scalar;
-  std::vector<BodyAcceleration<S, F::rotational_unknowns>> body;  ///< nb + 1: the ground's are zero
+  std::vector<BodyAcceleration<S, F::rotational_unknowns>> body;  ///< nb + 1 entries; zero for the ground
   VectorX<S> lambda_internal, lambda;
 };
 
-/// Splits a solution vector of the augmented system.
+/// Splits a full solution vector into its parts.
 template <EquationsAsPrinted F>
 Unknowns<F> split_unknowns(const VectorX<typename F::Scalar>& x, int nb, int nc) {
   constexpr int n = F::rotational_unknowns, m = F::internal_constraints;

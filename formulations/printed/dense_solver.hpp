@@ -1,7 +1,7 @@
 #pragma once
-/// A dense symmetric system K x = b, as the printed matrices are. It is equilibrated, factored by LU with
-/// partial pivoting, and refined with residuals in working precision (Higham, Accuracy and Stability of
-/// Numerical Algorithms, 2002, chapter 12).
+/// A dense symmetric system K x = b, such as the printed equations. The matrix is equilibrated and factored
+/// by LU with partial pivoting; solutions are refined with residuals in working precision (Higham, Accuracy
+/// and Stability of Numerical Algorithms, 2002, chapter 12).
 
 #include <memory>
 
@@ -19,9 +19,10 @@ class DenseSolver {
   DenseSolver(DenseSolver&&) noexcept;
   DenseSolver& operator=(DenseSolver&&) noexcept;
 
-  /// K x = b, refined until the correction no longer shrinks, at most three times.
+  /// Solves K x = b with at most three refinement steps; stops when a correction is not half of the last
+  /// one.
   VectorX<Scalar> solve(const VectorX<Scalar>& b) const;
-  /// One forward and back substitution, unrefined.
+  /// Forward and back substitution without refinement.
   VectorX<Scalar> substitute(const VectorX<Scalar>& b) const;
 
  private:

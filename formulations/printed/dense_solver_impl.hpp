@@ -1,6 +1,6 @@
 #pragma once
-/// The one definition behind the DenseSolver instances. Each Scalar has a translation unit of its own,
-/// because LU is dear to compile.
+/// The definition of DenseSolver. Each Scalar has its own translation unit, because the LU templates are
+/// expensive to compile.
 
 #include <Eigen/LU>
 #include <cmath>
@@ -16,8 +16,8 @@ struct DenseSolver<Scalar>::Factor {
 
 namespace detail {
 
-/// Symmetric scaling to unit maxima of rows and columns (Ruiz 2001), in powers of two so that it rounds
-/// nothing.
+/// Scales K symmetrically so that the largest entry of each row and column is near 1 (Ruiz 2001). The
+/// factors are powers of two, so the scaling causes no rounding.
 template <class Scalar>
 VectorX<Scalar> equilibrate(MatrixX<Scalar>& K) {
   using std::frexp, std::ldexp, std::abs;

@@ -1,6 +1,6 @@
 #pragma once
-/// The definitions behind error_estimate.hpp, compiled once a Scalar. Include it only to instantiate another
-/// one.
+/// The definitions of error_estimate.hpp, compiled once per Scalar. Include this file only for another
+/// Scalar.
 
 #include <algorithm>
 
@@ -12,8 +12,9 @@ namespace trivium {
 
 namespace detail {
 
-/// How far x would move if the dependent rows were met as well as the others, in the least-squares
-/// sense, and if their multipliers' share acted on nothing exactly: what dropping just these rows decided.
+/// The change of x if the dependent rows were satisfied too, in the least-squares sense, and if the
+/// null-space part of the multipliers had exactly no effect. It measures the influence of the choice of the
+/// omitted rows.
 template <EquationsAsPrinted F, EquationsAsPrinted Higher>
 VectorX<typename F::Scalar> ambiguity_of(const AugmentedSolver<F>& solver,
                                          const VectorX<typename F::Scalar>& x,
@@ -22,7 +23,8 @@ VectorX<typename F::Scalar> ambiguity_of(const AugmentedSolver<F>& solver,
   using H = typename Higher::Scalar;
   const VectorX<S> full = solver.expand(x), shared = solver.to_minimum_norm(full);
   const Eigen::Index nc = solver.equations().nc();
-  // with minimum-norm multipliers in place of x's the bodies' equations change by what Phi^T N keeps
+  // minimum-norm multipliers change the bodies' equations by a combination of Phi^T N: 0 if exactly
+  // dependent
   const VectorX<H> missed = higher.defect(scalar_cast<H>(full));
   VectorX<S> change = scalar_cast<S>(VectorX<H>(higher.defect(scalar_cast<H>(shared)) - missed));
   VectorX<S> dependent = VectorX<S>::Zero(nc);
@@ -72,8 +74,8 @@ ErrorEstimate estimate_error(const AugmentedSolver<F>& solver, const VectorX<typ
   const ErrorEstimate found = error(reported, best);
   ErrorEstimate ambiguity;
   if (!solver.redundant_multipliers().none()) ambiguity = correct(detail::ambiguity_of(solver, x, higher));
-  // corrections that do not shrink lead nowhere, and a judge that finds the solution to be all error may be
-  // no better himself: no digit is known
+  // If the corrections do not shrink, or the estimate is of the size of the solution, the solution in the
+  // next precision may be wrong as well: no digit is known
   constexpr double no_digits = 0.3;
   const auto bounded_estimate = [&](double known, double remaining, double ambiguous) {
     const double estimate = 2 * (known + remaining + ambiguous) + u;

@@ -1,5 +1,5 @@
-/// The error estimate is honest: over easy states and hard ones it covers the true error, and not by much
-/// more. The truth is the same scene solved in quad precision.
+/// The error estimate covers the true error in easy and difficult states, and is not much larger. The
+/// solution in quad precision is taken as exact.
 
 #include <gtest/gtest.h>
 
@@ -18,11 +18,11 @@
 namespace trivium {
 namespace {
 
-/// Random states of one kind of hardship.
+/// Random states with one kind of difficulty.
 struct Hardship {
   const char* name;
   ChartOptions charts;
-  double hardest;  ///< some state costs lambda this much in r-epsilon
+  double hardest;  ///< some state has at least this error of lambda in r-epsilon
   test::MechanismOptions (*options)(test::Random&);
 };
 
@@ -71,7 +71,7 @@ PhysicalSolution<Quad> in_quad(const PhysicalSolution<double>& s) {
   return out;
 }
 
-/// estimate / max(true error, u) of one formulation, over many states.
+/// Ratios estimate / max(true error, u) of one formulation over many states.
 struct Ratios {
   std::vector<double> lambda, acceleration;
 };
@@ -114,7 +114,7 @@ TEST_P(ErrorEstimate, CoversTheTrueErrorAndIsWithinAHundredOfIt) {
                                                       std::max(acceleration, u));
     }
   }
-  // the states are as hard as they claim to be
+  // the states are as difficult as the table says
   EXPECT_GE(worst["r-epsilon"], hardship.hardest) << hardship.name;
   for (const auto& [name, r] : ratios) {
     expect_honest(r.lambda, std::string(hardship.name) + ", lambda in " + name);
@@ -145,7 +145,7 @@ TEST(GimbalLock, EstimateOfASolutionWithoutDigitsSaysSo) {
 }
 
 TEST(RedundantRows, EstimateCoversWhatTheChoiceOfThemDecides) {
-  // hinges whose coordinates are rounded: in quad the later one's rows do not follow from the earlier one's
+  // hinge coordinates are rounded to double: in quad the rows of the later hinge are not exactly dependent
   const auto door = [](bool reversed) {
     scenes::Scene scene;
     scene.bodies = {test::body("door", 10, {3, 2, 2.5}, {0.5, 0.1, 0.3})};

@@ -1,6 +1,6 @@
 #pragma once
-/// The definitions behind redundant_multipliers.hpp, compiled once a Scalar. Include it only to instantiate
-/// another one.
+/// The definitions of redundant_multipliers.hpp, compiled once per Scalar. Include this file only for
+/// another Scalar.
 
 #include <limits>
 #include <utility>

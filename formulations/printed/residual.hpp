@@ -1,6 +1,6 @@
 #pragma once
-/// The residual of a solution in the equations of motion, body by body and row by row. No matrix is formed,
-/// so that an error of forming one shows.
+/// The residual of a solution in the equations of motion of each body and row. No matrix is formed, so
+/// errors of forming a matrix become visible.
 
 #include <cmath>
 #include <vector>
@@ -13,9 +13,10 @@
 
 namespace trivium {
 
-/// The matrix-free form: the residual of every body's own equations and of every row, nothing assembled. A
-/// body's is relative to the sum of its terms' magnitudes; a row's to the sum of its own, with accelerations
-/// as large as those terms could make them. Rows listed in `dependent` are measured apart.
+/// The largest relative residuals [-] of the bodies' equations and of the rows, without an assembled matrix.
+/// A body's residual is relative to the sum of the magnitudes of its terms; a row's residual to the sum of
+/// its terms, with accelerations as large as the forces could cause. Rows listed in `dependent` are reported
+/// separately.
 struct MatrixFreeResidual {
   double bodies = 0, rows = 0, dependent_rows = 0;
   double worst() const { return larger(bodies, rows); }
@@ -52,7 +53,8 @@ MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar, Type
                                          F::internal_constraints * b));
   }
   MatrixFreeResidual residual;
-  // a body at rest beside others that are not has terms that are their rounding: no scale of its own
+  // the terms of a body at rest in a moving mechanism are rounding errors and give no scale: the scale is at
+  // least sqrt(u) of the largest in the mechanism
   S largest(0);
   using std::sqrt;
   const S negligible = sqrt(unit_roundoff<S>());
@@ -71,7 +73,8 @@ MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar, Type
     balance[j].add_r(u.lambda[k] * row.r_j.transpose());
     balance[j].add_q(u.lambda[k] * row.rot_j.transpose());
   }
-  // how large a body's accelerations are, or its forces could make them: those of a body at rest are rounding
+  // the accelerations that the forces on a body could cause, for q'' in addition to its norm: the
+  // accelerations of a body at rest are rounding errors
   struct Reach {
     S r{0}, q{0};
   };

@@ -1,4 +1,4 @@
-/// Bodies without inertia about an axis, and the metric that stands in for a singular mass matrix.
+/// Bodies without inertia about an axis, and the metric that replaces a singular mass matrix.
 
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 using test::distance;
 
-/// A slender rod along its x, held at one end.
+/// A crank on the ground, and a slender rod along its x axis that is held at one end by the crank.
 scenes::Scene rod(ConstraintType type) {
   scenes::Scene scene;
   scene.bodies = {test::body("crank", 1, {0.1, 0.1, 0.1}, {-0.5, 0, 0}),
@@ -62,7 +62,7 @@ TEST(SingularMass, IsHeldBesideAMassOfAnySize) {
 }
 
 TEST(SingularMass, AboutATiltedAxisIsHeldBesideAMassOfAnySize) {
-  // the rod's frame is turned, so that no body axis is the rod's own
+  // the body frame of the rod is rotated, so that the axis of the rod is not a body axis
   auto scene = rod(JointType::universal);
   const Matrix3<double> A = rotation_matrix<double>(Vector4<double>(0.8, 0.2, 0.4, 0.4).normalized());
   const auto turned = [&](const scenes::Vector3& v) {

@@ -1,6 +1,6 @@
 #pragma once
-/// How full the augmented matrix of each formulation is, all rows of Phi in it. Counted from the blocks;
-/// nothing dense is built, so the number of bodies does not matter.
+/// The sparsity of the augmented matrix of each formulation, with all rows of Phi. The entries are counted
+/// from the blocks without a dense matrix, so the number of bodies is not limited.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace trivium {
 
-/// Size and entries that are not zero of one formulation's augmented matrix.
+/// Size and number of nonzero entries of the augmented matrix of one formulation.
 struct Sparsity {
   std::string name;
   long size = 0, nonzeros = 0;
@@ -20,7 +20,7 @@ struct Sparsity {
   }
 };
 
-/// Of every formulation of the list.
+/// The sparsity in every formulation of the library.
 std::vector<Sparsity> augmented_sparsity(const Model<double>& model);
 
 }  // namespace trivium

@@ -1,6 +1,6 @@
 #pragma once
-/// Bodies on which the laws of the Formulation concept are tried: random poses and velocities, in charts of
-/// every sequence. A support of the tests.
+/// Test states of one body for the laws of the Formulation concept: random poses and velocities, in charts
+/// of every sequence. Support for tests.
 
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/random.hpp"
@@ -19,8 +19,8 @@ struct Sample {
   typename F::Kinematics body;
 };
 
-/// The rotational unknown of an angular acceleration, by way of the reduced ones: A omega_bar' = axes x +
-/// drift.
+/// The rotational unknown for a given omega_bar', through the reduced unknowns x: A omega_bar' =
+/// axes x + drift.
 template <class F>
 typename F::Unknown unknown_of(const typename F::Kinematics& body,
                                const Vector3<typename F::Scalar>& omega_bar_dot) {
@@ -31,7 +31,7 @@ typename F::Unknown unknown_of(const typename F::Kinematics& body,
   return F::from_reduced(body, axes.inverse() * (omega_dot - unpadded<S>(motion.drift)));
 }
 
-/// Poses and velocities at home in every formulation, over all sequences.
+/// Applies a law to random poses and velocities, over all Euler sequences.
 template <class F, class Law>
 void for_all_samples(const Law& law) {
   using S = typename F::Scalar;

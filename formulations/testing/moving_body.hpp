@@ -1,6 +1,6 @@
 #pragma once
-/// Bodies on smooth paths in each formulation's own coordinates, for the laws that hold along any path. A
-/// support of the tests.
+/// Bodies on smooth paths in the coordinates of each formulation, as second-order Taylor expansions, for
+/// laws that hold along any path. Support for tests.
 
 #include <algorithm>
 #include <string>
@@ -25,7 +25,7 @@ EulerChart<Taylor<S>> chart_along(const EulerChart<S>& chart) {
   return {chart.sequence, chart.reframing, constant<S, 3, 3>(chart.C)};
 }
 
-/// Where a body is and how its unknowns move: q' and q'' of the coordinates themselves, drawn freely.
+/// A pose and the first and second derivatives of the coordinates; q' and q'' are drawn independently.
 template <class F>
 struct Path {
   using S = typename F::Scalar;
@@ -44,7 +44,7 @@ std::pair<typename ROmega<S>::Coordinates, typename ROmega<Taylor<S>>::Coordinat
   return {{A, path.q_dot},
           {taylor<S, 3, 3>(A, A * W, A * (W * W + W_dot)), taylor<S, 3, 1>(path.q_dot, path.q_ddot, zero)}};
 }
-/// Off the unit sphere too: p' and p'' are anything.
+/// p' and p'' are arbitrary, so the path may leave the unit sphere.
 template <class S>
 std::pair<typename RP<S>::Coordinates, typename RP<Taylor<S>>::Coordinates> coordinates(
     const Path<RP<S>>& path) {
@@ -83,7 +83,7 @@ MovingIn<F> moving_body(const Path<F>& path) {
                    moving,
                    {path.r_dot, path.q_dot},
                    {path.r_ddot, path.q_ddot}};
-  // omega-first has the angles' path but counts in omega_bar
+  // r-epsilon-omega-first moves along a path of angles, but its velocity is omega_bar
   if constexpr (std::same_as<F, REpsilonOmegaFirst<S>>) {
     body.velocity.q_ddot = body.now.omega_bar;
     body.acceleration.q_ddot = first_derivative<S, 3, 1>(moving.omega_bar);
@@ -106,7 +106,7 @@ Path<F> random_path(Random& random, const ChartOptions& options) {
   return path;
 }
 
-/// All sequences, re-framed and raw. Formulations without charts see as many cases of their own.
+/// All sequences, with and without re-framing; formulations without charts get the same number of cases.
 template <class Use>
 void for_all_charts(const Use& use) {
   for (const auto name : euler_sequence_names)
@@ -119,12 +119,12 @@ template <class... F, class... G>
 struct TypesOf<std::tuple<F...>, std::tuple<G...>> {
   using Types = testing::Types<F..., G...>;
 };
-/// Those of the library's list.
+/// GoogleTest type list of the library's formulations.
 template <class S>
 using AllFormulations = typename TypesOf<trivium::AllFormulations::In<S>, std::tuple<>>::Types;
 using TestedFormulations =
     TypesOf<trivium::AllFormulations::In<double>, trivium::AllFormulations::In<Quad>>::Types;
-/// Without points and hyphens, which choose tests in GoogleTest's filters.
+/// Test names with underscores: hyphens have a meaning in GoogleTest filters.
 struct FormulationNames {
   template <class F>
   static std::string GetName(int) {

@@ -1,5 +1,5 @@
 #pragma once
-/// A scene solved along its graph and as printed. A support of the tests.
+/// A scene solved by the structured and by the printed solver. Support for tests.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 
 namespace trivium::test {
 
-/// What a solver found, in To.
+/// The solution of a structured solver, converted to the scalar type To.
 template <class To, class F>
 PhysicalSolution<To> solution_of(const Mechanism<typename F::Scalar>& mechanism,
                                  const AccelerationSolver<F>& solver) {
@@ -55,7 +55,7 @@ struct SolvedTwice {
 
   double accelerations_apart() const { return acceleration_distance(printed.rows, by_graph, by_print).all; }
   double lambda_apart() const { return lambda_distance(printed.rows, by_graph.lambda, by_print.lambda); }
-  /// Of Phi^T lambda, relative to the largest force of a row.
+  /// Difference of Phi^T lambda on a body, relative to the largest force of a row [-].
   double forces_apart() const {
     const auto eom =
         equations_of_motion<ROmega<S>>(mechanism, to_coordinates<ROmega<S>>(mechanism, state, {}), state.t);
@@ -77,7 +77,8 @@ struct SolvedTwice {
   }
 };
 
-/// Accelerations, Phi^T lambda, rank, which multipliers are unique, and those that are.
+/// Expects equal rank and unique multipliers, and equal accelerations, unique lambda and Phi^T lambda to
+/// rounding.
 template <class F>
 void expect_agreement(const scenes::Scene& scene, const std::string& what) {
   SolvedTwice<F> s(scene);
@@ -87,12 +88,12 @@ void expect_agreement(const scenes::Scene& scene, const std::string& what) {
   EXPECT_EQ(s.structured.unique(), s.printed.rows.unique) << what;
   EXPECT_LE(s.accelerations_apart(), bound) << what;
   EXPECT_LE(s.lambda_apart(), bound) << what;
-  // rows that depend on each other do so to the rounding of the scene's numbers, which are doubles
+  // redundant rows are dependent only to the rounding of the scene's numbers, which are doubles: hence 1e-14
   const bool redundant = s.printed.rows.rank < s.mechanism.nc();
   EXPECT_LE(s.forces_apart(), std::max(10 * bound, redundant ? 1e-14 : 0.0)) << what;
 }
 
-/// Trees and loops, redundant and driven, of many sizes.
+/// Random scenes with 1 to 6 bodies: trees and loops, some with redundant rows or drivers.
 inline scenes::Scene varied_scene(std::uint64_t seed) {
   MechanismOptions o;
   o.bodies = 1 + static_cast<int>(seed % 6);

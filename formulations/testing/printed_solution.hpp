@@ -1,5 +1,5 @@
 #pragma once
-/// A scene solved in one formulation, and the typed suite of all of them. A support of the tests.
+/// A scene solved as printed in one formulation. Support for tests.
 
 #include "formulations/side_by_side.hpp"
 #include "formulations/testing/moving_body.hpp"
@@ -15,7 +15,7 @@ struct Solved {
   MechanismState<S> state;
   RowAnalysis rows;
   AugmentedSolver<F> solver;
-  VectorX<S> x;  ///< all unknowns, lambda of minimum norm
+  VectorX<S> x;  ///< full solution, lambda of minimum norm
   Unknowns<F> u;
 
   explicit Solved(const scenes::Scene& scene)

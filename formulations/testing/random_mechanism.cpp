@@ -18,7 +18,7 @@ using TF = TimeFunction;
 
 scenes::Vector3 store(const Vec& v) { return {v[0], v[1], v[2]}; }
 
-/// The axes and points of a joint in the global frame, and the type that they fit.
+/// The points and axes of a joint on both bodies, global.
 struct GlobalJoint {
   Vec P_i, P_j, z_i, z_j, u_i, u_j;
 };
@@ -48,7 +48,7 @@ class SceneBuilder {
     body.name = "body " + std::to_string(b);
     body.mass = std::pow(10.0, random_.uniform(-options_.mass_decades, options_.mass_decades));
     const double x = random_.uniform(0.5, 1.5), y = random_.uniform(0.5, 1.5), z = random_.uniform(0.5, 1.5);
-    const double size = 0.1 * body.mass;  // moments of a box obey the triangle inequality
+    const double size = 0.1 * body.mass;  // moments of a box satisfy the triangle inequality
     body.inertia = scenes::Vector3{size * (y + z), size * (z + x), size * (x + y)};
     body.position = store(random_.vector<double, 3>());
     const Vector4<double> p = random_.euler_parameters<double>();
@@ -111,7 +111,7 @@ class SceneBuilder {
   }
   void add_joint(ConstraintType type, int i, int j) { add(type, i, j, draw_geometry(type)); }
 
-  /// One basic row between two bodies, drawn again until the mechanism has a freedom left for it.
+  /// Adds one basic row between two bodies, drawn again until it is independent of the others.
   void add_closing() {
     for (int attempt = 0; attempt < 20; ++attempt) {
       const int j = random_.index(options_.bodies), i = random_.index(options_.bodies + 1) - 1;
@@ -137,7 +137,7 @@ class SceneBuilder {
     geometry_.pop_back();
   }
 
-  /// A distance, and the distance between points that are nearly the same.
+  /// Adds two distance rows whose points on body j differ by about near_rows.
   void add_near_rows() {
     const int j = random_.index(options_.bodies);
     const Vec s_i = random_.vector<double, 3>(3), s_j = random_.vector<double, 3>();
@@ -152,7 +152,7 @@ class SceneBuilder {
     }
   }
 
-  /// f(0) is what the poses make of it.
+  /// Adds a row with f(0) set such that Phi = 0 at the poses.
   void add_fitted(const scenes::Constraint& c) {
     scene_.constraints.push_back(c);
     geometry_.emplace_back();
@@ -164,7 +164,7 @@ class SceneBuilder {
         options_.driven ? TF(TF::Polynomial{{phi, random_.uniform(), random_.uniform()}}) : TF(phi);
   }
 
-  /// The same joint again, at another of its points: every row of the second depends on the first.
+  /// Repeats a joint, along its axis if it has one: every row of the second joint is redundant.
   void double_a_joint() {
     const std::size_t k = random_.index(options_.bodies);
     const scenes::Constraint first = scene_.constraints[k];

@@ -1,6 +1,6 @@
 #pragma once
-/// Random scenes, consistent by construction: poses first, joint geometry fitted to them, velocities
-/// projected onto the constraints. A support of the tests.
+/// Random scenes that are consistent by construction: random poses, joint geometry fitted to the poses, and
+/// velocities projected onto the constraints. Support for tests.
 
 #include <cstdint>
 #include <vector>
@@ -11,18 +11,18 @@ namespace trivium::test {
 
 struct MechanismOptions {
   int bodies = 3;
-  int closings = 1;            ///< rows beyond the spanning tree, so that there are loops
-  int doubled = 0;             ///< joints given a second time at another point: redundant rows
-  bool driven = false;         ///< a rotation driver beside the first revolute, f(t) in the closing rows
-  double mass_decades = 0.5;   ///< masses spread over this many powers of ten, up and down
-  double gimbal_distance = 0;  ///< sin(theta) of every body in 3-1-3; 0 for orientations anywhere
-  double near_rows = 0;        ///< a closing row and one more that differs from it by this much; 0 for none
+  int closings = 1;            ///< rows in addition to the spanning tree: loops
+  int doubled = 0;             ///< joints repeated at another point: redundant rows
+  bool driven = false;         ///< a rotation driver on the first revolute, f(t) in the closing rows
+  double mass_decades = 0.5;   ///< masses between 10^-this and 10^this
+  double gimbal_distance = 0;  ///< angle theta of every body in 3-1-3 [rad]; 0: random orientations
+  double near_rows = 0;  ///< distance [m] of the points of two nearly equal closing rows; 0: no such rows
 };
 
-/// The state is that at t = 0.
+/// The scene of a seed, with its state at t = 0.
 scenes::Scene random_scene(std::uint64_t seed, const MechanismOptions& options = {});
 
-/// The velocities nearest in the mass metric to the given ones that satisfy Phi_q q' = nu at t = 0.
+/// Replaces the velocities by the nearest ones in the mass metric that satisfy Phi_q q' = nu at t = 0.
 void project_velocities(scenes::Scene& scene);
 
 }  // namespace trivium::test

@@ -1,6 +1,6 @@
 #pragma once
-/// A scene solved in all formulations: its model made, its rows analysed, its errors estimated. A support of
-/// the tests.
+/// A scene solved in all formulations, with row analysis and, on request, error estimates. Support for
+/// tests.
 
 #include "bodies/numbers/real50.hpp"
 #include "formulations/side_by_side.hpp"

@@ -1,6 +1,5 @@
 #pragma once
-/// What the units of augmented_solver_<scalar>.cpp compile: every formulation in one Scalar. The formulations
-/// are those of formulation_list.hpp.
+/// The instantiations in augmented_solver_*.cpp: every formulation of formulation_list.hpp in one Scalar.
 
 #include "formulations/formulation_list.hpp"
 #include "formulations/printed/augmented_solver_impl.hpp"

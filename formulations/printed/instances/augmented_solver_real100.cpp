@@ -2,5 +2,5 @@
 
 #include "bodies/numbers/real50.hpp"
 
-// Judges solutions in Real50; nothing is solved in it.
+// Real100 estimates the errors of solutions in Real50; no system is solved in Real100.
 TRIVIUM_AUGMENTED_EQUATIONS(Real100)

@@ -1,6 +1,6 @@
 #pragma once
-/// What the units of error_estimate_<scalar>.cpp compile: every formulation in one Scalar, judged by the next
-/// precision. The formulations are those of formulation_list.hpp.
+/// The instantiations in error_estimate_*.cpp: every formulation of formulation_list.hpp in one Scalar, with
+/// the next precision for the estimate.
 
 #include "formulations/formulation_list.hpp"
 #include "formulations/printed/error_estimate_impl.hpp"
