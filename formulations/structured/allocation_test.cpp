@@ -1,5 +1,5 @@
-/// Solving again at another state allocates nothing. An executable of its own, whose calls for memory are
-/// counted.
+/// A second solution allocates no memory. This test is an executable of its own, since it counts all calls
+/// that allocate.
 
 #include <gtest/gtest.h>
 
