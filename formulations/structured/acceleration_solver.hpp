@@ -20,11 +20,10 @@
 
 namespace trivium {
 
-/// The relative size [0 to 1] of the last correction by refinement, over the whole mechanism: accelerations
-/// in the mass metric; multipliers by the forces or by the moments that they exert, whichever is larger. This
-/// estimates the error before that refinement; the error after it is smaller. The relative error of a body
-/// far lighter than the others may be larger. If forces are in balance, the accelerations are rounding error
-/// and their correction may be 1.
+/// The relative size [0 to 1] of the last correction by refinement: accelerations in the mass metric,
+/// multipliers by their forces or their moments, whichever is larger. It estimates the error before that
+/// refinement, over the whole mechanism; a body far lighter than the others may have a larger relative error.
+/// If forces are in balance, the accelerations are rounding error and their correction may be 1.
 struct Corrections {
   double acceleration = 0, lambda = 0;
 };
@@ -110,8 +109,7 @@ class AccelerationSolver {
 
   // refinement (refinement_impl.hpp)
 
-  /// Refines until the next correction, if it falls at the same rate, is far below u, or until the
-  /// corrections stop falling.
+  /// Refines until the predicted next correction is far below u, or until the corrections stop falling.
   void refine_as_needed();
   void measure_and_add_step();
 
@@ -140,15 +138,13 @@ class AccelerationSolver {
 
   /// A basis of the null space of Phi^T [nc x number of dependent rows].
   MatrixX<S> left_null_space();
-  /// By row, the sum over its two bodies of norm2(body, r, x), where (r, x) is the row's wrench on the body
-  /// per unit multiplier.
+  /// By row, the sum over its bodies of norm2(body, r, x), where (r, x) is the row's gradient on the body.
   template <class Norm2>
   VectorX<S> row_sizes(const Norm2& norm2) const;
 
   /// Throws a ModelError that names the body if its state is not finite.
   void require_numbers() const;
-  /// Sets all results to NaN, so that after an error those of an earlier state are not taken for current
-  /// ones.
+  /// Sets all results to NaN, so that after an error no result of an earlier state is taken for a new one.
   void forget();
 
   template <class Visit>

@@ -19,8 +19,7 @@ namespace {
 
 using test::SolvedTwice;
 
-/// The scene in units of length and mass that are smaller by the given factors. Gravity is the only effect
-/// that is kept.
+/// The scene in units of length and mass that are smaller by these factors; its only effects are gravity.
 scenes::Scene in_units(scenes::Scene scene, double length, double mass) {
   const auto scale = [](scenes::Vector3& v, double by) {
     for (double& x : v) x *= by;

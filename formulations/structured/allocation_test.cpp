@@ -1,5 +1,4 @@
-/// A second solution allocates no memory. This test is an executable of its own, since it counts all calls
-/// that allocate.
+/// A second solution allocates no memory. A separate executable, since all allocations are counted.
 
 #include <gtest/gtest.h>
 

@@ -76,8 +76,7 @@ TEST(Batch, EachLaneHasItsTime) {
       moving(test::random_scene(8, {.bodies = 3, .closings = 1, .driven = true})), 0.1);
 }
 
-/// In each lane the scene with another rotation about the global origin and other masses; gravity stays the
-/// same, so the accelerations differ too.
+/// The scene, in each lane with other masses and another rotation about the global origin; equal gravity.
 Scenes turned(const scenes::Scene& scene) {
   test::Random random(6);
   Scenes all(Four::lanes, scene);

@@ -1,6 +1,6 @@
 #pragma once
-/// GraphSolver: the elimination of a closing at the body where the links of its loop meet. When it comes, the
-/// equations of the closing c are, with the coupling blocks B and the body's unknowns a,
+/// GraphSolver: the elimination of a closing at the body where the links of its loop meet. Before this step
+/// the equations of the closing c are, with the coupling blocks B and the body's unknowns a,
 ///
 ///     C^T a - B_cc lambda_c - sum over later closings of B_cn lambda_n = gamma_c
 ///

@@ -1,7 +1,6 @@
 #pragma once
-/// AccelerationSolver: the check that the solution satisfies the dependent rows. A row that it violates was
-/// wrongly dropped and is restored, or it contradicts the others and is an error. A part of
-/// acceleration_solver_impl.hpp.
+/// AccelerationSolver: the check of the dependent rows. A row that the solution violates is independent and
+/// is restored, or it contradicts the others, which is an error. A part of acceleration_solver_impl.hpp.
 
 #include <fmt/format.h>
 

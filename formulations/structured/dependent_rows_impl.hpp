@@ -7,9 +7,8 @@
 /// with the right sides of the other rows 0, has H a = Phi_k^T minus the best combination of the other rows.
 /// This motion is solved for, and a^T H a is the pivot without the loss of digits.
 ///
-/// Whether the remainder is large enough is a question of geometry. It is answered by a second
-/// factorisation with translations and rotations as H (unit_inertia_solver_impl.hpp). The tolerances are in
-/// analysis/rank_tolerance.hpp.
+/// Whether the remainder is large enough is a question of geometry, not of inertia: a second factorisation
+/// answers it (unit_inertia_solver_impl.hpp). The tolerances are in analysis/rank_tolerance.hpp.
 
 #include <algorithm>
 #include <memory>

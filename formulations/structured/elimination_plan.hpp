@@ -1,7 +1,6 @@
 #pragma once
 /// The symbolic part of the structured solver: the spanning tree, the order of elimination, the body at which
-/// each loop is closed, and the blocks that fill in. The plan is made once per mechanism; the numeric
-/// factorisation only follows its lists.
+/// each loop is closed, and the blocks that fill in. Made once per mechanism; numeric work follows its lists.
 ///
 /// A link is a body with the joint to its parent in the tree. Links are eliminated from the leaves to the
 /// root, which causes no fill-in. A closing is an edge outside the tree; it closes a loop. While the links of
@@ -35,8 +34,8 @@ struct EliminationPlan {
     int edge;    ///< the joint to the parent; -1 if the body has none and floats freely
     bool body_is_j;
     bool is_first = false;  ///< the first link to be eliminated into this parent
-    // the sum of a body's own block and of the blocks that its children pass up needs a slot from the
-    // elimination of the first child to that of the body; afterwards another body uses the slot
+    // the sum of a body's block and of the blocks that its children pass up has a slot from the elimination
+    // of the first child to that of the body; then the slot is free for another body
     int sum_slot = -1;         ///< slot of the body's sum; -1 if the body has no children
     int parent_sum_slot = -1;  ///< slot of the parent's sum; -1 if the parent is the ground
     std::vector<Column> columns;

@@ -117,7 +117,7 @@ class GeneralLink {
   static S largest_of(const Vector3<S>& v) { return larger(larger(v[0], v[1]), v[2]); }
 
   /// Gauss-Jordan elimination on [Phi | P | I], with the largest pivot of each row. Column k is weighted by
-  /// 1 / sqrt(M_kk), so the rows are solved first for motions without inertia. H then does not contain them.
+  /// 1 / sqrt(M_kk): unknowns without inertia become pivots first, so that the free ones have inertia.
   void solve_rows(const Matrix6<S>& M, const LinkRows<S>& link, DependentRows how,
                   std::array<bool, 6>& dependent) {
     using std::abs, std::sqrt;
@@ -143,8 +143,7 @@ class GeneralLink {
       const S least = select(largest > S(0), S(S(1e-6) * largest), S(1));
       weight[k] = 1 / S(sqrt(select(M(k, k) > least, M(k, k), least)));
     }
-    // by row and column the sum of the magnitudes of the terms that were added up: the remainder of a row is
-    // compared with it
+    // sums of the magnitudes of the terms in G; the remainder of a row is compared with them
     Matrix6<S> made_of = C.transpose().cwiseAbs();
     std::array<int, 6> pivot_of_row;
     std::array<bool, 6> is_basic{};

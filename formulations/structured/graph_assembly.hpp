@@ -1,9 +1,8 @@
 #pragma once
 /// Assembles the system of the structured solver (graph_system.hpp) for one formulation at one state, joint
-/// by joint: the matrix, and gamma, Phi and Phi' of every row. The formulation's normalisation rows are
-/// eliminated in closed form, so each body has three rotational unknowns x. The object is made once per
-/// mechanism; an assembly at another state allocates nothing. It is compiled with the AccelerationSolver of
-/// the formulation.
+/// by joint: the matrix, and gamma, Phi and Phi' of every row. Normalisation rows are eliminated in closed
+/// form, so each body has three rotational unknowns x. An assembly at another state allocates nothing. The
+/// instances are compiled together with the AccelerationSolver of each formulation.
 
 #include <vector>
 

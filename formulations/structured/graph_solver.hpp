@@ -25,8 +25,7 @@
 namespace trivium {
 
 /// A link cannot be eliminated: its joint leaves a motion of the body without inertia free, or orientation
-/// rows of its point joint depend on each other. The whole system may still be regular, since closings or
-/// other links may hold this motion.
+/// rows of its point joint depend on each other. The whole system may still be regular.
 class SingularLink : public ModelError {
  public:
   SingularLink(int body, const std::string& why) : ModelError(why), body_(body) {}
@@ -70,9 +69,8 @@ class GraphSolver {
   void solve(const GraphVector<S>& right_side, GraphVector<S>& solution);
 
   // start(), eliminate() for each step in order, and substitute() factor and solve in one pass; they do not
-  // restore independent rows. The rows of a link may be assembled just before its step. This costs little
-  // time: the pass is bound by the chain of results from link to link, and the processor does the assembly
-  // while it waits for them.
+  // restore independent rows. The rows of a link may be assembled just before its step: the processor does
+  // this while it waits for the results of the link before, which are what bounds the time of the pass.
   void start(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side);
   /// Throws SingularLink.
   void eliminate(int step, const GraphVector<S>& right_side);
@@ -114,14 +112,13 @@ class GraphSolver {
     const auto& rows = is_dependent_[edge];
     return std::find(rows.begin(), rows.end(), true) != rows.end();
   }
-  /// Restores rows that the last factorisation wrongly takes for dependent, and returns whether there are
-  /// any. A pivot is the square of a sine between rows, so the elimination drops all rows with a small sine.
-  /// Here each dropped row is tested: if the sine between its gradient and the span of the others exceeds
-  /// direction_tolerance, with rotations measured as lengths by lever2(), the row is bordered to the factors
-  /// and is independent from then on.
-  /// Cost: about one factorisation and a few solutions if no row is restored; for each restored row some
-  /// solutions more, times the logarithm of the number of dropped rows. Memory is allocated at the first call
-  /// and when more rows are restored than ever before. Throws NearlyDependentRows beyond most_restored.
+  /// Restores rows that the last factorisation wrongly drops as dependent; returns whether there are any. A
+  /// pivot is the square of a sine between rows, so the elimination drops all rows of small sine. Each
+  /// dropped row is tested: if the sine between its gradient and the span of the others exceeds
+  /// direction_tolerance, with rotations converted to lengths by lever2(), the row is bordered to the
+  /// factors. Cost: about one factorisation and a few solutions if no row is restored; for each restored row
+  /// some solutions more, times the logarithm of the number of dropped rows. Memory is allocated at the first
+  /// call and when more rows are restored than ever before. Throws NearlyDependentRows beyond most_restored.
   bool restore_independent_rows();
   /// Computes lever2() for the matrix of the last factorisation; costs about one factorisation.
   void measure_levers();
@@ -135,8 +132,7 @@ class GraphSolver {
   void add_row(const EdgeRow& row, const S& multiplier, GraphVector<S>& force) const;
 
   /// One step of iterative refinement: solves for the `correction` of `solution`, which is not added to it.
-  /// The residual of the system is formed in `residual`, link by link, just before it is passed to the
-  /// parent. `residual` and `correction` may be the same object.
+  /// `residual` is storage for the residual of the system and may be the same object as `correction`.
   void correct(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side, const GraphVector<S>& solution,
                GraphVector<S>& residual, GraphVector<S>& correction);
 
@@ -164,8 +160,7 @@ class GraphSolver {
     GraphVector<S> response;
     S gamma;  ///< the row's right side in the current solution
   };
-  /// A test of rows: forces along them, the motion that these cause, and the correction of this motion by a
-  /// step of refinement.
+  /// A test of rows: forces along them, the motion that they cause, and its correction by refinement.
   struct Probe {
     GraphVector<S> load, response, rest;
   };
@@ -194,13 +189,12 @@ class GraphSolver {
   void forward_step(const EliminationPlan::Step& step, const GraphVector<S>& right_side);
 
   void factor_link(int index);
-  /// Eliminates a closing by L D L^T of its block, which is positive semidefinite. The rows are taken in
-  /// their order: a row is dependent if it depends on rows before it. `body` is the block of the body where
-  /// the closing is eliminated; null for the ground.
+  /// Eliminates a closing by L D L^T of its block, which is positive semidefinite. A row is dependent if it
+  /// depends on rows before it. `body`: the block of the body where the closing is eliminated, null: ground.
   void factor_closing(int c, BodyBlock<S>* body);
-  /// Marks the dependent rows of a closing by a Cholesky factorisation with diagonal pivoting: rows of most
-  /// effect are chosen first, so that the chosen rows determine the motion well. The marks then stay in force
-  /// at later states of the motion.
+  /// Marks the dependent rows of a closing by a factorisation with diagonal pivoting: rows of largest
+  /// relative pivot are chosen first, so that the chosen rows determine the motion well, also at later states
+  /// (`keep`).
   void choose_rows(int c);
   void forward_link(int index, const GraphVector<S>& right_side);
   /// Eliminates the link's unknowns from the right side. `force` is the body's force plus the forces that its
@@ -212,8 +206,7 @@ class GraphSolver {
 
   /// Back substitution; then adds the responses of the bordered rows such that these rows are satisfied.
   void finish(const GraphVector<S>& right_side, GraphVector<S>& solution);
-  /// Borders a dependent row to the factors. Returns false and changes nothing if the response to the row is
-  /// rounding error.
+  /// Borders a dependent row to the factors. Returns false if the response to the row is rounding error.
   bool border(const EdgeRow& row);
   Probe& cleared_probe();
   void refine(Probe& probe);
@@ -223,8 +216,7 @@ class GraphSolver {
   S energy(const GraphVector<S>& a) const;
   [[noreturn]] static void throw_singular(const EliminationPlan::Link& link, Elimination result);
 
-  const S dependent_pivot_,
-      near_singular_pivot_;  ///< see rank_tolerance.hpp
+  const S dependent_pivot_, near_singular_pivot_;  ///< see rank_tolerance.hpp
   bool has_nearly_dependent_rows_ = false;
 
   EliminationPlan plan_;

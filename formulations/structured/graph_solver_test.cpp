@@ -77,8 +77,7 @@ class RandomSystem {
   static EliminationPlan plan_of(std::uint64_t seed, bool has_springs) {
     BodyJointGraph graph = body_joint_graph(make_mechanism<double>(test::random_scene(
         seed, {.bodies = 2 + static_cast<int>(seed % 5), .closings = static_cast<int>(seed % 3)})));
-    // from each body to the next one, from the last one to the ground; also between bodies that no joint
-    // connects
+    // from each body to the next, also where no joint connects the two; from the last body to the ground
     if (has_springs)
       for (int b = 0; b < graph.bodies; ++b) graph.edges.push_back({{b, b + 1}, {-1}, false, true, true});
     for (GraphEdge& edge : graph.edges) edge.is_relative = false;  // random rows see every motion

@@ -6,9 +6,7 @@
 ///
 /// a_b has the six unknowns of a body: r'' and three rotational unknowns x, or increments of both. With H = M
 /// the solution is the accelerations and multipliers; with other H, an increment of a projection or of a
-/// Newton iteration.
-///
-/// A wrench on a body has the same two parts: a force [N], and a generalised force that belongs to x.
+/// Newton iteration. A wrench on a body has the same two parts: a force, and a generalised force on x.
 
 #include <array>
 #include <vector>
@@ -101,8 +99,7 @@ struct GraphMatrix {
   }
 };
 
-/// Six numbers per body (the ground last) and up to six per edge: a right side (forces, gamma) or a solution
-/// (a, lambda).
+/// Six numbers per body (the ground last) and up to six per edge: forces and gamma, or a and lambda.
 template <class S>
 struct GraphVector {
   std::vector<BodyPart<S>> body;
@@ -132,15 +129,13 @@ struct LinkRows {
 /// How a factorisation decides which rows are dependent (tolerances: rank_tolerance.hpp).
 enum class DependentRows {
   detect,  ///< rows whose gradient is, up to the tolerance, a linear combination of the others
-  /// In addition rows that are nearly dependent: the elimination alone cannot distinguish them from dependent
-  /// rows. This is for motions through singular positions. Dependent rows are not restored, and their right
-  /// sides are not checked.
+  /// In addition nearly dependent rows, which the pivots alone cannot distinguish from dependent ones; none
+  /// is restored and no right side is checked. For motions through singular positions.
   detect_near_singular,
-  /// The rows of the last decision. A state that violates its constraints a little, as the stages within an
-  /// integrator's step do, would make dependent rows look independent.
+  /// The rows of the last decision. At a state that violates its constraints a little, as the stages of an
+  /// integrator do, dependent rows would look independent.
   keep,
-  /// In each closing as many rows as in the last decision, chosen anew as those of least effect. This is for
-  /// motions that drift away from their constraints.
+  /// In each closing as many rows as last, chosen anew as those of smallest pivots. For motions that drift.
   keep_count
 };
 
@@ -161,8 +156,7 @@ struct ColumnSizes {
     product.setZero();
   }
   void take(int k, const S& r_squared, const S& x_squared) {
-    // `select` is faster than `larger` but drops a NaN. No NaN is lost: if a part is NaN, so is the pivot
-    // that is compared with these sizes.
+    // faster than `larger`, which keeps a NaN: if a part is NaN, so is the pivot that these are compared with
     r[k] = select(r[k] > r_squared, r[k], r_squared);
     x[k] = select(x[k] > x_squared, x[k], x_squared);
   }

@@ -1,7 +1,6 @@
 #pragma once
-/// Evaluates all rows of a point joint (spherical, universal, revolute, ...) together: three CD rows that
-/// hold a point, and up to three orientation rows. Rotated axes and their rates, which the rows share, are
-/// computed once.
+/// Evaluates all rows of a point joint (spherical, revolute, ...) together: three CD rows that hold a point,
+/// and up to three orientation rows. Rotated axes and their rates, which rows share, are computed once.
 
 #include <array>
 #include <variant>

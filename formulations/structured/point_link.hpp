@@ -2,8 +2,7 @@
 /// A point link: its joint fixes a point, by three rows, and has m further orientation rows: spherical
 /// (m = 0), universal (1), revolute (2), fixed or driven revolute (3). The body c is eliminated in the motion
 /// that the joint leaves free. This is the articulated-body recursion (Featherstone 2008, section 7.3) in
-/// absolute coordinates, with all multipliers. The body's block may be singular for motions that the joint
-/// prevents.
+/// absolute coordinates, with all multipliers. The body may lack inertia in motions that the joint prevents.
 ///
 /// The equations are those about the joint's point. With the acceleration u of this point and the right side
 /// w of the orientation rows, after the motion of the parent p has been subtracted,
@@ -101,8 +100,7 @@ bool invert_positive(const Matrix<S, n, n>& D, const S& least, Matrix<S, n, n>& 
   }
 }
 
-/// The functions are flattened (inlined throughout): calls of the small block operations would pass their
-/// blocks through memory.
+/// Functions are flattened: calls of the small block operations would pass their blocks through memory.
 template <class S, int m>
 class PointLink {
  public:
@@ -149,8 +147,7 @@ class PointLink {
     return Elimination::done;
   }
 
-  /// Eliminates the body from the first n columns of a closing and passes the remainder to the parent;
-  /// `size` collects the sizes of the columns.
+  /// Eliminates the body from the first n columns of a closing, and passes the remainder to the parent.
   [[gnu::flatten]] void factor(const BodyColumns<S>& C, int n, const LinkRows<S>& link, LinkColumn<S>& out,
                                ColumnSizes<S>& size, BodyColumns<S>* parent) const {
     const PointRows<S>& rows = link.point;

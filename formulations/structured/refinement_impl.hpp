@@ -53,8 +53,7 @@ void AccelerationSolver<F>::refine_as_needed() {
 
 template <Formulation F>
 void AccelerationSolver<F>::measure_and_add_step() {
-  // sums by component, which are added up at the end; the loop begins with the links that back substitution
-  // has visited last
+  // sums by component, added up at the end; the loop begins with the links whose solution was found last
   Padded<S> moved = Padded<S>::Zero(), size = moved;
   WrenchSize<S> lambda_moved, lambda_size;
   const EliminationPlan& plan = solver_.plan();
@@ -90,7 +89,7 @@ void AccelerationSolver<F>::measure_and_add_step() {
   };
   const double forces = ratio(lambda_moved.force, lambda_size.force),
                moments = ratio(lambda_moved.moment, lambda_size.moment);
-  // more than 1 says no more than 1: all of the solution is correction
+  // a correction larger than the solution counts as 1: all of the solution is correction
   const auto share = [](double x) { return x > 1 ? 1.0 : x; };
   corrections_ = {share(ratio(moved, size)),
                   share(std::isnan(moments) ? moments : std::max(forces, moments))};

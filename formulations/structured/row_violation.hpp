@@ -1,7 +1,6 @@
 #pragma once
 /// Finds a dependent row that a solution violates. Dependent rows have the multiplier 0, so the solution
-/// satisfies them only if their right sides agree with the other rows. The tolerances, relative to the terms
-/// of a row, are in rank_tolerance.hpp.
+/// satisfies them only if their right sides agree with the other rows. Tolerances: rank_tolerance.hpp.
 
 #include <optional>
 #include <span>

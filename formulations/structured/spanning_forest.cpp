@@ -63,9 +63,8 @@ SpanningForest breadth_first(const Adjacency& graph) {
 }
 
 /// The edges of a shortest loop through the given edge; empty if there is none or if the search would visit
-/// more than `reach` edges. The search is breadth-first from both ends of the edge and always continues at
-/// the end with the cheaper front. A body with many joints (the ground, a hub) then is met by the other side
-/// before its own joints are searched.
+/// more than `reach` edges. The search is breadth-first from both ends and continues at the end whose front
+/// has fewer edges; so a body with many joints (the ground, a hub) is met before its joints are searched.
 std::vector<int> shortest_loop(const Adjacency& graph, int through) {
   constexpr std::size_t reach = 1000;
   struct Reached {
@@ -113,9 +112,8 @@ std::vector<int> shortest_loop(const Adjacency& graph, int through) {
 }
 
 /// Removes edges until no loop is left and returns them. From each short loop the edge with the fewest rows
-/// is removed and, among equals, the edge that belongs to the fewest short loops. Neighbouring loops then are
-/// not merged, and the border of a ladder is as wide as one of its cells, however many cells there
-/// are.
+/// is removed and, among equals, the edge that belongs to the fewest short loops. Neighbouring loops then
+/// stay separate, and the border of a ladder is as wide as one of its cells.
 std::vector<int> open_loops(Adjacency& graph) {
   std::vector<int> removed;
   const auto closing_edges = [&] {

@@ -1,8 +1,7 @@
 #pragma once
 /// GraphSolver: decides by geometry alone which rows are independent, with translations and rotations as H
 /// instead of the inertia. With H = M a body of small inertia in some direction would magnify the remainder
-/// that inexact positions leave of a dependent row, and the row would look independent. A part of
-/// dependent_rows_impl.hpp.
+/// that inexact positions leave of a dependent row. A part of dependent_rows_impl.hpp.
 
 #include <algorithm>
 #include <cmath>
@@ -43,8 +42,7 @@ class GraphSolver<S>::UnitInertiaSolver {
   }
 
   /// The given rows that are independent: the sine between the row and the span of all other rows exceeds
-  /// direction_tolerance. A row that is found to be independent is bordered here, so it counts as one of the
-  /// others for the rows after it.
+  /// direction_tolerance. Such a row is bordered here and counts as one of the others for rows after it.
   const std::vector<EdgeRow>& independent(const std::vector<EdgeRow>& rows) {
     candidates_.clear();
     independent_.clear();
@@ -56,8 +54,7 @@ class GraphSolver<S>::UnitInertiaSolver {
   const S& lever2(int body) const { return lever2_[component_[body]]; }
 
  private:
-  /// Bisection: discards a set of rows if random combinations of them are dependent on the other rows, and
-  /// otherwise searches both halves.
+  /// Bisection: discards a set of rows if random combinations of them depend on the others; else halves it.
   void search(std::span<const EdgeRow> rows) {
     if (rows.size() == 1) {
       if (left_of(rows, 0) > square(direction_tolerance<S>()) && solver_.border(rows.front()))
