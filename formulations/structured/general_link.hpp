@@ -2,7 +2,7 @@
 /// A link whose joint to the parent is any edge of at most six rows, or no joint at all. Phi are the rows on
 /// the body, P those on the parent, a and a_p the unknowns of the two:
 ///
-///   M a + Phi^T lambda = F,   Phi a + P a_p = gamma,   a = Y (gamma - P a_p) + H q
+///     M a + Phi^T lambda = F,   Phi a + P a_p = gamma,   a = Y (gamma - P a_p) + H q
 ///
 /// Gauss-Jordan elimination of the rows gives Y and H with Phi Y = I, Phi H = 0. The body is then eliminated
 /// in the coordinates q of its free motion H. PointLink is the faster special case of point joints.

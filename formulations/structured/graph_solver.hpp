@@ -192,9 +192,8 @@ class GraphSolver {
   /// Eliminates a closing by L D L^T of its block, which is positive semidefinite. A row is dependent if it
   /// depends on rows before it. `body`: the block of the body where the closing is eliminated, null: ground.
   void factor_closing(int c, BodyBlock<S>* body);
-  /// Marks the dependent rows of a closing by a factorisation with diagonal pivoting: rows of largest
-  /// relative pivot are chosen first, so that the chosen rows determine the motion well, also at later states
-  /// (`keep`).
+  /// Marks the dependent rows of a closing. The others are chosen by diagonal pivoting, those of largest
+  /// relative pivot first, so that they determine the motion well, also at later states of a motion.
   void choose_rows(int c);
   void forward_link(int index, const GraphVector<S>& right_side);
   /// Eliminates the link's unknowns from the right side. `force` is the body's force plus the forces that its

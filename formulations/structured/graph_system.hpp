@@ -2,7 +2,7 @@
 /// The linear system of the structured solver: a symmetric block H_b per body b and the rows of each edge
 /// (bodies i, j), with their right sides.
 ///
-///   H_b a_b + sum over edges of Phi^T lambda = force_b        Phi_i a_i + Phi_j a_j = gamma
+///     H_b a_b + sum over edges of Phi^T lambda = force_b        Phi_i a_i + Phi_j a_j = gamma
 ///
 /// a_b has the six unknowns of a body: r'' and three rotational unknowns x, or increments of both. With H = M
 /// the solution is the accelerations and multipliers; with other H, an increment of a projection or of a

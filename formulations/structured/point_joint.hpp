@@ -20,7 +20,7 @@ namespace trivium {
 /// rows. Most of these are plain DP1 rows a . b = 0, whose moment is a x b. L^T = K is the Jacobian of a
 /// body's point with respect to the rotational unknowns x:
 ///
-///   r_j'' + L_j^T x_j - r_i'' - L_i^T x_i = gamma      W_i^T x_i + W_j^T x_j = gamma_w
+///     r_j'' + L_j^T x_j - r_i'' - L_i^T x_i = gamma      W_i^T x_i + W_j^T x_j = gamma_w
 template <class S, class Types>
 class PointJoint {
  public:
