@@ -18,7 +18,7 @@
 ///
 /// Precondition: the orientation rows depend on relative rotation only, that is, W_p is -W_c in the parent's
 /// axes. Rows that are nearly dependent on the child but not on the parent would lose digits with the square
-/// of their sine. No point joint has such rows; a GeneralLink drops and restores them.
+/// of their sine. No point joint has such rows; those of a GeneralLink are dropped and tested.
 
 #include <array>
 
