@@ -1,7 +1,8 @@
 #pragma once
-/// Accelerations and multipliers of one formulation in O(nb): the augmented system with its normalisation
-/// rows eliminated in closed form, assembled joint by joint and solved along the body-joint graph. One object
-/// per mechanism, planned once; solving again at another state allocates nothing.
+/// Accelerations and multipliers of one formulation in O(nb). The augmented system, with the normalisation
+/// rows eliminated in closed form, is assembled joint by joint (graph_assembly.hpp) and solved along the
+/// graph of bodies and joints (graph_solver.hpp). One object serves one mechanism; its plan is made once, and
+/// a solution at another state allocates nothing.
 ///
 /// The library has every formulation in double and Quad (instances/). For another Scalar include
 /// acceleration_solver_impl.hpp and graph_solver_impl.hpp.
@@ -19,16 +20,16 @@
 
 namespace trivium {
 
-/// What the last refinement corrected, relative: accelerations in the mass metric; multipliers by the forces
-/// and by the moments that they exert, whichever is worse. It is the error before that refinement, over the
-/// whole mechanism: of a body far lighter than others it may be more; what is left is smaller. Where forces
-/// in balance leave no acceleration, all of it is correction.
+/// The relative size [0 to 1] of the last correction by refinement: accelerations in the mass metric,
+/// multipliers by their forces or their moments, whichever is larger. It estimates the error before that
+/// refinement, over the whole mechanism; a body far lighter than the others may have a larger relative error.
+/// If forces are in balance, the accelerations are rounding error and their correction may be 1.
 struct Corrections {
   double acceleration = 0, lambda = 0;
 };
 
-/// As needed: once, and again where the corrections say that more than rounding is left, as where a light
-/// body holds a heavy one.
+/// as_needed: one step of refinement, and more if the corrections are above rounding error, for example if a
+/// light body carries a heavy one.
 enum class Refinement { none, as_needed };
 
 template <Formulation F>
@@ -40,14 +41,14 @@ class AccelerationSolver {
   /// The mechanism must outlive the solver.
   explicit AccelerationSolver(const MechanismOf<F>& mechanism);
   explicit AccelerationSolver(const MechanismOf<F>&&) = delete;
-  AccelerationSolver(const AccelerationSolver&) = delete;  // its solver knows where its matrix is
+  AccelerationSolver(const AccelerationSolver&) = delete;  // solver_ keeps a pointer to the matrix
 
-  /// Solves at a state. Throws a ModelError that names the body where a link is singular, and the row where
-  /// a dependent row contradicts the others; all answers are NaN then.
+  /// Solves at a state. Throws a ModelError that names the body if a link is singular, and the row if a
+  /// dependent row contradicts the others; all results are NaN then.
   void solve(std::span<const BodyState<F>> state, const S& t, Refinement refinement = Refinement::as_needed,
              DependentRows how = DependentRows::detect);
 
-  /// From now on accelerations are those of the stabilised rows.
+  /// Replaces the rows Phi'' = 0 by the stabilised ones in all solutions from now on.
   void stabilise(const Baumgarte& baumgarte);
 
   /// One step of iterative refinement.
@@ -55,17 +56,19 @@ class AccelerationSolver {
 
   const MechanismOf<F>& mechanism() const { return mechanism_; }
   const EliminationPlan& plan() const { return solver_.plan(); }
-  /// For other right sides of the same matrix; what is done to them voids the accelerations.
+  /// The factors of the last state, to solve for other right sides. To factor another matrix with them
+  /// invalidates the accelerations of this object.
   GraphSolver<S>& factors() { return solver_; }
   GraphAssembly<F>& assembly() { return assembly_; }
   const GraphAssembly<F>& assembly() const { return assembly_; }
-  /// What went wrong at a link, with its body's name; that of a state that is not finite comes first.
+  /// The error of a singular link with the name of its body. If the state is not finite, throws the error of
+  /// the state instead, since this is the cause.
   ModelError named(const SingularLink& link, const S& t) const;
-  /// Of the last refinement.
+  /// The corrections by the last step of refinement.
   const Corrections& corrections() const { return corrections_; }
 
   Vector3<S> r_ddot(int b) const { return unpadded<S>(solution_.body[b].r); }
-  /// The formulation's own unknown.
+  /// The formulation's own rotational unknown, such as omega_bar' (r-omega) or p'' (r-p).
   typename F::Unknown q_ddot(int b) const {
     return F::from_reduced(assembly_.body()[b], unpadded<S>(solution_.body[b].x));
   }
@@ -76,21 +79,21 @@ class AccelerationSolver {
     copy_lambda(all);
     return all;
   }
-  /// The same into a vector of that size.
+  /// Writes lambda() into a vector of size nc.
   void copy_lambda(VectorX<S>& all) const {
     for_each_row([&](int edge, int k, int row) { all[row] = solution_.edge[edge][k]; });
   }
-  /// Which rows depend on others is decided here where the solution left it open; multipliers of rows that do
-  /// not may then change from 0, within what rounding leaves of them.
+  /// The indices of the dependent rows, ascending. If solve() did not have to test the dropped rows, they are
+  /// tested here. The rows restored by this get a multiplier in place of 0, and the state is solved again.
   std::vector<int> dependent_rows();
   int rank() { return mechanism_.nc() - static_cast<int>(dependent_rows().size()); }
 
-  // on demand, one solve per dependent row; not for the timed path
+  // on demand: these cost one solution per dependent row and allocate memory
 
-  /// Which multipliers are unique: those that no combination that acts on nothing contains.
+  /// By row, whether its multiplier is unique: no null space vector of Phi^T contains the row.
   std::vector<bool> unique();
-  /// Lambda of minimum |E lambda| among those with the same Phi^T lambda, E = diag(Phi M^-1 Phi^T)^(1/2).
-  /// Throws a ModelError that names the body where M is singular and the choice matters.
+  /// The lambda of minimum |E lambda| among all with the same Phi^T lambda, E = diag(Phi M^-1 Phi^T)^(1/2).
+  /// Throws a ModelError that names the body if there are dependent rows and an inertia is singular.
   VectorX<S> minimum_norm_lambda();
 
  private:
@@ -100,47 +103,48 @@ class AccelerationSolver {
   void measure_violations();
   void stabilise(int edge);
 
-  /// Link by link, each joint evaluated just before its step.
+  /// Factors and eliminates link by link; each joint is evaluated just before its step.
   void eliminate();
   void assemble_link(const typename GraphAssembly<F>::LinkJoint& link);
 
   // refinement (refinement_impl.hpp)
 
-  /// Until what is left, as far as the corrections fall alike, is far below rounding; or they fall no more.
+  /// Refines until the predicted next correction is far below u, or until the corrections stop falling.
   void refine_as_needed();
   void measure_and_add_step();
 
   // dependent rows (dependent_rows_check_impl.hpp)
 
-  /// Dependent rows are combinations of the others, so that their right sides must be the same combinations;
-  /// or they are none, and are solved for then.
+  /// The right side of a dependent row must be the same combination of the others as the row is. If the
+  /// solution violates dropped rows, they are tested and the independent ones restored; throws a ModelError
+  /// if a dependent row contradicts the others.
   void check_dependent_rows();
   template <class SizeOfBody>
   std::optional<EdgeRow> find_violated_row(const GraphVector<S>& solution, const S& tolerance, const S& least,
                                            const SizeOfBody& size_of_body) const;
-  /// Of a body's accelerations, and of what its forces and its turning could cause: forces in balance leave
-  /// accelerations that are rounding.
+  /// The size of a body's accelerations and of those that its forces and its angular velocity alone would
+  /// cause. The accelerations themselves are no measure: they are rounding error if forces are in balance.
   AccelerationSize<S> size_of_causes(int b) const;
-  /// With levers, what gamma is made of.
+  /// omega^2 as a size of x; times the levers it is the size of the terms of gamma.
   AccelerationSize<S> size_of_turning(int b) const {
     return {S(0), assembly_.angular_motion()[b].omega.squaredNorm()};
   }
-  /// Tells rows that depend on others from those that nearly do, and solves for these as well; once a state.
+  /// Tests the dropped rows, restores the independent ones and solves again if there are any; once per state.
   void decide_dependent_rows();
   Place place_of(const EdgeRow& row) const;
   [[noreturn]] void throw_violated(const EdgeRow& row) const;
 
   // unique multipliers (unique_multipliers_impl.hpp)
 
-  /// Null space of Phi^T, a column per dependent row.
+  /// A basis of the null space of Phi^T [nc x number of dependent rows].
   MatrixX<S> left_null_space();
-  /// Per row the sum over its bodies of norm2(body, r, x) of what the row does there.
+  /// By row, the sum over its bodies of norm2(body, r, x), where (r, x) is the row's gradient on the body.
   template <class Norm2>
   VectorX<S> row_sizes(const Norm2& norm2) const;
 
-  /// Throws a ModelError that names the body whose state is not a number.
+  /// Throws a ModelError that names the body if its state is not finite.
   void require_numbers() const;
-  /// No answer of another state may be taken for one of this.
+  /// Sets all results to NaN, so that after an error no result of an earlier state is taken for a new one.
   void forget();
 
   template <class Visit>
@@ -154,16 +158,16 @@ class AccelerationSolver {
   GraphSolver<S> solver_;
   GraphAssembly<F> assembly_;
   GraphVector<S> right_side_, solution_, residual_, step_;
-  std::vector<Wrench<S>> wrenches_;  ///< nb + 1, the ground's last, and so
+  std::vector<Wrench<S>> wrenches_;  ///< nb + 1, the ground last; motion_ likewise
   std::vector<BodyMotion<S>> motion_;
-  /// Edges whose rows may be dependent: all but the point joints of the tree.
+  /// The edges whose rows may be dependent: all except the point joints of the tree.
   std::vector<int> candidate_edges_;
-  // of the last state
+  // of the last solution
   S t_{0};
   Refinement refinement_ = Refinement::as_needed;
-  bool rows_are_decided_ = false;  ///< the dependent ones all depend on others
+  bool rows_are_decided_ = false;  ///< the dropped rows have been tested, or are not to be tested
   Corrections corrections_;
-  // where rows are stabilised
+  // for Baumgarte's stabilisation only
   std::optional<Baumgarte> baumgarte_;
   std::optional<GraphVector<S>> phi_, phi_dot_;
 };

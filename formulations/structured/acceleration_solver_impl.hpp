@@ -1,7 +1,7 @@
 #pragma once
-/// The one definition behind the AccelerationSolver instances, for those of a Scalar that has none: a
-/// solution at a state from its beginning to its end. Parts: refinement_impl.hpp,
-/// dependent_rows_check_impl.hpp, unique_multipliers_impl.hpp.
+/// The complete definition of AccelerationSolver, for instances in a Scalar for which the library has none.
+/// This file has the sequence of a solution: bodies, forces, closings, elimination, refinement, check of the
+/// dependent rows. Parts: refinement_impl.hpp, dependent_rows_check_impl.hpp, unique_multipliers_impl.hpp.
 
 #include <fmt/format.h>
 
@@ -173,7 +173,7 @@ void AccelerationSolver<F>::forget() {
   corrections_ = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 }
 
-// a unit that instantiates for another Scalar does not so for double again
+// a translation unit that instantiates for another Scalar does not instantiate for double again
 extern template class GraphAssembly<ROmega<double>>;
 extern template class GraphAssembly<RP<double>>;
 extern template class GraphAssembly<REpsilon<double>>;

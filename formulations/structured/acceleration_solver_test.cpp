@@ -1,4 +1,4 @@
-/// The solver along the graph and the printed system say the same.
+/// The structured solver and the printed system have the same solution.
 
 #include "formulations/structured/acceleration_solver.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 
 using test::SolvedTwice;
 
-/// The scene in a unit of length and one of mass that are so many times smaller; of effects, its gravity.
+/// The scene in units of length and mass that are smaller by these factors; its only effects are gravity.
 scenes::Scene in_units(scenes::Scene scene, double length, double mass) {
   const auto scale = [](scenes::Vector3& v, double by) {
     for (double& x : v) x *= by;
@@ -44,7 +44,7 @@ scenes::Scene in_units(scenes::Scene scene, double length, double mass) {
   for (auto& effect : scene.effects) std::get<Gravity<double>>(effect).acceleration *= length;
   return scene;
 }
-/// What a row is measured in: a number, a length, or its square.
+/// The factor of a row's unit: dp1 is a number, dp2 and cd are lengths, d is a length squared.
 double unit_of(const BasicConstraint<double>& row, double length) {
   if (std::holds_alternative<D<double>>(row)) return length * length;
   return std::holds_alternative<DP2<double>>(row) || std::holds_alternative<CD<double>>(row) ? length : 1;
@@ -78,8 +78,8 @@ TYPED_TEST(StructuredSolver, MinimumNormIsThatOfThePrintedSystem) {
   }
 }
 
-// Balancing rows and columns by powers of two would change no bit: no decision compares numbers of
-// different units, and the order of elimination is fixed.
+// No decision compares numbers of different units and the order of elimination is fixed. Units that differ by
+// powers of two therefore change no bit, and balancing the system would be useless.
 TYPED_TEST(StructuredSolver, UnitsChangeNoBit) {
   const double length = 0x1p10, mass = 0x1p-7;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
@@ -112,7 +112,7 @@ TEST(StructuredSolver, AgreesWhereManyClosingsMeet) {
     o.bodies = 1 + static_cast<int>(seed % 12);
     o.closings = static_cast<int>(seed / 3 % 5);
     o.doubled = static_cast<int>(seed / 7 % 3);
-    // 2953: rows of the tree that see absolute motion, in a loop that else sees none
+    // seed 2953: a loop in which only rows of the tree depend on absolute motion
     test::expect_agreement<ROmega<double>>(test::random_scene(seed, o), "seed " + std::to_string(seed));
   }
 }
@@ -135,8 +135,8 @@ TEST(StructuredSolver, NamesTheBodyWhoseMotionHasNoInertia) {
   }
 }
 
-/// Three bodies that hang on each other by rods, a light one between two others: the light one is eliminated
-/// with a heavy one's forces in it.
+/// Three bodies that hang on each other by rods, the light one between the other two. It is eliminated after
+/// the heavy one, whose forces are then large compared with its own inertia.
 scenes::Scene hung_on_a_light_body(double light, double heavy) {
   using scenes::Vector3;
   const auto body = [](const char* name, double mass, const Vector3& position) {

@@ -1,5 +1,4 @@
-/// Solving again at another state allocates nothing. An executable of its own, whose calls for memory are
-/// counted.
+/// A second solution allocates no memory. A separate executable, since all allocations are counted.
 
 #include <gtest/gtest.h>
 

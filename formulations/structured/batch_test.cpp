@@ -1,4 +1,4 @@
-/// A batch of states solves each of them.
+/// Each lane of a batch gives the solution that its state gives alone.
 
 #include "mechanism/state_batch.hpp"
 #include "scenes/make_mechanism.hpp"
@@ -21,10 +21,10 @@ namespace {
 
 using Four = Batch<double, 4>;
 
-/// As many scenes of one structure as there are lanes.
+/// One scene per lane; all have the same structure.
 using Scenes = std::vector<scenes::Scene>;
 
-/// Scenes that differ in how fast the mechanism moves.
+/// Scenes that differ in the velocities of the mechanism, each scaled by its own factor.
 Scenes moving(const scenes::Scene& scene) {
   test::Random random(5);
   Scenes all(Four::lanes, scene);
@@ -76,8 +76,7 @@ TEST(Batch, EachLaneHasItsTime) {
       moving(test::random_scene(8, {.bodies = 3, .closings = 1, .driven = true})), 0.1);
 }
 
-/// The scene turned about the global origin by another angle in each lane, under the same gravity, and with
-/// other masses.
+/// The scene, in each lane with other masses and another rotation about the global origin; equal gravity.
 Scenes turned(const scenes::Scene& scene) {
   test::Random random(6);
   Scenes all(Four::lanes, scene);
@@ -155,7 +154,7 @@ TEST(Batch, RefusesABranchOnWhichItsLanesDisagree) {
 }
 
 TEST(Batch, ARowThatStandsInEachLaneByAnotherColumnDoesNotPassForDependent) {
-  // along x in two lanes, along y in the others, so that no column is a pivot in all, and z is zero in all
+  // the row is along y in two lanes and along x in the other two: no column is a pivot in all lanes
   Four x(1.0), y(0.0);
   for (int lane : {0, 1}) {
     x.set(lane, 0);

@@ -12,8 +12,8 @@ namespace {
 
 std::pair<int, int> unordered(const BodyPair& pair) { return std::minmax(pair.i, pair.j); }
 
-/// Whether the driver turns about the revolute's axis, as seen by both bodies: the sine between the two axes
-/// is no larger than one that counts as none between rows.
+/// Whether the driver rotates about the revolute's axis, on both bodies. The axes count as equal if the sine
+/// of the angle between them is below rank_tolerance, the sine below which a row counts as dependent.
 bool turns(const GraphJoint& driver, const GraphJoint& revolute) {
   const bool swapped = driver.i != revolute.i;
   const auto apart = [](const Vector3<double>& a, const Vector3<double>& b) { return a.cross(b).norm(); };
@@ -55,14 +55,15 @@ BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joint
       take_rows(edge, joint);
     }
   }
-  // a driver turns the axis that a revolute leaves free: together they are one block
+  // a driver prescribes the rotation that its revolute leaves free, so both form one block of six rows
   for (const GraphJoint* driver : drivers) {
     const auto found = revolute_edge.find(unordered(*driver));
     const bool joins = found != revolute_edge.end() && graph.edges[found->second.first].size() == 5 &&
                        turns(*driver, *found->second.second);
     take_rows(joins ? found->second.first : add_edge(*driver, false), *driver);
   }
-  // basic rows may hold what a point joint beside them leaves without inertia
+  // a point joint alone may leave free a motion without inertia, which the elimination of its link cannot
+  // solve; basic rows between the same bodies may hold this motion, so they join the point joint's edge
   for (const auto& [pair, basic] : basic_edge) {
     const auto found = point_edge.find(pair);
     if (found == point_edge.end()) continue;

@@ -1,6 +1,6 @@
 #pragma once
-/// A mechanism as a graph: bodies are nodes, groups of constraint rows between two bodies are edges. Topology
-/// only; what a solver along the graph plans with.
+/// A mechanism as a graph: the bodies are nodes, the groups of constraint rows between two bodies are edges.
+/// The graph holds the topology only, no numbers. The structured solver plans its elimination on it.
 
 #include <vector>
 
@@ -9,19 +9,19 @@
 
 namespace trivium {
 
-/// The rows between two bodies that are treated as one block.
+/// An edge: rows between the bodies i and j that the solver treats as one block.
 struct GraphEdge : BodyPair {
   static constexpr int most_rows = 6;
 
-  std::vector<int> rows;  ///< of the mechanism
-  /// The first three rows hold a point of i on a point of j along the global axes; the others, at most three,
-  /// see orientations only.
+  std::vector<int> rows;  ///< indices of the edge's rows in the mechanism
+  /// The first three rows hold a point of i on a point of j along the global axes. The further rows, at most
+  /// three, depend on the orientations only.
   bool is_point = false;
-  /// The rows see how j moves relative to i and nothing else; a cd of two moving bodies also sees them turn
-  /// together.
+  /// The rows depend on the motion of j relative to i only. A cd between two moving bodies does not: its
+  /// direction is fixed in the global frame, so the row also changes when both bodies rotate as one.
   bool is_relative = true;
-  /// A spring that gives way instead of a row that holds: never part of the tree, its one row stands for none
-  /// of the mechanism's.
+  /// The edge is a spring (a row with compliance), not a constraint. A soft edge never belongs to the
+  /// spanning tree, and the one entry of `rows` is no row of the mechanism.
   bool is_soft = false;
 
   int size() const { return static_cast<int>(rows.size()); }
@@ -32,17 +32,17 @@ struct BodyJointGraph {
   std::vector<GraphEdge> edges;
 };
 
-/// A joint of any Scalar, as far as the graph sees it.
+/// The properties of a joint that decide about edges. They do not depend on the mechanism's Scalar.
 struct GraphJoint : BodyPair {
   ConstraintType type;
-  bool sees_relative_motion;  ///< its first row, and nothing else
-  int first_row, rows;
-  Vector3<double> axis_i, axis_j;  ///< unit, each in its body's frame
+  bool sees_relative_motion;       ///< the joint's first row depends on relative motion only
+  int first_row, rows;             ///< index of the first row in the mechanism, number of rows
+  Vector3<double> axis_i, axis_j;  ///< unit vectors along the joint's z axis, each in the frame of its body
 };
 
-/// A joint is an edge; a rotation_driver joins the edge of the revolute whose axis it turns; up to six basic
-/// constraints between the same two bodies are one edge, with the point joint beside them where that leaves
-/// six rows at most.
+/// Each joint becomes an edge, with two exceptions. A rotation_driver joins the edge of the revolute about
+/// whose axis it rotates. Up to six basic constraints between the same two bodies form one edge; a point
+/// joint between these bodies joins that edge if both together have at most six rows.
 BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joints);
 
 template <class Scalar, class Types>

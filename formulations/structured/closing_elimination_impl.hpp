@@ -1,6 +1,11 @@
 #pragma once
-/// GraphSolver: eliminates what closes a loop, where the loop's links meet, and decides there which of its
-/// rows are dependent (tolerances: rank_tolerance.hpp). A part of graph_solver_impl.hpp.
+/// GraphSolver: the elimination of a closing at the body where the links of its loop meet. Before this step
+/// the equations of the closing c are, with the coupling blocks B and the body's unknowns a,
+///
+///     C^T a - B_cc lambda_c - sum over later closings of B_cn lambda_n = gamma_c
+///
+/// The pivots of B_cc = L D L^T decide which rows of the closing are dependent (tolerances:
+/// rank_tolerance.hpp). A part of graph_solver_impl.hpp.
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The connected components of a graph: bodies that its rows connect with each other, not through the ground.
-/// Lengths and sizes are compared within a component.
+/// The connected components of a graph without the ground: sets of bodies that constraint rows connect with
+/// each other. Lengths and sizes are compared within a component, never across components.
 
 #include <numeric>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace trivium {
 
-/// By body, the ground last: the same number for bodies of one component, that of one of them. Springs
-/// connect nothing.
+/// By body, the ground last: the index of one body of the component, the same for all bodies of a component.
+/// Springs (soft edges) do not connect bodies.
 inline std::vector<int> components_of(const BodyJointGraph& graph) {
   std::vector<int> component(graph.bodies + 1);
   std::iota(component.begin(), component.end(), 0);

@@ -1,6 +1,6 @@
 #pragma once
-/// GraphSolver: one step of iterative refinement. What a solution leaves of the right side is formed link by
-/// link, just before it is passed on. A part of graph_solver_impl.hpp.
+/// GraphSolver: one step of iterative refinement, in one pass along the plan. The residual of each link is
+/// formed just before it is passed to the parent. A part of graph_solver_impl.hpp.
 
 #include <algorithm>
 #include <type_traits>

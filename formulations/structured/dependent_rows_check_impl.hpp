@@ -1,6 +1,6 @@
 #pragma once
-/// AccelerationSolver: whether its solution satisfies the dependent rows. A part of
-/// acceleration_solver.hpp.
+/// AccelerationSolver: the check of the dependent rows. A row that the solution violates is independent and
+/// is restored, or it contradicts the others, which is an error. A part of acceleration_solver_impl.hpp.
 
 #include <fmt/format.h>
 
@@ -28,7 +28,8 @@ void AccelerationSolver<F>::check_dependent_rows() {
   }
   if (const auto row = find_violated_row(solution_, tolerance, least, [&](int) { return whole; }))
     throw_violated(*row);
-  // how much of it is rounding of the forces shows without them
+  // The violation may be rounding error of large forces anywhere in the mechanism. Without forces only the
+  // right sides of the rows act; a violation that is still there is a contradiction.
   for (BodyPart<S>& force : right_side_.body) force = {};
   solver_.solve(right_side_, step_);
   solver_.correct(assembly_.matrix(), right_side_, step_, residual_, residual_);

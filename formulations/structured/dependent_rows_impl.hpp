@@ -1,13 +1,14 @@
 #pragma once
-/// GraphSolver: decides which of the rows that the elimination calls dependent are independent after all, and
-/// borders these to the factors. A part of graph_solver_impl.hpp.
+/// GraphSolver: finds the rows that the elimination takes for dependent although they are independent, and
+/// borders them to the factors. A part of graph_solver_impl.hpp.
 ///
-/// A pivot is the square of a row's sine to the rows before it, so rounding hides every sine below the root
-/// of it. What is left of the row itself is not a square: the response a to a force along the row has
-/// H a = Phi_k^T less the best combination of the others, and a^T H a is the pivot to full precision.
+/// A pivot is the square of the sine between a row and the rows before it, so its rounding error hides sines
+/// below sqrt(u). The remainder of the row itself is not squared: the motion a under a force along row k,
+/// with the right sides of the other rows 0, has H a = Phi_k^T minus the best combination of the other rows.
+/// This motion is solved for, and a^T H a is the pivot without the loss of digits.
 ///
-/// How much of a row must be left is a question of geometry: it is asked of other factors, with shifts and
-/// turns for H (unit_inertia_solver_impl.hpp). The tolerances stand in analysis/rank_tolerance.hpp.
+/// Whether the remainder is large enough is a question of geometry, not of inertia: a second factorisation
+/// answers it (unit_inertia_solver_impl.hpp). The tolerances are in analysis/rank_tolerance.hpp.
 
 #include <algorithm>
 #include <memory>
@@ -49,7 +50,7 @@ bool GraphSolver<S>::border(const EdgeRow& row) {
   solve(probe.load, probe.response);
   refine(probe);
   const S stiffness = energy(probe.response);
-  // rounding does not last: another refinement makes other rounding of it
+  // a response that is rounding error changes by about its own size in another step of refinement
   correct(*matrix_, probe.load, probe.response, probe.rest, probe.rest);
   if (!(stiffness > S(least_energy_above_rounding) * energy(probe.rest))) return false;
   if (bordered_ == most_restored) throw NearlyDependentRows(row);

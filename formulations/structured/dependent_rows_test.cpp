@@ -1,5 +1,4 @@
-/// What the solver along the graph makes of rows that depend on each other, and of states that have no
-/// answer.
+/// The structured solver with rows that depend on each other, and with states that have no solution.
 
 #include <fmt/format.h>
 
@@ -27,8 +26,8 @@ TEST(DependentRows, DriversThatAgreeShareTheTorque) {
   test::expect_agreement<F>(scene, "two drivers of one motion");
 }
 
-/// Along a motion no row is looked at a second time; whoever asks which multipliers are unique is told all
-/// the same.
+/// Motions use DependentRows::detect_near_singular, where dropped rows are not tested and no levers are
+/// measured. unique() must be right even so.
 TEST(DependentRows, UniqueMultipliersAreToldHoweverTheRowsWereFound) {
   scenes::Scene scene = pendulum();
   for (const char* name : {"motor", "second motor"})
@@ -62,7 +61,7 @@ TEST(DependentRows, RowsOfOneEdgeThatContradictAreAnErrorThatNamesOne) {
 
 TEST(DependentRows, ADriverAcrossItsRevoluteIsRankedLikeAnyRow) {
   scenes::Scene scene = pendulum();
-  // v_i . u_j = v_i . z_hinge: zero however the hinge turns
+  // v_i . u_j = v_i . z_hinge = 0 at any angle of the hinge, so the driver's row is redundant
   scene.constraints.push_back(driver("motor", {-0.12, 0.26, 0.47}, axis, 0));
   test::expect_agreement<F>(scene, "a driver about an axis across the hinge's");
   scene.constraints.back() = driver("motor", {1, 1, 0}, across, 0);
@@ -70,7 +69,8 @@ TEST(DependentRows, ADriverAcrossItsRevoluteIsRankedLikeAnyRow) {
 }
 
 TEST(DependentRows, APointOfAWeldHeldToItselfAddsNothing) {
-  // whatever the two bodies do, so that the columns cancel on the way up and only their rounding goes on
+  // at all motions of the two bodies, so the row's columns cancel at the weld and only their rounding error
+  // is passed to the parent
   scenes::Scene scene = pendulum();
   scene.bodies.push_back(test::body("welded", 1, {1, 1, 1}, {0.1, 0.7, -0.4}));
   const auto at = [&](const Vector3& P) {
@@ -94,7 +94,7 @@ TEST(DependentRows, GuidesOfTheGroundNeedNotShareAPointThere) {
 }
 
 TEST(DependentRows, VelocitiesMayMissTheirRowsByWhatAnIntegratorLeaves) {
-  // rods that turn alike, so that no angular acceleration tells how fast
+  // the rods rotate at the same rate, so no angular acceleration shows the size of the terms omega^2
   for (const double e : {2e-12, 1e-10, 1e-8}) {
     scenes::Scene scene = scenes::ladder(3);
     scene.bodies[4].angular_velocity[0] += e;
@@ -142,7 +142,8 @@ TEST(DependentRows, ForcesInBalanceLeaveNoMoreThanAllToCorrect) {
 }
 
 TEST(RowsOfOneJoint, MayBindTheMotionOfTheParentItself) {
-  // both hold the block along the same line, at points of the plate that do not move alike
+  // on the block the two guides are the same row, but on the plate they act at different points: together
+  // they constrain the plate's own motion
   scenes::Scene scene = pendulum();
   scene.bodies.push_back(test::body("block", 1, {1, 1.1, 1.2}, {0.1, 0.7, -0.4}));
   scene.effects = {test::gravity()};
@@ -180,14 +181,15 @@ TEST(RowsOfOneJoint, HoldASpinWithoutInertiaTogether) {
 
 TEST(NoAnswer, AJointWhoseAxesHaveFallenTogetherIsAnErrorThatNamesItsBody) {
   scenes::Scene scene = pendulum();
-  scene.constraints[0].type = JointType::universal;  // wants its axes perpendicular
+  scene.constraints[0].type = JointType::universal;  // its axes must be perpendicular, here they are equal
   const std::string refusal = refusal_of(scene);
   EXPECT_NE(refusal.find("body \"rod\""), std::string::npos) << refusal;
   EXPECT_NE(refusal.find("depend on each other"), std::string::npos) << refusal;
 }
 
 TEST(NoAnswer, AFreeTurnWithoutInertiaIsAnErrorThatNamesItsBody) {
-  // a rod without a moment about the axis that a cylindrical leaves free, which is none of the body's own
+  // a rod without a moment of inertia about the axis that the cylindrical joint leaves free; the axis is not
+  // along a body axis, so no diagonal entry of the inertia shows this
   scenes::Scene scene;
   scene.bodies = {test::body("rod", 1)};
   const Vector3 along{0.3, 0.5, 0.7};

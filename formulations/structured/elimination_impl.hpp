@@ -1,6 +1,6 @@
 #pragma once
-/// GraphSolver: the walk along the plan, link by link from the leaves to the root and back. A part of
-/// graph_solver_impl.hpp.
+/// GraphSolver: the pass along the elimination plan, link by link from the leaves to the roots, and the back
+/// substitution in the opposite order. A part of graph_solver_impl.hpp.
 
 #include <algorithm>
 #include <cmath>

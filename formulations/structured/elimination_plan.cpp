@@ -31,7 +31,8 @@ class Planner {
 
  private:
   void order_links() {
-    // depth first, so that what hangs on a body is done shortly before it
+    // the reversed preorder of a depth-first search eliminates the subtree of a body directly before the
+    // body, so that few sums are open at any time
     std::vector<std::vector<int>> children(ground_ + 1);
     for (int body : forest_.order) children[forest_.parent[body]].push_back(body);
     std::vector<int> stack{ground_}, preorder;
@@ -57,17 +58,19 @@ class Planner {
     }
   }
 
+  /// The node's place in the order of elimination; the ground comes last.
   int depth_order(int node) const {
     return node == ground_ ? std::numeric_limits<int>::max() : link_of_[node];
   }
 
-  /// Every closing's links, and the body where they meet.
+  /// Finds for every closing the links of its loop and the body where the closing is eliminated.
   void find_loops() {
     for (int edge : forest_.closing_edges) {
       const int c = static_cast<int>(plan_.closings.size());
       const GraphEdge& e = plan_.graph.edges[edge];
       plan_.closings.push_back({edge, ground_, -1, -1, -1, {}, {}});
-      // of two nodes the one that is eliminated earlier moves to its parent
+      // two pointers climb from the ends of the edge to the lowest common ancestor; in each turn the one
+      // whose node is eliminated earlier moves to the parent
       int a = e.i, b = e.j;
       std::vector<int> path;
       bool is_relative = e.is_relative;
@@ -78,7 +81,9 @@ class Planner {
         is_relative = is_relative && (joint < 0 || plan_.graph.edges[joint].is_relative);
         lower = forest_.parent[lower];
       }
-      // where any row of the loop sees absolute motion, what it leaves is settled only when no body is left
+      // If all rows of the loop depend on relative motion only, a rigid motion of the whole loop changes none
+      // of them: the rows of the closing that are dependent with the common ancestor at rest are dependent.
+      // Otherwise the motion of the ancestor may make them independent, so the closing climbs to the ground.
       for (; !is_relative && a != ground_; a = forest_.parent[a]) path.push_back(link_of_[a]);
       std::sort(path.begin(), path.end());
       plan_.closings[c].body = a;
@@ -98,7 +103,8 @@ class Planner {
     return found == slot_.end() ? -1 : found->second;
   }
 
-  /// Body by body; at each, the closing with the fewest neighbours first.
+  /// Orders the closings body by body. At each body the closing with the fewest neighbours is next (minimum
+  /// degree); its elimination couples these neighbours with each other.
   void order_closings() {
     const int n = static_cast<int>(plan_.closings.size());
     std::vector<std::set<int>> neighbours(n);
@@ -138,6 +144,7 @@ class Planner {
     if (!at[ground_].empty()) plan_.steps.push_back({-1, eliminate_at(ground_)});
   }
 
+  /// Gives slots to the sums of bodies with children, and frees each slot at the elimination of its body.
   void list_sums() {
     std::vector<int> slot(plan_.graph.bodies + 1, -1), free;
     for (EliminationPlan::Link& link : plan_.links) {
@@ -196,9 +203,9 @@ class Planner {
   const int ground_;
   EliminationPlan plan_;
   SpanningForest forest_;
-  std::vector<int> link_of_;                 ///< by body
-  std::map<std::pair<int, int>, int> slot_;  ///< by closing and body
-  std::vector<int> rank_;                    ///< by closing: its place in the order of elimination
+  std::vector<int> link_of_;                 ///< by body: index of its link
+  std::map<std::pair<int, int>, int> slot_;  ///< by closing and body: slot of the closing's block on the body
+  std::vector<int> rank_;                    ///< by closing: place in the order of elimination
 };
 
 }  // namespace

@@ -1,11 +1,12 @@
 #pragma once
-/// The symbolic half of the solver along the graph: which joints span the tree, in which order its links are
-/// eliminated, where loops close and which blocks fill in. Made once per mechanism; numeric work only walks
-/// its lists.
+/// The symbolic part of the structured solver: the spanning tree, the order of elimination, the body at which
+/// each loop is closed, and the blocks that fill in. Made once per mechanism; numeric work follows its lists.
 ///
-/// A link is a body with the joint to its parent. Links go from the leaves to the root, so the tree fills
-/// nothing in. A joint outside the tree closes a loop: its multipliers wait in the border of every link on
-/// the loop, and go as soon as the loop's links are gone, at the lowest body that they have in common.
+/// A link is a body with the joint to its parent in the tree. Links are eliminated from the leaves to the
+/// root, which causes no fill-in. A closing is an edge outside the tree; it closes a loop. While the links of
+/// the loop are eliminated, the closing's multipliers stay unknown: each of these links carries them as a
+/// border of extra columns. The closing is eliminated when all links of the loop are, at the lowest common
+/// ancestor of the loop's bodies; at the ground if a row of the loop depends on absolute motion.
 
 #include <vector>
 
@@ -14,64 +15,69 @@
 namespace trivium {
 
 struct EliminationPlan {
-  /// The columns of a closing edge on one body: what its multipliers do to it.
+  // a slot is an index into the solver's storage for blocks of one kind
+
+  /// The block [6 x rows] of a closing on a link's body: the generalised forces per unit multiplier.
   struct Column {
     int closing;
-    int slot;         ///< of the 6 x rows block on this body
-    int parent_slot;  ///< of the block on the parent; -1 where that is the ground
+    int slot;         ///< slot of the block on this body
+    int parent_slot;  ///< slot of the block on the parent; -1 if the parent is the ground
   };
-  /// The coupling of two closings (first eliminated first) that share a link.
+  /// The coupling block of two closings that pass the same link.
   struct Coupling {
-    int first, second;  ///< indices into the link's columns
-    int slot;           ///< of the block, rows of the closing eliminated first
+    int first, second;  ///< indices into the link's columns; `first` is eliminated first or is `second`
+    int slot;           ///< slot of the block; its rows are those of the closing eliminated first
   };
   struct Link {
     int body;
-    int parent;  ///< graph.bodies: the ground
-    int edge;    ///< the joint to the parent, -1: none, the body is free
+    int parent;  ///< the parent body; graph.bodies stands for the ground
+    int edge;    ///< the joint to the parent; -1 if the body has none and floats freely
     bool body_is_j;
-    bool is_first = false;  ///< of the links eliminated into the parent
-    // where a body gathers what its links pass on, from the first of them to its own; then it is another's
-    int sum_slot = -1;         ///< -1: no links were eliminated into the body
-    int parent_sum_slot = -1;  ///< -1: the ground
+    bool is_first = false;  ///< the first link to be eliminated into this parent
+    // the sum of a body's block and of the blocks that its children pass up has a slot from the elimination
+    // of the first child to that of the body; then the slot is free for another body
+    int sum_slot = -1;         ///< slot of the body's sum; -1 if the body has no children
+    int parent_sum_slot = -1;  ///< slot of the parent's sum; -1 if the parent is the ground
     std::vector<Column> columns;
     std::vector<Coupling> couplings;
   };
+  /// A closing that is coupled with another one and eliminated after it.
   struct Neighbour {
     int closing;
-    int slot;         ///< of the coupling with it
-    int column_slot;  ///< of its block on the body where this one is eliminated, -1: on the ground
+    int slot;         ///< slot of the coupling of the two
+    int column_slot;  ///< slot of its block on the body where the other one is eliminated; -1 on the ground
   };
-  /// What eliminating a closing adds to the coupling of two of its neighbours.
+  /// A coupling of two neighbours that the elimination of a closing changes.
   struct Fill {
-    int first, second, slot;  ///< indices into neighbours, slot of their coupling
+    int first, second, slot;  ///< indices into `later`, slot of the coupling of the two
   };
   struct Closing {
     int edge;
-    int body;            ///< the lowest body that its loop's links have in common; graph.bodies: the ground
-    int column_slot;     ///< of its block there, -1: on the ground
-    int slot_i, slot_j;  ///< of its blocks on its own bodies, -1: the ground
-    std::vector<Neighbour> later;  ///< coupled closings that are eliminated after it
-    std::vector<Fill> fill;        ///< over all pairs of `later`, a closing with itself among them
+    int body;            ///< the body where the closing is eliminated; graph.bodies stands for the ground
+    int column_slot;     ///< slot of the closing's block on this body; -1 on the ground
+    int slot_i, slot_j;  ///< slots of the closing's blocks on the edge's bodies i and j; -1 on the ground
+    std::vector<Neighbour> later;  ///< coupled closings that are eliminated later
+    std::vector<Fill> fill;        ///< all pairs of `later`, each closing with itself included
   };
-  /// One step: all closings of a body, then its link.
+  /// A step of the elimination: all closings of a body, then the body's link.
   struct Step {
-    int link;                   ///< -1: the ground, last
-    std::vector<int> closings;  ///< in this order
+    int link;                   ///< -1 in the last step, which eliminates the closings of the ground
+    std::vector<int> closings;  ///< in the order of elimination
   };
 
   bool is_point_link(const Link& link) const { return link.edge >= 0 && graph.edges[link.edge].is_point; }
 
   BodyJointGraph graph;
-  std::vector<Link> links;  ///< leaves to root
+  std::vector<Link> links;  ///< in the order of elimination, from the leaves to the roots
   std::vector<Closing> closings;
   std::vector<Step> steps;
-  std::vector<int> diagonal_slot;  ///< per closing: its block with itself
-  std::vector<int> rows_slot;      ///< per edge: of its rows in the matrix; -1: a point joint in the tree
+  std::vector<int> diagonal_slot;  ///< by closing: slot of its diagonal block among the couplings
+  std::vector<int> rows_slot;      ///< by edge: slot in GraphMatrix::rows; -1 for point joints of the tree
   int rows_slots = 0, column_slots = 0, coupling_slots = 0, sum_slots = 0;
 };
 
-/// Chooses the spanning tree so that loops stay short, and orders what closes them by least fill.
+/// Plans the elimination: a spanning tree with short loops, and for the closings at each body an order of
+/// minimum degree, which keeps the fill-in small.
 EliminationPlan plan_elimination(BodyJointGraph graph);
 
 }  // namespace trivium

@@ -1,4 +1,4 @@
-/// The order of elimination fills in nothing on trees and a constant amount per cell of a ladder.
+/// The elimination causes no fill-in on trees, and a constant amount per cell on ladders.
 
 #include "formulations/structured/elimination_plan.hpp"
 
@@ -22,7 +22,7 @@ namespace {
 EliminationPlan plan_of(const scenes::Scene& scene) {
   return plan_elimination(body_joint_graph(make_mechanism<double>(scene)));
 }
-/// Bodies joined as told by revolutes; -1 is the ground. Topology only.
+/// Bodies that revolutes connect in the given pairs; -1 is the ground. The geometry has no meaning.
 scenes::Scene joined(int bodies, const std::vector<std::array<int, 2>>& pairs) {
   scenes::Scene scene;
   for (int b = 0; b < bodies; ++b) scene.bodies.push_back(test::body("b" + std::to_string(b), 1));
@@ -63,7 +63,7 @@ TEST(EliminationPlan, LinksGoBeforeTheirParents) {
   for (const auto& link : plan.links) EXPECT_LT(place[link.body], place[link.parent]);
 }
 
-/// From the first link that is eliminated into a body to the body's own.
+/// A sum slot belongs to one body from the elimination of its first child to the body's own elimination.
 void expect_no_sum_overwrites_another(const EliminationPlan& plan) {
   std::vector<int> owner(plan.sum_slots, -1);
   std::vector<bool> has_children(plan.graph.bodies, false);
@@ -100,7 +100,7 @@ TEST(EliminationPlan, RingIsHalved) {
   EXPECT_NEAR((closing.i + closing.j) / 2.0, (n - 1) / 2.0, 1);
 }
 
-/// Border and fill must not grow with the number of cells.
+/// Expects that the widest border does not grow with the number of cells, and that the fill-in is linear.
 void expect_linear(const std::function<scenes::Scene(int)>& ladder, std::size_t border,
                    double slots_per_cell) {
   for (const int cells : {5, 20, 80}) {
@@ -112,7 +112,8 @@ void expect_linear(const std::function<scenes::Scene(int)>& ladder, std::size_t 
 
 TEST(EliminationPlan, FourBarLadderIsLinear) { expect_linear(scenes::ladder, 2, 6); }
 
-/// Two rails held at their feet, and rungs: the breadth-first tree would close every cell over the ground.
+/// A ladder of two rails, both held at their feet, and rungs. With the breadth-first tree alone the loop of
+/// every rung would reach down to the ground.
 scenes::Scene rails(int cells) {
   std::vector<std::array<int, 2>> pairs{{-1, 0}, {-1, 1}};
   for (int cell = 0; cell < cells; ++cell) {

@@ -1,8 +1,11 @@
 #pragma once
-/// A body that hangs on its parent by any joint of at most six rows, or by none. The rows are solved by
-/// pivoting: Phi H = 0, Phi Y = I, and the body goes in the motion H that they leave free.
+/// A link whose joint to the parent is any edge of at most six rows, or no joint at all. Phi are the rows on
+/// the body, P those on the parent, a and a_p the unknowns of the two:
 ///
-///   M a + Phi^T lambda = F,   Phi a + P a_p = gamma,   a = Y (gamma - P a_p) + H q
+///     M a + Phi^T lambda = F,   Phi a + P a_p = gamma,   a = Y (gamma - P a_p) + H q
+///
+/// Gauss-Jordan elimination of the rows gives Y and H with Phi Y = I, Phi H = 0. The body is then eliminated
+/// in the coordinates q of its free motion H. PointLink is the faster special case of point joints.
 
 #include <array>
 
@@ -14,8 +17,9 @@ namespace trivium {
 template <class S>
 class GeneralLink {
  public:
-  /// Rows that on this body depend on the ones before them, or nearly so, have multiplier 0 and are marked in
-  /// `dependent`; those marked before are dependent whatever they are.
+  /// Eliminates the body's block and adds the remaining block to the parent's, if there is a parent. Rows
+  /// that on this body depend (or nearly depend) on rows before them get the multiplier 0 and are marked in
+  /// `dependent`. Rows that are marked on entry stay dependent.
   Elimination factor(const BodyBlock<S>& block, const LinkRows<S>& link, BodyBlock<S>* parent,
                      DependentRows how, std::array<bool, 6>& dependent) {
     Matrix6<S> M;
@@ -25,7 +29,7 @@ class GeneralLink {
     M.template bottomRightCorner<3, 3>() = block.xx.template topRows<3>();
     solve_rows(M, link, how, dependent);
     const Vector6<S> size = M.diagonal();
-    // what may be rounding beside the other moments has no size
+    // a moment of inertia this small compared with the largest one may be rounding error: it counts as zero
     constexpr double rounded_moment = 1e-8;
     const S least = S(rounded_moment) * largest_of(size.template tail<3>());
     for (int k = 0; k < 6; ++k)
@@ -41,9 +45,10 @@ class GeneralLink {
     return Elimination::done;
   }
 
-  /// Whether more than rounding is left of a dependent row.
+  /// Whether a row was taken for dependent although its remainder exceeds rounding error.
   bool has_nearly_dependent_rows() const { return has_nearly_dependent_rows_; }
 
+  /// Eliminates the body from the first n columns of a closing, and passes the remainder to the parent.
   void factor(const BodyColumns<S>& columns, int n, const LinkRows<S>&, LinkColumn<S>& out,
               ColumnSizes<S>& size, BodyColumns<S>* parent) const {
     const Matrix6<S> C = columns.six();
@@ -51,7 +56,8 @@ class GeneralLink {
       const Vector6<S> squares = C.col(k).cwiseAbs2();
       const S r = squares.template head<3>().sum(), x = squares.template tail<3>().sum();
       size.take(k, r, x);
-      // a part that cancelled is as large in any direction
+      // scales the present squares up to the largest size that this part had on the way, so that a part that
+      // has cancelled counts with its size before the cancellation
       const auto whole = [](const S& was, const S& is) { return select(is > S(0), S(was / is), S(0)); };
       size.product[k] +=
           whole(size.r[k], r) * squares.template head<3>().dot(inverse_size_.template head<3>()) +
@@ -69,6 +75,7 @@ class GeneralLink {
       parent->x.col(k) += passed.x;
     }
   }
+  /// Adds a^T D^-1 b of the free parts of two closings.
   void couple(const LinkColumn<S>& a, const LinkColumn<S>& b, int rows_b, Matrix6<S>& sum) const {
     for (int n = 0; n < rows_b; ++n) sum.col(n) += a.g.leftCols(free()) * Free(D_inverse_ * free_part(b, n));
   }
@@ -106,11 +113,11 @@ class GeneralLink {
     return BodyPart<S>{c.rest_r.col(k), c.rest_x.col(k)}.six();
   }
 
-  /// Lane by lane, unlike Eigen's own.
+  /// Works lane by lane for batches, unlike Eigen's maxCoeff().
   static S largest_of(const Vector3<S>& v) { return larger(larger(v[0], v[1]), v[2]); }
 
-  /// Gauss-Jordan on [Phi | P | I] with the largest pivot, columns weighed by the body's own inertia: a
-  /// motion without inertia is solved for first.
+  /// Gauss-Jordan elimination on [Phi | P | I], with the largest pivot of each row. Column k is weighted by
+  /// 1 / sqrt(M_kk): unknowns without inertia become pivots first, so that the free ones have inertia.
   void solve_rows(const Matrix6<S>& M, const LinkRows<S>& link, DependentRows how,
                   std::array<bool, 6>& dependent) {
     using std::abs, std::sqrt;
@@ -120,7 +127,9 @@ class GeneralLink {
     G.template leftCols<6>() = C.transpose();
     G.template middleCols<6>(6) = C_parent.transpose();
     G.template rightCols<6>().setIdentity();
-    // a moment far below the mass at the rows' own levers would make roundings look like rows
+    // Weights of moments far below mass * lever^2 (lever: the length |x| / |r| of a row's two parts) would
+    // magnify the rounding of the rotational entries until a dependent row looks independent. The scale of
+    // the moments is therefore at least mass * lever^2.
     S lever2(0);
     for (int k = 0; k < rows; ++k) {
       const S r2 = link.C.r.col(k).squaredNorm(), x2 = link.C.x.col(k).squaredNorm();
@@ -134,14 +143,14 @@ class GeneralLink {
       const S least = select(largest > S(0), S(S(1e-6) * largest), S(1));
       weight[k] = 1 / S(sqrt(select(M(k, k) > least, M(k, k), least)));
     }
-    // rows are judged against what they are made of
+    // sums of the magnitudes of the terms in G; the remainder of a row is compared with them
     Matrix6<S> made_of = C.transpose().cwiseAbs();
     std::array<int, 6> pivot_of_row;
     std::array<bool, 6> is_basic{};
     const S tolerance = how == DependentRows::keep ? joint_row_rounding<S>() : joint_row_tolerance<S>();
     const std::array<bool, 6> marked = dependent;
     has_nearly_dependent_rows_ = false;
-    // row by row, so that the dependent row is the one that depends on those before it
+    // in the order of the rows, without row exchanges: a row is dependent if it depends on rows before it
     for (int r = 0; r < rows; ++r) {
       int best = -1;
       S best_pull(0), largest(0), size(0);
@@ -163,7 +172,7 @@ class GeneralLink {
         G.row(r).setZero();
         continue;
       }
-      if (best_pull <= least_pull) throw MixedLanes();  // no column stands in all lanes
+      if (best_pull <= least_pull) throw MixedLanes();  // no column is a pivot in all lanes
       is_basic[best] = true;
       pivot_of_row[r] = best;
       const S inverse = 1 / G(r, best);
@@ -195,7 +204,7 @@ class GeneralLink {
     }
   }
 
-  /// D^-1 by L D L^T; false where a pivot is the rounding of what the diagonal is made of.
+  /// D^-1 by L D L^T; false if a pivot is rounding error compared with `made_of`, the terms of its diagonal.
   bool invert(const Block& D, const Free& made_of) {
     const int n = free();
     Block L = D;
@@ -222,7 +231,7 @@ class GeneralLink {
 
   bool has_nearly_dependent_rows_ = false;
   Matrix6<S> Y_, V_, rest_;
-  Vector6<S> inverse_size_;  ///< of the block's diagonal; 0 where that is
+  Vector6<S> inverse_size_;  ///< inverse of M's diagonal; 0 where the diagonal counts as zero
   Motion H_, U_;
   Block D_inverse_;
   Free q_;

@@ -1,7 +1,8 @@
 #pragma once
-/// The system along the graph of one formulation at one state: its matrix, and gamma, Phi and Phi' as right
-/// sides, joint by joint. Normalisation rows are eliminated in closed form. Made once per mechanism; moving
-/// to another state allocates nothing. Compiled with the AccelerationSolver of the formulation.
+/// Assembles the system of the structured solver (graph_system.hpp) for one formulation at one state, joint
+/// by joint: the matrix, and gamma, Phi and Phi' of every row. Normalisation rows are eliminated in closed
+/// form, so each body has three rotational unknowns x. An assembly at another state allocates nothing. The
+/// instances are compiled together with the AccelerationSolver of each formulation.
 
 #include <vector>
 
@@ -18,35 +19,36 @@ class GraphAssembly {
   using S = typename F::Scalar;
   using Body = typename F::Reduced;
 
-  /// A point joint of the tree, and one that closes a loop.
+  /// A point joint of the tree.
   struct LinkJoint {
     int link, edge;
     bool child_is_j;
     PointJoint<S, MechanismTypesOf<F>> joint;
   };
+  /// A point joint that closes a loop.
   struct ClosingJoint {
     int edge;
     PointJoint<S, MechanismTypesOf<F>> joint;
   };
 
-  /// Both must outlive the assembly.
+  /// The mechanism and the plan must outlive the assembly.
   GraphAssembly(const MechanismOf<F>& mechanism, const EliminationPlan& plan);
   GraphAssembly(const MechanismOf<F>&&, const EliminationPlan&) = delete;
   GraphAssembly(const MechanismOf<F>&, const EliminationPlan&&) = delete;
-  GraphAssembly(const GraphAssembly&) = delete;  // solvers know where its matrix is
+  GraphAssembly(const GraphAssembly&) = delete;  // solvers keep a pointer to its matrix
 
   const GraphMatrix<S>& matrix() const { return matrix_; }
-  /// For the rows of soft edges, which are not a mechanism's.
+  /// Rows by slot, for the caller to fill those of soft edges, which are no rows of the mechanism.
   EdgeRows<S>& edge_rows(int slot) { return matrix_.rows[slot]; }
-  /// nb + 1, the ground last.
+  /// The bodies at the current state, nb + 1 with the ground last.
   const std::vector<Body>& body() const { return body_; }
   const std::vector<AngularMotion<S>>& angular_motion() const { return angular_motion_; }
-  /// In the order of the plan's links.
+  /// The point joints of the tree, in the order of the plan's links.
   const std::vector<LinkJoint>& links() const { return links_; }
 
   void move_body(int b, const BodyState<F>& state);
 
-  // rows and gamma, after all bodies have moved
+  // rows and gamma; to be called after move_body() of all bodies
   void assemble_link(const LinkJoint& link, const S& t, GraphVector<S>& right_side);
   void assemble_closings(const S& t, GraphVector<S>& right_side);
 
@@ -54,8 +56,8 @@ class GraphAssembly {
   void positions(const S& t, GraphVector<S>& phi) const;
   void velocities(const S& t, GraphVector<S>& phi_dot) const;
 
-  /// Calls mark(edge, k) for rows that do next to nothing here, less than `share` of what their vectors
-  /// could: a dp1 whose vectors are nearly parallel, as where the angle that it drives turns back.
+  /// Calls mark(edge, k) for the rows that vanish at this state: dp1 rows whose vectors are nearly parallel
+  /// (sine below `share`), so that their gradient is nearly zero. This happens where a driven angle reverses.
   template <class Mark>
   void find_vanishing_rows(const S& share, const Mark& mark) const;
 

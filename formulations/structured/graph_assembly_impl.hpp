@@ -1,5 +1,5 @@
 #pragma once
-/// The one definition behind the GraphAssembly instances. A part of acceleration_solver_impl.hpp.
+/// The definition of GraphAssembly, for its instances. A part of acceleration_solver_impl.hpp.
 
 #include <variant>
 

@@ -1,7 +1,11 @@
 #pragma once
-/// [H Phi^T; Phi 0] factored and solved along the body-joint graph: one block operation per entry of the
-/// plan, no allocation and no search. Cost and memory are linear in the bodies of a tree, and wherever loops
-/// are short.
+/// Factorisation and solution of [H Phi^T; Phi 0] along the graph of bodies and joints. One block operation
+/// is done per entry of the elimination plan, without allocation and without search. Cost and memory are
+/// linear in the number of bodies for trees and for mechanisms with short loops.
+///
+/// Parts: elimination_impl.hpp (the pass along the plan), point_link.hpp and general_link.hpp (one link),
+/// closing_elimination_impl.hpp (one closing), correction_impl.hpp (iterative refinement) and
+/// dependent_rows_impl.hpp (independent rows that the pivots take for dependent).
 
 #include <algorithm>
 #include <array>
@@ -20,8 +24,8 @@
 
 namespace trivium {
 
-/// A body that cannot be eliminated with its link: the joint to its parent leaves a motion without inertia
-/// free, or has dependent rows of orientation. The system may still be regular.
+/// A link cannot be eliminated: its joint leaves a motion of the body without inertia free, or orientation
+/// rows of its point joint depend on each other. The whole system may still be regular.
 class SingularLink : public ModelError {
  public:
   SingularLink(int body, const std::string& why) : ModelError(why), body_(body) {}
@@ -31,12 +35,12 @@ class SingularLink : public ModelError {
   int body_;
 };
 
-/// Row k of an edge.
+/// Row k (0 to 5) of an edge.
 struct EdgeRow {
   int edge, k;
 };
 
-/// More rows than can be told apart one by one depend on others nearly, but not quite.
+/// More than GraphSolver::most_restored rows are nearly dependent on others.
 class NearlyDependentRows : public ModelError {
  public:
   explicit NearlyDependentRows(const EdgeRow& first)
@@ -55,24 +59,24 @@ class GraphSolver {
 
   int steps() const { return static_cast<int>(plan_.steps.size()); }
 
-  /// Dependent rows are asked one by one, and restored where they are independent after all, where more than
-  /// rounding is left of some, or a joint of the tree has any.
+  /// Factors the matrix, which must outlive the factors. With DependentRows::detect it calls
+  /// restore_independent_rows() if a dependent row may be independent: if its pivot exceeds rounding, or if a
+  /// general joint of the tree has dependent rows (they may still constrain the parent).
   /// Throws SingularLink and NearlyDependentRows.
   void factor(const GraphMatrix<S>& matrix);
 
-  /// The solution for a right side. Dependent rows have multiplier 0; what their right sides say is not
-  /// asked.
+  /// The solution for a right side. Dependent rows have the multiplier 0; their right sides are ignored.
   void solve(const GraphVector<S>& right_side, GraphVector<S>& solution);
 
-  // factor and solve at once: start, every step in turn, substitute. Before its step, a link's own rows may
-  // still be changed: work on them then hides behind the chain of results from link to link, which is what
-  // bounds both
+  // start(), eliminate() for each step in order, and substitute() factor and solve in one pass; they do not
+  // restore independent rows. The rows of a link may be assembled just before its step: the processor does
+  // this while it waits for the results of the link before, which are what bounds the time of the pass.
   void start(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side);
   /// Throws SingularLink.
   void eliminate(int step, const GraphVector<S>& right_side);
   void substitute(GraphVector<S>& solution);
 
-  /// How the factorisations that follow decide which rows are dependent.
+  /// Sets how the factorisations from now on decide which rows are dependent.
   void set_dependent_rows(DependentRows how) {
     const auto keeps = [](DependentRows decision) {
       return decision == DependentRows::keep || decision == DependentRows::keep_count;
@@ -82,11 +86,11 @@ class GraphSolver {
       for (auto& rows : is_marked_) rows.fill(false);
     how_ = how;
   }
-  /// Under DependentRows::detect_near_singular: row k of an edge is dependent, whatever the elimination sees.
+  /// Under DependentRows::detect_near_singular: row k of an edge is dependent, whatever its pivot is.
   void mark_dependent(int edge, int k) { is_marked_[edge][k] = true; }
 
-  /// In the factorisations that follow the same rows are dependent as in another solver's last one, of the
-  /// edges that both have.
+  /// Takes over the dependent rows of another solver's last factorisation for all factorisations from now on.
+  /// The graphs agree in their first edges; edges that only one of them has are not changed.
   void keep_dependent_rows_of(const GraphSolver& other) {
     how_ = DependentRows::keep;
     std::copy_n(other.is_dependent_.begin(), std::min(is_marked_.size(), other.is_dependent_.size()),
@@ -95,7 +99,7 @@ class GraphSolver {
 
   /// Whether row k of an edge is dependent in the last factorisation.
   bool is_dependent(int edge, int k) const { return is_dependent_[edge][k]; }
-  /// How many rows are.
+  /// Number of dependent rows in the last factorisation.
   int dependent_row_count() const {
     int count = 0;
     for (std::size_t e = 0; e < is_dependent_.size(); ++e)
@@ -103,69 +107,72 @@ class GraphSolver {
           std::count(is_dependent_[e].begin(), is_dependent_[e].begin() + plan_.graph.edges[e].size(), true));
     return count;
   }
-  /// Whether any row of the edge is.
+  /// Whether any row of the edge is dependent in the last factorisation.
   bool has_dependent_rows(int edge) const {
     const auto& rows = is_dependent_[edge];
     return std::find(rows.begin(), rows.end(), true) != rows.end();
   }
-  /// The elimination sees squares of sines between rows, and every row that may depend on others to rounding
-  /// is dependent at first. Here those of which more than direction_tolerance is left beside the others, in
-  /// shifts and turns, are found and bordered to the factors: they count from then on. Returns whether there
-  /// are any. Costs as much as the factors and a solution where there is none, and some solutions more times
-  /// the logarithm of the dependent rows for each; room is allocated at the first call and where they are
-  /// more than ever before. Throws NearlyDependentRows beyond most_restored.
+  /// Restores rows that the last factorisation wrongly drops as dependent; returns whether there are any. A
+  /// pivot is the square of a sine between rows, so the elimination drops all rows of small sine. Each
+  /// dropped row is tested: if the sine between its gradient and the span of the others exceeds
+  /// direction_tolerance, with rotations converted to lengths by lever2(), the row is bordered to the
+  /// factors. Cost: about one factorisation and a few solutions if no row is restored; for each restored row
+  /// some solutions more, times the logarithm of the number of dropped rows. Memory is allocated at the first
+  /// call and when more rows are restored than ever before. Throws NearlyDependentRows beyond most_restored.
   bool restore_independent_rows();
-  /// The square of the lever by which turns of a body compare with shifts, of the matrix that levers were
-  /// measured of last. To measure costs as much as factors do.
+  /// Computes lever2() for the matrix of the last factorisation; costs about one factorisation.
   void measure_levers();
+  /// Square of the lever [m^2]: the length by which rotations of this body are converted to translations.
+  /// The value is that of the last measure_levers() or restore_independent_rows().
   S lever2(int body) const;
-  /// Whether rows are dependent of which, as far as the elimination sees it, more than rounding is left.
+  /// Whether the last factorisation has dependent rows whose pivot exceeds its rounding error.
   bool has_nearly_dependent_rows() const { return has_nearly_dependent_rows_; }
   static constexpr int most_restored = 100;
-  /// Adds what this multiplier of a row does to its bodies; of an edge that is no point joint of the tree.
+  /// Adds multiplier * Phi_k^T of a row to the forces on its two bodies; not for point joints of the tree.
   void add_row(const EdgeRow& row, const S& multiplier, GraphVector<S>& force) const;
 
-  /// One step of iterative refinement: what `solution` still needs, into `correction`. What it leaves of the
-  /// right side is formed in `residual` link by link, just before it is passed on; the two may be one object.
+  /// One step of iterative refinement: solves for the `correction` of `solution`, which is not added to it.
+  /// `residual` is storage for the residual of the system and may be the same object as `correction`.
   void correct(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side, const GraphVector<S>& solution,
                GraphVector<S>& residual, GraphVector<S>& correction);
 
  private:
   static constexpr int general = 4;
 
-  /// Of a body, and of the joint to its parent: on both bodies, and its rows.
+  /// Forms the residual of a body's equations and of the rows of the joint to its parent, and subtracts this
+  /// joint's forces from the residuals of both bodies.
   void link_residual(const GraphMatrix<S>& matrix, int index, const GraphVector<S>& right_side,
                      const GraphVector<S>& solution, GraphVector<S>& residual);
   void edge_residual(const GraphMatrix<S>& matrix, int e, const GraphVector<S>& right_side,
                      const GraphVector<S>& solution, GraphVector<S>& residual) const;
 
   struct Place {
-    int kind;          ///< rows of orientation of a point link, or `general`
-    int index;         ///< among the links of its kind
-    int first_column;  ///< in link_column_
+    int kind;          ///< number of orientation rows of a point link, or `general`
+    int index;         ///< index among the links of this kind
+    int first_column;  ///< index of the link's first column in link_column_
     int rows;
   };
-  /// A row bordered to the factors: its response is the solution, by the rows before it, to a force of -1
-  /// along it and its own multiplier 1.
+  /// A row bordered to the factors. Its response is the solution for the multiplier -1 of this row, all other
+  /// right sides 0, with the rows of the factors and of the borders before it.
   struct Border {
     EdgeRow row;
-    S stiffness;  ///< by how much the response moves along the row
+    S stiffness;  ///< Phi_k a of the response; it equals a^T H a
     GraphVector<S> response;
-    S gamma;  ///< the right side at hand
+    S gamma;  ///< the row's right side in the current solution
   };
-  /// A force along rows, the response to it, and what a refinement would still change there.
+  /// A test of rows: forces along them, the motion that they cause, and its correction by refinement.
   struct Probe {
     GraphVector<S> load, response, rest;
   };
   class UnitInertiaSolver;
   struct ClosingFactor {
     int rows;
-    Matrix6<S> L;         ///< unit lower triangle of its pivoted block; columns of dependent rows are zero
-    Vector6<S> inverse;   ///< of the pivots; 0 for dependent rows
-    BodyColumns<S> C;     ///< of L^-1 C^T, on the body where it is eliminated
-    Vector6<S> own;       ///< the diagonal before other closings go
-    ColumnSizes<S> size;  ///< of what that was made of
-    Vector6<S> gamma;     ///< the right side at hand
+    Matrix6<S> L;         ///< unit lower triangular factor of the block; 0 in the columns of dependent rows
+    Vector6<S> inverse;   ///< inverses of the pivots; 0 for dependent rows
+    BodyColumns<S> C;     ///< the columns (L^-1 C^T)^T on the body where the closing is eliminated
+    Vector6<S> own;       ///< diagonal of the block as the links give it, before other closings change it
+    ColumnSizes<S> size;  ///< sizes of the terms of `own` without cancellation
+    Vector6<S> gamma;     ///< right side of the closing in the current solution
   };
 
   template <class Visit>
@@ -174,7 +181,7 @@ class GraphSolver {
   int rows_of_closing(int c) const { return closing_[c].rows; }
   bool has_parent(const EliminationPlan::Link& link) const { return link.parent != plan_.graph.bodies; }
 
-  /// As far as the elimination sees which rows are dependent.
+  /// Factors without restoring independent rows.
   void factor_once(const GraphMatrix<S>& matrix);
   void start_factors(const GraphMatrix<S>& matrix);
   void start_solution(const GraphVector<S>& right_side);
@@ -182,27 +189,27 @@ class GraphSolver {
   void forward_step(const EliminationPlan::Step& step, const GraphVector<S>& right_side);
 
   void factor_link(int index);
-  /// The closing's block is positive semidefinite: rows in their order, dependent where they depend on the
-  /// ones before them.
+  /// Eliminates a closing by L D L^T of its block, which is positive semidefinite. A row is dependent if it
+  /// depends on rows before it. `body`: the block of the body where the closing is eliminated, null: ground.
   void factor_closing(int c, BodyBlock<S>* body);
-  /// Takes the rows of most effect first, so that the dependent ones depend on rows that determine their
-  /// motion well, wherever a motion goes.
+  /// Marks the dependent rows of a closing. The others are chosen by diagonal pivoting, those of largest
+  /// relative pivot first, so that they determine the motion well, also at later states of a motion.
   void choose_rows(int c);
   void forward_link(int index, const GraphVector<S>& right_side);
-  /// The right side of a link, its body's forces with what its children passed up: to its parent, and to the
-  /// closings.
+  /// Eliminates the link's unknowns from the right side. `force` is the body's force plus the forces that its
+  /// children passed up; the result is added to the parent's force and to the right sides of the closings.
   void pass_up(int index, const BodyPart<S>& force, const GraphVector<S>& right_side, BodyPart<S>* parent);
   void forward_closing(int c, BodyPart<S>* body);
   void backward_closing(int c, GraphVector<S>& solution);
   void backward_link(int index, GraphVector<S>& solution);
 
-  /// Substitutes, and meets the rows that are bordered.
+  /// Back substitution; then adds the responses of the bordered rows such that these rows are satisfied.
   void finish(const GraphVector<S>& right_side, GraphVector<S>& solution);
-  /// False, and nothing done, where what is left of the row is rounding.
+  /// Borders a dependent row to the factors. Returns false if the response to the row is rounding error.
   bool border(const EdgeRow& row);
   Probe& cleared_probe();
   void refine(Probe& probe);
-  /// A row on its edge's bodies i and j; zero on the ground.
+  /// Phi_k^T of a row on the bodies i and j of its edge; zero on the ground.
   std::array<BodyPart<S>, 2> on_bodies(const EdgeRow& row) const;
   /// a^T H a.
   S energy(const GraphVector<S>& a) const;
@@ -222,23 +229,23 @@ class GraphSolver {
   std::vector<LinkColumn<S>> link_column_;
   std::vector<ClosingFactor> closing_;
   std::vector<BodyPart<S>> force_sum_;
-  std::vector<std::array<bool, 6>> is_dependent_, is_marked_;  ///< marked: dependent, whatever is seen
+  std::vector<std::array<bool, 6>> is_dependent_, is_marked_;  ///< marked: dependent, whatever the pivot is
   DependentRows how_ = DependentRows::detect;
-  // rows told apart
-  std::vector<Border> borders_;  ///< the first `bordered_`
+  // restored rows
+  std::vector<Border> borders_;  ///< storage; the first bordered_ of them are in use
   int bordered_ = 0;
   std::vector<EdgeRow> candidates_;
-  // made when first needed
+  // allocated when first needed
   std::optional<Probe> probe_;
   std::shared_ptr<UnitInertiaSolver> unit_inertia_solver_;
   BodyColumns<S> no_columns_;
-  // the rows of a body that hangs on nothing
+  // right side and multipliers of the rows of a body without a joint to a parent, which has no rows
   const Vector6<S> none_ = Vector6<S>::Zero();
   Vector6<S> nowhere_;
   const GraphMatrix<S>* matrix_ = nullptr;
 };
 
-// dear to compile, so compiled once; for another Scalar include graph_solver_impl.hpp
+// expensive to compile, hence compiled once; for another Scalar include graph_solver_impl.hpp
 extern template class GraphSolver<double>;
 
 }  // namespace trivium

@@ -1,6 +1,6 @@
 #pragma once
-/// The one definition behind the GraphSolver instances, for those of a Scalar that has none. It gathers the
-/// elimination, the closings, the corrections and the dependent rows.
+/// The complete definition of GraphSolver, for instances in a Scalar for which the library has none. It
+/// includes the elimination of links and closings, the refinement, and the restoring of independent rows.
 
 #include "formulations/structured/closing_elimination_impl.hpp"
 #include "formulations/structured/correction_impl.hpp"

@@ -1,5 +1,6 @@
-/// The factorisation alone: any positive definite blocks, any rows, as projections need it. Only point
-/// joints' rows of orientation are, on the child, well apart, as the axes of joints are (point_link.hpp).
+/// The factorisation alone, on systems of random numbers: any positive definite blocks and any rows, as
+/// projections need them. Only the orientation rows of point joints are well independent on the child, as the
+/// axes of a joint are (point_link.hpp).
 
 #include "formulations/structured/graph_solver.hpp"
 
@@ -17,12 +18,14 @@ namespace {
 
 using Columns = PaddedColumns<double, 3>;
 
-/// A system of random numbers on the graph of a mechanism, in blocks and dense.
+/// A system of random numbers on the graph of a random mechanism, in blocks and as a dense matrix.
 class RandomSystem {
  public:
   struct Options {
-    double rows_apart = 1;  ///< of an edge, the last two; below 1 nearly the same
-    double axes_apart = 1;  ///< of a point joint, the same; they are then along axes that both bodies share
+    double rows_apart = 1;  ///< the difference of the last two rows of each edge; 1: they are independent
+    /// The same for the last two orientation rows of each point joint. Below 1 the rows on the parent are
+    /// those on the child in other axes, as PointLink requires.
+    double axes_apart = 1;
     bool has_springs = false;
   };
   explicit RandomSystem(std::uint64_t seed) : RandomSystem(seed, Options{}) {}
@@ -52,7 +55,7 @@ class RandomSystem {
     for (int b = 0; b < bodies; ++b) right_side.body[b] = BodyPart<double>::of(right.segment<6>(6 * b));
   }
 
-  /// What the graph's solution leaves of the dense system after so many refinements, relative.
+  /// The relative residual of the dense system at the structured solution after a number of refinements.
   double defect(int refinements = 0) const {
     GraphSolver<double> solver(plan_);
     GraphVector<double> solution(plan_.graph);
@@ -74,7 +77,7 @@ class RandomSystem {
   static EliminationPlan plan_of(std::uint64_t seed, bool has_springs) {
     BodyJointGraph graph = body_joint_graph(make_mechanism<double>(test::random_scene(
         seed, {.bodies = 2 + static_cast<int>(seed % 5), .closings = static_cast<int>(seed % 3)})));
-    // between neighbours, a body and itself through the ground, and bodies that nothing else connects
+    // from each body to the next, also where no joint connects the two; from the last body to the ground
     if (has_springs)
       for (int b = 0; b < graph.bodies; ++b) graph.edges.push_back({{b, b + 1}, {-1}, false, true, true});
     for (GraphEdge& edge : graph.edges) edge.is_relative = false;  // random rows see every motion
@@ -155,7 +158,7 @@ class RandomSystem {
     }
   }
 
-  /// Its rows are springs of compliances from stiff to soft.
+  /// Gives the rows of an edge a random compliance from 1e-8 (stiff) to 1e3 (soft).
   void give_way(int e) {
     EdgeRows<double>& rows = matrix.rows[plan_.rows_slot[e]];
     rows.compliance = std::pow(10, random_.uniform(-8, 3));

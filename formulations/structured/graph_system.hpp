@@ -1,11 +1,12 @@
 #pragma once
-/// The system that is solved along the graph: a symmetric block per body, the rows of every edge, and their
-/// right sides.
+/// The linear system of the structured solver: a symmetric block H_b per body b and the rows of each edge
+/// (bodies i, j), with their right sides.
 ///
-///   H_b a_b + sum over edges of Phi^T lambda = force_b        Phi_i a_i + Phi_j a_j = gamma
+///     H_b a_b + sum over edges of Phi^T lambda = force_b        Phi_i a_i + Phi_j a_j = gamma
 ///
-/// a_b are the six unknowns of a body: r'' and three of rotation, or increments of the like. With H = M it
-/// gives accelerations and multipliers; with another H, increments of a projection or of Newton's method.
+/// a_b has the six unknowns of a body: r'' and three rotational unknowns x, or increments of both. With H = M
+/// the solution is the accelerations and multipliers; with other H, an increment of a projection or of a
+/// Newton iteration. A wrench on a body has the same two parts: a force, and a generalised force on x.
 
 #include <array>
 #include <vector>
@@ -23,7 +24,7 @@ using Vector6 = Vector<S, 6>;
 template <class S>
 using Matrix6 = Matrix<S, 6, 6>;
 
-/// Six numbers of a body by their parts: translation, rotation.
+/// Six numbers of a body in two parts: translation r, rotation x. Each part is padded to a vector register.
 template <class S>
 struct BodyPart {
   Padded<S> r = Padded<S>::Zero(), x = Padded<S>::Zero();
@@ -44,23 +45,26 @@ struct BodyPart {
   }
 };
 
-/// A symmetric 6x6 block by its parts: translation, coupling, rotation.
+/// A symmetric block [6x6] in parts [3x3]: translation rr, coupling rx, rotation xx.
 template <class S>
 struct BodyBlock {
   PaddedColumns<S, 3> rr = PaddedColumns<S, 3>::Zero(), rx = rr, xx = rr;
 };
 
-/// The rows of a point joint, seen from the child: sign (r_c'' + L_c^T x_c - r_p'' - L_p^T x_p) = gamma for
-/// the point and W_c^T x_c + W_p^T x_p = gamma_w for the orientation, a column of W per row. L is the lever:
-/// L f is what a force at the point does to a body's rotation.
+/// The rows of a point joint of the tree, between the child c and its parent p:
+///
+///     sign (r_c'' + L_c^T x_c - r_p'' - L_p^T x_p) = gamma      W_c^T x_c + W_p^T x_p = gamma_w
+///
+/// for the point (three rows) and for the orientation (up to three rows, one column of W each). L is the
+/// lever matrix: L f is the generalised force on x of a force f that acts on the body at the point.
 template <class S>
 struct PointRows {
   PaddedColumns<S, 3> L_child = PaddedColumns<S, 3>::Zero(), L_parent = L_child;
   PaddedColumns<S, 3> W_child = L_child, W_parent = L_child;
-  S sign{1};  ///< 1 where the child is body j
+  S sign{1};  ///< 1 if the child is body j, -1 if it is body i
 };
 
-/// Up to six rows on one body: what each multiplier does to it, a column per row.
+/// Up to six rows on one body, transposed: column k is the wrench of row k per unit multiplier.
 template <class S>
 struct BodyColumns {
   PaddedColumns<S, 6> r = PaddedColumns<S, 6>::Zero(), x = r;
@@ -73,20 +77,20 @@ struct BodyColumns {
   }
 };
 
-/// The rows of any other edge. Those of a closing may give way by their compliance times their multiplier:
-/// Phi a - compliance lambda = gamma.
+/// The rows of an edge that is no point joint of the tree. The rows of a closing may have a compliance
+/// (springs): Phi a - compliance lambda = gamma.
 template <class S>
 struct EdgeRows {
   BodyColumns<S> C_i, C_j;
   S compliance{0};
 };
 
-/// The matrix. The rows of a point joint in the tree stand in `point`, those of every other edge in `rows`.
+/// The matrix. `point` holds the rows of the point joints of the tree, `rows` those of all other edges.
 template <class S>
 struct GraphMatrix {
   std::vector<BodyBlock<S>> H;
   std::vector<PointRows<S>> point;  ///< by link
-  std::vector<EdgeRows<S>> rows;    ///< by the plan's rows_slot
+  std::vector<EdgeRows<S>> rows;    ///< by EliminationPlan::rows_slot
 
   explicit GraphMatrix(const EliminationPlan& plan)
       : H(plan.graph.bodies), point(plan.links.size()), rows(plan.rows_slots) {
@@ -95,7 +99,7 @@ struct GraphMatrix {
   }
 };
 
-/// Six numbers per body (and the ground, last) and up to six per edge: a right side, or a solution.
+/// Six numbers per body (the ground last) and up to six per edge: forces and gamma, or a and lambda.
 template <class S>
 struct GraphVector {
   std::vector<BodyPart<S>> body;
@@ -113,35 +117,38 @@ struct GraphVector {
   }
 };
 
-/// The rows of a link as its elimination sees them: those of the one kind or of the other.
+/// The rows of a link's joint. A PointLink reads `point` only, a GeneralLink the other three members.
 template <class S>
 struct LinkRows {
   const PointRows<S>& point;
-  const BodyColumns<S>& C;  ///< of the body
+  const BodyColumns<S>& C;  ///< the rows on the link's own body
   const BodyColumns<S>& C_parent;
   int count;
 };
 
 /// How a factorisation decides which rows are dependent (tolerances: rank_tolerance.hpp).
 enum class DependentRows {
-  detect,  ///< those of which nothing is left beside the others
-  /// Also those of which so little is left that the elimination alone does not tell it from nothing, as where
-  /// a motion passes a singular position; none are restored, and what their right sides say is not asked.
+  detect,  ///< rows whose gradient is, up to the tolerance, a linear combination of the others
+  /// In addition nearly dependent rows, which the pivots alone cannot distinguish from dependent ones; none
+  /// is restored and no right side is checked. For motions through singular positions.
   detect_near_singular,
-  /// As decided last. States that leave their constraints by a little, as those within a step of an
-  /// integrator, make dependent rows seem independent.
+  /// The rows of the last decision. At a state that violates its constraints a little, as the stages of an
+  /// integrator do, dependent rows would look independent.
   keep,
-  keep_count  ///< as many of each closing as last, whichever are of least effect now; for motions that drift
+  /// In each closing as many rows as last, chosen anew as those of smallest pivots. For motions that drift.
+  keep_count
 };
 
+/// The result of eliminating a link: `no_inertia` if the joint leaves a motion without inertia free,
+/// `dependent_rows` if orientation rows of a point joint depend on each other.
 enum class Elimination { done, no_inertia, dependent_rows };
 
-/// What the columns of a closing were made of on their way up, row by row. One that cancelled is its own
-/// rounding, and does not show that itself.
+/// Sizes of the columns of a closing, row by row, as if no terms cancelled on the way from body to body.
+/// A column whose terms have cancelled consists of rounding error; its current value does not show this.
 template <class S>
 struct ColumnSizes {
-  Vector6<S> r, x;     ///< the largest squares of its parts
-  Vector6<S> product;  ///< what its product with itself (see `couple`) would be if nothing cancelled
+  Vector6<S> r, x;     ///< the largest squared norms of the column's two parts on the bodies so far
+  Vector6<S> product;  ///< size of the diagonal of the closing's block if nothing cancelled
 
   void setZero() {
     r.setZero();
@@ -149,15 +156,16 @@ struct ColumnSizes {
     product.setZero();
   }
   void take(int k, const S& r_squared, const S& x_squared) {
-    // faster than `larger`: where a part is not a number, neither is the pivot that is held against these
+    // faster than `larger`, which keeps a NaN: if a part is NaN, so is the pivot that these are compared with
     r[k] = select(r[k] > r_squared, r[k], r_squared);
     x[k] = select(x[k] > x_squared, x[k], x_squared);
   }
 };
 
-/// What the multipliers of a closing do at a link: along the free motion, a row of g per row of the closing
-/// and 0 beyond; and what is left for the joint to carry (its force, and its moment as far as a moment is
-/// carried), a column per row.
+/// The wrenches of a closing's rows at an eliminated link, per unit multiplier. `g` has a row per row of the
+/// closing: the generalised force along the link's free motion, padded with zeros. `rest_r` and `rest_x` have
+/// a column per row: the force and the moment that remain after this motion is eliminated and that the joint
+/// carries. For a PointLink the moment is given along its m orientation rows, in the first m places.
 template <class S>
 struct LinkColumn {
   Matrix6<S> g = Matrix6<S>::Zero();

@@ -1,4 +1,4 @@
-/// Lambda of long chains with bad masses, against the same solver in quad.
+/// The multipliers of long chains with extreme mass ratios, compared with the same solver in quad.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 namespace trivium {
 namespace {
 
-/// The largest relative difference of a joint's multipliers, forces and torques apart.
+/// The largest relative difference of the multipliers of one joint, over all joints.
 template <class S>
 double joints_apart(const Mechanism<S>& mechanism, const VectorX<S>& lambda, const VectorX<Quad>& exact) {
   double worst = 0;
@@ -30,7 +30,7 @@ double joints_apart(const Mechanism<S>& mechanism, const VectorX<S>& lambda, con
   return worst;
 }
 
-/// Light and heavy bars by turns, a heavy one at the tip.
+/// A chain of alternately light and heavy bars, with a heavy one at the tip.
 scenes::Scene uneven_chain(int n, double ratio) {
   scenes::Scene scene = scenes::chain(n);
   for (int b = 0; b < n; ++b) {

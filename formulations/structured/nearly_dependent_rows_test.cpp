@@ -1,4 +1,4 @@
-/// What the solver along the graph makes of rows that depend on each other nearly, but not quite.
+/// The structured solver with nearly dependent rows: they are independent, by a small sine.
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ TEST(NearlyDependentRows, AreToldApartDownToTheToleranceOfRanks) {
 }
 
 TEST(NearlyDependentRows, AFourBarNearItsDeadCentreIsRightInFloat) {
-  // crank and rocker of 1 m on a coupler of 2 m: folded flat, the four are one line
+  // crank and rocker of 1 m, coupler and base of 2 m: at the angle 0 all four bars are on one line
   for (const double angle : {0.1, 1e-2, 1e-3}) {
     scenes::Scene scene;
     const double c = std::cos(angle), s = std::sin(angle);
@@ -99,7 +99,8 @@ TEST(NearlyDependentRows, TooManyOfThemAreAnErrorThatNamesOne) {
 }
 
 TEST(NearlyDependentRows, ABodyBetweenHeavyOnesMayBeAsLightAsItWants) {
-  // two sliders pulled through a third so light that one row is the negative of the other to rounding
+  // a slider pulls another one through a third, which is so light that its two cd rows are opposite to each
+  // other up to rounding
   for (const double light : {1e-9, 1e-15, 1e-20, 1e-32}) {
     scenes::Scene scene;
     for (const auto& [name, mass] : {std::pair("left", 1.0), {"light", light}, {"right", 1.0}}) {

@@ -1,6 +1,6 @@
 #pragma once
-/// The rows of a point joint evaluated together, as most joints are: three CD rows hold a point, up to three
-/// rows of orientation follow. What they share (axes, arms, the rotations' rates) is formed once.
+/// Evaluates all rows of a point joint (spherical, revolute, ...) together: three CD rows that hold a point,
+/// and up to three orientation rows. Rotated axes and their rates, which rows share, are computed once.
 
 #include <array>
 #include <variant>
@@ -16,11 +16,11 @@
 
 namespace trivium {
 
-/// Three CD rows along the global axes between a point of i and a point of j, then at most three rows of
-/// orientation, as a rule DP1: a . b = 0 has the moment a x b. With K the Jacobian of a body's point and L =
-/// K^T,
+/// Three CD rows along the global axes between a point of i and a point of j, then at most three orientation
+/// rows. Most of these are plain DP1 rows a . b = 0, whose moment is a x b. L^T = K is the Jacobian of a
+/// body's point with respect to the rotational unknowns x:
 ///
-///   r_j'' + L_j^T x_j - r_i'' - L_i^T x_i = gamma      W_i^T x_i + W_j^T x_j = gamma_w
+///     r_j'' + L_j^T x_j - r_i'' - L_i^T x_i = gamma      W_i^T x_i + W_j^T x_j = gamma_w
 template <class S, class Types>
 class PointJoint {
  public:
@@ -38,10 +38,10 @@ class PointJoint {
     }
   }
 
-  /// Rows of orientation.
+  /// Number of orientation rows.
   int size() const { return size_; }
 
-  /// Into blocks with a column per row, and gamma of all rows.
+  /// Writes the Jacobians L and W of both bodies (a column per row) and gamma of all rows.
   template <class Body, class Columns>
   [[gnu::flatten]] void evaluate(const std::vector<AngularMotion<S>>& motion, const std::vector<Body>& body,
                                  const S& t, Columns&& L_i, Columns&& L_j, Columns&& W_i, Columns&& W_j,
@@ -99,7 +99,7 @@ class PointJoint {
     const BodyPair pair = bodies_of(constraint);
     return of(constraint, body[pair.i], body[pair.j], t);
   }
-  /// The rows that are not plain DP1: drivers.
+  /// Evaluates the orientation rows that are not plain DP1 rows, such as drivers.
   template <class Body, class Columns>
   [[gnu::noinline]] void evaluate_others(const std::vector<Body>& body, const S& t, Columns&& W_i,
                                          Columns&& W_j, Vector<S, 6>& gamma) const {
@@ -115,7 +115,7 @@ class PointJoint {
     }
   }
 
-  /// The vectors on a body, each once: its point's first, then those of the rows.
+  /// The different vectors on a body [body frame]: first that to the joint's point, then those of the rows.
   struct Vectors {
     std::array<Vector3<S>, 4> a_bar;
     int size = 0;
@@ -130,6 +130,7 @@ class PointJoint {
       return all(a[0] == b[0]) && all(a[1] == b[1]) && all(a[2] == b[2]);
     }
   };
+  /// The vectors of a body in the global frame, and their rates.
   struct Moving {
     std::array<Padded<S>, 4> a, rate;
 
@@ -140,6 +141,7 @@ class PointJoint {
       }
     }
   };
+  /// In addition the part of their second derivatives that does not depend on the unknowns x (bias).
   struct Moved {
     std::array<Padded<S>, 4> a, rate, bias;
 
@@ -152,8 +154,8 @@ class PointJoint {
     }
   };
   struct Orientation {
-    int i, j;  ///< of on_i and on_j; -1: a row of another kind
-    int row;
+    int i, j;  ///< indices of the row's vectors in on_i_ and on_j_; -1 if the row is not a plain DP1
+    int row;   ///< index of the row in the mechanism
   };
 
   const Mechanism<S, Types>* mechanism_;

@@ -1,21 +1,24 @@
 #pragma once
-/// A body that hangs on its parent by a point joint with m further rows of orientation: spherical (m = 0),
-/// universal (1), revolute (2), and fixed or a driven revolute (3). Eliminated in the motion that the joint
-/// leaves free, which is the articulated-body recursion (Featherstone 2008, section 7.3) in absolute
-/// coordinates, with every multiplier. The body's block may be singular wherever the joint holds it.
-/// The rows of orientation see the relative turning alone: W_p is -W_c, turned into the parent's axes. Of
-/// rows that are nearly dependent on the child and not on the parent, which no such joint has, digits would
-/// be lost by the square of their sine; GeneralLink takes them one by one.
+/// A point link: its joint fixes a point, by three rows, and has m further orientation rows: spherical
+/// (m = 0), universal (1), revolute (2), fixed or driven revolute (3). The body c is eliminated in the motion
+/// that the joint leaves free. This is the articulated-body recursion (Featherstone 2008, section 7.3) in
+/// absolute coordinates, with all multipliers. The body may lack inertia in motions that the joint prevents.
 ///
-/// About the joint's point, with its acceleration u and the orientation rows' remainder w,
+/// The equations are those about the joint's point. With the acceleration u of this point and the right side
+/// w of the orientation rows, after the motion of the parent p has been subtracted,
 ///
-///   u = r_c'' + L_c^T x_c = r_p'' + L_p^T x_p + sign gamma      W_c^T x_c = w = gamma_w - W_p^T x_p
-///   H_rr u + H_rx x_c + f = F      H_rx^T u + H_xx x_c + W_c lambda_w = tau      f = sign lambda_point
+///     u = r_c'' + L_c^T x_c = r_p'' + L_p^T x_p + sign gamma      W_c^T x_c = w = gamma_w - W_p^T x_p
+///     H_rr u + H_rx x_c + f = F      H_rx^T u + H_xx x_c + W_c lambda_w = tau      f = sign lambda_point
 ///
-/// x_c = N q + Y w, where N^T W_c = 0 and Y^T W_c = I: N^T takes lambda_w out of the moments and gives q;
-/// Y^T gives lambda_w. What is left, in u and w alone, is the parent's:
+/// The ansatz is x_c = N q + Y w, where N^T W_c = 0 and Y^T W_c = I. N^T times the moment equation does not
+/// contain lambda_w and gives q; Y^T times it gives lambda_w. The parent receives the remainder, which
+/// depends on u and w only:
 ///
-///   f = f_0 - rr u - Z w           lambda_w = s_0 - Z^T u - T w
+///     f = f_0 - rr u - Z w           lambda_w = s_0 - Z^T u - T w
+///
+/// Precondition: the orientation rows depend on relative rotation only, that is, W_p is -W_c in the parent's
+/// axes. Rows that are nearly dependent on the child but not on the parent would lose digits with the square
+/// of their sine. No point joint has such rows; those of a GeneralLink are dropped and tested.
 
 #include <array>
 
@@ -24,8 +27,8 @@
 
 namespace trivium {
 
-/// N and Y of the orientation rows W^T x = z: W^T N = 0, W^T Y = I; false where these depend on each other.
-/// The rows are of unit vectors.
+/// N and Y of the orientation rows W^T x = w: W^T N = 0, W^T Y = I. Returns false if the rows depend on each
+/// other. The tolerance assumes rows of unit vectors, whose products then are sines.
 template <class S, int m>
 bool solve_orientation(const PaddedColumns<S, 3>& W, PaddedColumns<S, 3 - m>& N, PaddedColumns<S, m>& Y) {
   using std::sqrt;
@@ -37,7 +40,7 @@ bool solve_orientation(const PaddedColumns<S, 3>& W, PaddedColumns<S, 3 - m>& N,
     N.setIdentity();
     return true;
   } else if constexpr (m == 1) {
-    // two directions across a; neither is short
+    // two directions perpendicular to a; n is y x a or z x a, whichever is not short
     const S zero(0), aa = a.squaredNorm();
     const auto is_flat = a.x() * a.x() + a.y() * a.y() < a.z() * a.z();
     const Padded<S> n = padded<S>(Vector3<S>(select(is_flat, a.z(), -a.y()), select(is_flat, zero, a.x()),
@@ -63,8 +66,8 @@ bool solve_orientation(const PaddedColumns<S, 3>& W, PaddedColumns<S, 3 - m>& N,
   }
 }
 
-/// The inverse of a symmetric positive definite block of at most three rows; false where a pivot is not above
-/// `least`, which is the rounding of the block.
+/// The inverse of a symmetric positive definite block [n x n], n <= 3. Returns false if a pivot does not
+/// exceed `least`, the rounding error of the block.
 template <class S, int n>
 bool invert_positive(const Matrix<S, n, n>& D, const S& least, Matrix<S, n, n>& inverse) {
   if constexpr (n == 0) {
@@ -73,7 +76,7 @@ bool invert_positive(const Matrix<S, n, n>& D, const S& least, Matrix<S, n, n>& 
     inverse(0, 0) = 1 / D(0, 0);
     return D(0, 0) > least;
   } else {
-    // L D L^T, its own inverse multiplied out
+    // by L D L^T; the inverse L^-T D^-1 L^-1 is multiplied out
     const S d0 = D(0, 0), i0 = 1 / d0, l10 = D(1, 0) * i0;
     const S d1 = D(1, 1) - l10 * D(1, 0), i1 = 1 / d1;
     bool good = d0 > least && d1 > least;
@@ -85,7 +88,7 @@ bool invert_positive(const Matrix<S, n, n>& D, const S& least, Matrix<S, n, n>& 
       const S l20 = D(2, 0) * i0, e = D(2, 1) - l10 * D(2, 0), l21 = e * i1;
       const S d2 = D(2, 2) - l20 * D(2, 0) - l21 * e, i2 = 1 / d2;
       good = good && d2 > least;
-      const S m20 = l10 * l21 - l20;  // of L^-1
+      const S m20 = l10 * l21 - l20;  // entry (2, 0) of L^-1
       inverse(2, 2) = i2;
       inverse(1, 2) = inverse(2, 1) = -l21 * i2;
       inverse(0, 2) = inverse(2, 0) = m20 * i2;
@@ -97,19 +100,20 @@ bool invert_positive(const Matrix<S, n, n>& D, const S& least, Matrix<S, n, n>& 
   }
 }
 
-/// Flattened, since calls of the small block operations would pass their blocks through memory.
+/// Functions are flattened: calls of the small block operations would pass their blocks through memory.
 template <class S, int m>
 class PointLink {
  public:
   static constexpr int free = 3 - m;
   using Free = Vector<S, free>;
 
-  /// Eliminates the body's block H; adds what is left of it to the parent's, if there is one.
+  /// Eliminates the body's block H and adds the remaining block to the parent's, if there is a parent.
   [[gnu::flatten]] Elimination factor(const BodyBlock<S>& H, const LinkRows<S>& link, BodyBlock<S>* parent,
                                       DependentRows, std::array<bool, 6>&) {
     const PointRows<S>& rows = link.point;
     if (!solve_orientation<S, m>(rows.W_child, N_, Y_)) return Elimination::dependent_rows;
-    // about the point: H_rx - H_rr L^T, and H_xx - L X - (L X)^T with X half of the way there
+    // the block about the joint's point: rx = H_rx - H_rr L^T and xx = H_xx - L X - (L X)^T, where
+    // X = H_rx - H_rr L^T / 2 takes half of the quadratic term L H_rr L^T in each of the two products
     const PaddedColumns<S, 3> way = times_transpose<S, 3>(H.rr, rows.L_child);
     const PaddedColumns<S, 3> rx = H.rx - way, X = H.rx - way / 2;
     PaddedColumns<S, 3> xx = H.xx;
@@ -132,7 +136,7 @@ class PointLink {
         T_.col(k) = transpose_times<S, m>(Y_, times<S, 3>(xx, Y)) - carried.transpose() * P;
       }
     if (parent == nullptr) return Elimination::done;
-    // u and w by the parent's r'' and x
+    // substitutes u and w by the parent's r'' and x; `arm` / 2 splits a quadratic term as X does
     const PaddedColumns<S, m> W = parent_rows(rows);
     const PaddedColumns<S, 3> arm = times_transpose<S, 3>(rr_, rows.L_parent);
     const PaddedColumns<S, 3> ZW = times_transpose<S, m>(Z_, W);
@@ -143,7 +147,7 @@ class PointLink {
     return Elimination::done;
   }
 
-  /// The same for the columns C of a closing on the body, whose sizes grow along the way.
+  /// Eliminates the body from the first n columns of a closing, and passes the remainder to the parent.
   [[gnu::flatten]] void factor(const BodyColumns<S>& C, int n, const LinkRows<S>& link, LinkColumn<S>& out,
                                ColumnSizes<S>& size, BodyColumns<S>* parent) const {
     const PointRows<S>& rows = link.point;
@@ -164,13 +168,13 @@ class PointLink {
       parent->x.col(k) += times<S, 3>(rows.L_parent, rest_r) - times<S, m>(parent_rows(rows), rest_w);
     }
   }
-  /// Adds a^T D^-1 b of two closings' free parts.
+  /// Adds a^T D^-1 b of the free parts of two closings.
   void couple(const LinkColumn<S>& a, const LinkColumn<S>& b, int rows_b, Matrix6<S>& sum) const {
     for (int n = 0; n < rows_b; ++n)
       sum.col(n) += a.g.template leftCols<free>() * (D_inverse_ * free_part(b, n));
   }
 
-  /// Passes the right side up: what the parent's equations receive.
+  /// Eliminates the body from the right side and adds the remainder to the parent's force.
   [[gnu::flatten]] void forward(const BodyPart<S>& force, const Vector6<S>& gamma, const LinkRows<S>& link,
                                 BodyPart<S>* parent) {
     const PointRows<S>& rows = link.point;
@@ -187,7 +191,8 @@ class PointLink {
     parent->r += f;
     parent->x += times<S, 3>(rows.L_parent, f) - times<S, m>(parent_rows(rows), s);
   }
-  /// Takes from the right sides what accelerations and multipliers of the joint already make of them.
+  /// Subtracts the terms of the joint from the right sides, which then are residuals: the forces of lambda
+  /// from those of both bodies, the accelerations along the rows from gamma.
   [[gnu::flatten]] static void take_residual(const LinkRows<S>& link, const BodyPart<S>& child,
                                              const BodyPart<S>* parent, const Vector6<S>& lambda,
                                              BodyPart<S>& on_child, BodyPart<S>* on_parent,
@@ -208,11 +213,11 @@ class PointLink {
     gamma.template head<3>() -= rows.sign * unpadded<S>(u);
     gamma.template segment<m>(3) -= w;
   }
-  /// What the link's own gamma and force do to a closing's right side.
+  /// The rate of row k of a closing that the link's own gamma and force cause with the parent at rest.
   S closing_rate(const LinkColumn<S>& c, int k) const {
     return c.rest_r.col(k).dot(u_) + c.rest_x.col(k).template head<m>().dot(w_) + free_part(c, k).dot(q_);
   }
-  /// Takes the closing's multiplier into the right side.
+  /// Subtracts the forces of a multiplier of a closing, once it is known, from the link's right side.
   void add_multiplier(const LinkColumn<S>& c, int k, const S& lambda) {
     const Free q = D_inverse_ * free_part(c, k);
     q_ -= q * lambda;
@@ -220,7 +225,7 @@ class PointLink {
     s_ -= lambda * c.rest_x.col(k).template head<m>();
   }
 
-  /// The body's accelerations and the joint's multipliers from the parent's accelerations.
+  /// Back substitution: the body's accelerations and the joint's multipliers from the parent's accelerations.
   [[gnu::flatten]] void backward(const BodyPart<S>* parent, const LinkRows<S>& link, BodyPart<S>& a,
                                  Vector6<S>& lambda) const {
     const PointRows<S>& rows = link.point;
@@ -235,7 +240,7 @@ class PointLink {
   static Free free_part(const LinkColumn<S>& c, int k) {
     return c.g.row(k).template head<free>().transpose();
   }
-  /// What u and w make of the body and the joint.
+  /// The body's accelerations a and the joint's multipliers for given u and w.
   [[gnu::always_inline]] inline void place(const Padded<S>& u, const Carried& w, const PointRows<S>& rows,
                                            BodyPart<S>& a, Vector6<S>& lambda) const {
     lambda.template head<3>() = rows.sign * unpadded<S>(f_ - times<S, 3>(rr_, u) - times<S, m>(Z_, w));
@@ -264,15 +269,15 @@ class PointLink {
 
   PaddedColumns<S, free> N_;
   PaddedColumns<S, m> Y_;
-  // along the free motion: H_rx N, (N^T H_xx N)^-1, and that times N^T H_xx Y
+  // U_r = H_rx N, D^-1 = (N^T H_xx N)^-1 and P = D^-1 N^T H_xx Y, with H about the joint's point
   PaddedColumns<S, free> U_r_;
   Matrix<S, free, free> D_inverse_;
   Matrix<S, free, m> P_;
-  // what the joint carries
+  // the block that remains for the parent: f and lambda_w by u and w
   PaddedColumns<S, 3> rr_;
   PaddedColumns<S, m> Z_;
   Matrix<S, m, m> T_;
-  // the right side at hand
+  // the current right side
   Free q_;
   Padded<S> f_, u_;
   Carried s_, w_;

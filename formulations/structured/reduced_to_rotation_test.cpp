@@ -1,5 +1,5 @@
-/// What is made of a formulation's printed part alone has the solution of its printed system, along the
-/// graph.
+/// ReducedToRotation completes a formulation that has its printed equations only. Its structured solution
+/// must be that of the printed system.
 
 #include "formulations/contract/reduced_to_rotation.hpp"
 
@@ -12,7 +12,7 @@
 namespace trivium {
 namespace {
 
-/// r-p without its other parts.
+/// r-p with its printed equations only.
 template <class S>
 struct PrintedEulerParameters : RP<S> {
   using Reduced = void;

@@ -1,5 +1,5 @@
 #pragma once
-/// AccelerationSolver: iterative refinement, how far it goes, and how its corrections are measured. A part of
+/// AccelerationSolver: iterative refinement, its termination, and the size of its corrections. A part of
 /// acceleration_solver_impl.hpp.
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace trivium {
 
-/// Sums of squares, by components, of what single multipliers do to a body.
+/// Sums of squares, by component, of the force and moment that each single multiplier exerts on one body.
 template <class S>
 struct WrenchSize {
   Padded<S> force = Padded<S>::Zero(), moment = force;
@@ -39,8 +39,10 @@ void AccelerationSolver<F>::refine() {
 
 template <Formulation F>
 void AccelerationSolver<F>::refine_as_needed() {
+  // stops if the correction did not fall to half of the one before, or if the next correction, at the same
+  // rate now / before, would be below `enough`
   const double enough = 1e-4 * static_cast<double>(unit_roundoff<S>());
-  double before = 3;  // above any first correction
+  double before = 3;  // corrections are at most 1, so the first one always counts as a fall
   for (;;) {
     refine();
     const double now = larger(corrections_.acceleration, corrections_.lambda);
@@ -51,7 +53,7 @@ void AccelerationSolver<F>::refine_as_needed() {
 
 template <Formulation F>
 void AccelerationSolver<F>::measure_and_add_step() {
-  // by components, added up once at the end; link by link, those first that were solved for last
+  // sums by component, added up at the end; the loop begins with the links whose solution was found last
   Padded<S> moved = Padded<S>::Zero(), size = moved;
   WrenchSize<S> lambda_moved, lambda_size;
   const EliminationPlan& plan = solver_.plan();
@@ -87,7 +89,7 @@ void AccelerationSolver<F>::measure_and_add_step() {
   };
   const double forces = ratio(lambda_moved.force, lambda_size.force),
                moments = ratio(lambda_moved.moment, lambda_size.moment);
-  // beside nothing, all is correction
+  // a correction larger than the solution counts as 1: all of the solution is correction
   const auto share = [](double x) { return x > 1 ? 1.0 : x; };
   corrections_ = {share(ratio(moved, size)),
                   share(std::isnan(moments) ? moments : std::max(forces, moments))};

@@ -1,6 +1,6 @@
 #pragma once
-/// Whether a solution satisfies the dependent rows, whose multipliers are 0 in it; the first that it
-/// violates. How far a row may be missed, beside the terms that it is made of, stands in rank_tolerance.hpp.
+/// Finds a dependent row that a solution violates. Dependent rows have the multiplier 0, so the solution
+/// satisfies them only if their right sides agree with the other rows. Tolerances: rank_tolerance.hpp.
 
 #include <optional>
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace trivium {
 
-/// The largest number of each part.
+/// The largest magnitude among the components of an acceleration, by part.
 template <class S>
 struct AccelerationSize {
   S r{0}, x{0};
@@ -26,10 +26,11 @@ struct AccelerationSize {
   }
 };
 
-/// Of the given edges, which are no point joints of the tree, the first dependent row that the solution
-/// misses by more than this share of what it is made of: its right side, and numbers of a size by
-/// body, AccelerationSize size_of_body(int). What is not above `least` is none. Of a batch, one that any lane
-/// misses.
+/// The first dependent row of the given edges, none of them a point joint of the tree, with
+///
+///     |gamma - Phi a| > tolerance (|gamma| + |Phi| size) + least
+///
+/// where size_of_body(b) is the AccelerationSize of body b. In a batch, a violation in any lane counts.
 template <class S, class SizeOfBody>
 std::optional<EdgeRow> find_violated_row(const GraphSolver<S>& solver, std::span<const int> edges,
                                          const GraphMatrix<S>& matrix, const GraphVector<S>& right_side,

@@ -9,11 +9,12 @@ namespace trivium {
 
 namespace {
 
+/// An edge as seen from one of its nodes; `node` is the other end.
 struct Incident {
   int node, edge;
 };
 
-/// The edges of a graph that are still there, by node.
+/// The graph's edges by node. An edge can be removed; the lists at() still contain it, is_there() does not.
 class Adjacency {
  public:
   explicit Adjacency(const BodyJointGraph& graph) : edges_(graph.edges), at_(graph.bodies + 1) {
@@ -61,18 +62,19 @@ SpanningForest breadth_first(const Adjacency& graph) {
   return forest;
 }
 
-/// The edges of a shortest loop through an edge, searched from both its ends, so that a body with many joints
-/// (the ground) is met and not searched through; none where that looks at more than `reach` edges.
+/// The edges of a shortest loop through the given edge; empty if there is none or if the search would visit
+/// more than `reach` edges. The search is breadth-first from both ends and continues at the end whose front
+/// has fewer edges; so a body with many joints (the ground, a hub) is met before its joints are searched.
 std::vector<int> shortest_loop(const Adjacency& graph, int through) {
   constexpr std::size_t reach = 1000;
   struct Reached {
-    Incident back;  ///< towards the end of the edge that it was reached from
-    int distance;
+    Incident back;  ///< one step back towards the end at which the search began; edge -1 at this end itself
+    int distance;   ///< number of edges from this end
   };
   struct Side {
     std::map<int, Reached> reached;
     std::vector<int> front;
-    std::size_t edges;  ///< of the front
+    std::size_t edges;  ///< number of edges at the nodes of the front
   };
   const auto side_from = [&](int node) {
     return Side{{{node, {{node, -1}, 0}}}, {node}, graph.at(node).size()};
@@ -109,9 +111,9 @@ std::vector<int> shortest_loop(const Adjacency& graph, int through) {
   return {};
 }
 
-/// Removes edges until no loop is left. Each short loop loses the edge with the fewest rows and, among those,
-/// the one that the fewest short loops use: neighbouring loops stay apart, and the border of a ladder stays
-/// as wide as one of its cells.
+/// Removes edges until no loop is left and returns them. From each short loop the edge with the fewest rows
+/// is removed and, among equals, the edge that belongs to the fewest short loops. Neighbouring loops then
+/// stay separate, and the border of a ladder is as wide as one of its cells.
 std::vector<int> open_loops(Adjacency& graph) {
   std::vector<int> removed;
   const auto closing_edges = [&] {
@@ -144,7 +146,7 @@ std::vector<int> open_loops(Adjacency& graph) {
       progress = true;
     }
     if (progress) continue;
-    // only long loops are left: where breadth-first search meets itself they are halved
+    // only long loops are left: they are opened at the edges outside the breadth-first tree, in their middle
     for (int e : closing) {
       graph.remove(e);
       removed.push_back(e);

@@ -1,6 +1,6 @@
 #pragma once
-/// Which edges of a graph span its bodies, and which close loops. Decided here: breadth first from the
-/// ground, which keeps loops short; on their length the fill of the elimination depends.
+/// Divides the edges of a graph into those of a spanning forest and those that close loops. The fill-in of
+/// the elimination grows with the length of the loops, so the forest is chosen such that loops are short.
 
 #include <vector>
 
@@ -8,11 +8,12 @@
 
 namespace trivium {
 
-/// Breadth first from the ground, then from the first body of every part that the ground does not hold.
+/// One tree is rooted at the ground. Each part of the mechanism that no path of edges connects to the ground
+/// has a tree of its own, rooted at the part's first body.
 struct SpanningForest {
-  std::vector<int> parent, edge;   ///< by node; edge -1 and parent the ground where a body hangs on nothing
-  std::vector<int> order;          ///< bodies, parents first
-  std::vector<int> closing_edges;  ///< the others; soft edges, which never span, last
+  std::vector<int> parent, edge;   ///< by node: the parent and the edge to it; a root has the ground and -1
+  std::vector<int> order;          ///< the bodies, each parent before its children
+  std::vector<int> closing_edges;  ///< the edges outside the forest; all soft edges are among them, last
 };
 
 SpanningForest spanning_forest(const BodyJointGraph& graph);

@@ -1,4 +1,4 @@
-/// The comparison along the graph says what the dense one does, where both can be asked.
+/// The comparison of formulations by the structured solver has the same results as the dense one.
 
 #include "formulations/structured_side_by_side.hpp"
 
@@ -21,7 +21,7 @@ void expect_the_same(const Model<double>& model) {
   EXPECT_LE((sparse.rows.E - dense.rows.E).norm(), 1e-12 * dense.rows.E.norm());
   EXPECT_LE((sparse.rows.acceleration_scale - dense.rows.acceleration_scale).norm(),
             1e-12 * dense.rows.acceleration_scale.norm());
-  // the dense bound also knows what cancels, by magnitudes
+  // the dense bound may be larger, since it adds magnitudes and so includes terms that cancel
   for (Eigen::Index k = 0; k < sparse.rows.E.size(); ++k)
     EXPECT_LE(sparse.rows.schur_rhs_bound[k], dense.rows.schur_rhs_bound[k] * (1 + 1e-10) + 1e-12);
   for (std::size_t f = 0; f < dense.formulations.size(); ++f) {
@@ -36,7 +36,7 @@ void expect_the_same(const Model<double>& model) {
     EXPECT_LE(s.residual.worst(), 1e-10);
     ASSERT_EQ(s.lambda_internal.size(), d.lambda_internal.size());
     EXPECT_LE((s.lambda_internal - d.lambda_internal).norm(), 1e-8 * (1 + d.lambda_internal.norm()));
-    // the sum over a mechanism of what joints do is as unique as its accelerations
+    // only the points of the reactions are compared: forces and moments of redundant joints are not unique
     for (std::size_t k = 0; k < s.reactions.size(); ++k)
       EXPECT_LE((s.reactions[k].point - d.reactions[k].point).norm(),
                 1e-12 * (1 + d.reactions[k].point.norm()));

@@ -1,6 +1,6 @@
 #pragma once
-/// AccelerationSolver: which multipliers are unique, and a choice among the others. A part of
-/// acceleration_solver.hpp.
+/// AccelerationSolver: which multipliers are unique, and the multipliers of minimum norm. Both use a basis of
+/// the null space of Phi^T, one vector per dependent row. A part of acceleration_solver_impl.hpp.
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ MatrixX<typename F::Scalar> AccelerationSolver<F>::left_null_space() {
   for_each_row([&](int edge, int k, int row) {
     if (!solver_.is_dependent(edge, k)) return;
     const auto n = std::lower_bound(dependent.begin(), dependent.end(), row) - dependent.begin();
-    // what the row does to its bodies, done by the others
+    // solves for the combination of independent rows that, added to this row, exerts no force on any body
     std::fill(unit.body.begin(), unit.body.end(), BodyPart<S>{});
     solver_.add_row({edge, k}, S(-1), unit);
     solver_.solve(unit, combination);
@@ -67,8 +67,10 @@ std::vector<bool> AccelerationSolver<F>::unique() {
   std::vector<bool> flags(mechanism_.nc(), true);
   const MatrixX<S> N = left_null_space();
   if (N.cols() == 0) return flags;
-  solver_.measure_levers();  // rows that were told by the elimination alone have not asked for them
-  // a combination is judged row by row by the size of the rows, turns by the lever of their component
+  // solve() measures the levers only if it tests dropped rows
+  solver_.measure_levers();
+  // A multiplier is not unique if its row has more than a negligible share in a null space vector. Shares are
+  // weighted by the norm of the rows, with rotations converted to lengths by the lever of the component.
   const VectorX<S> size2 = row_sizes([&](int b, const Vector3<S>& r, const Vector3<S>& x) {
     return S(r.squaredNorm() + x.squaredNorm() / solver_.lever2(b));
   });

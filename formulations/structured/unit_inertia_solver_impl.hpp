@@ -1,7 +1,7 @@
 #pragma once
-/// GraphSolver: decides which rows are independent by geometry alone, with shifts and turns for H. With H = M
-/// a body that hardly resists in some direction would magnify what misplaced points leave of a dependent row.
-/// A part of dependent_rows_impl.hpp.
+/// GraphSolver: decides by geometry alone which rows are independent, with translations and rotations as H
+/// instead of the inertia. With H = M a body of small inertia in some direction would magnify the remainder
+/// that inexact positions leave of a dependent row. A part of dependent_rows_impl.hpp.
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,9 @@
 
 namespace trivium {
 
-/// The same rows with shifts and turns for H, where turns count by the mean lever of the rows that hold
-/// points of the same component: bodies that rows connect, not through the ground.
+/// The system with the same rows and H = diag(1, 1, 1, l^2, l^2, l^2) for each body. The lever l converts
+/// rotations to lengths; l^2 is the mean of |x|^2 / |r|^2 over the rows with a translational part r on the
+/// bodies of the same component (connected_bodies.hpp), and 1 where there is no lever.
 template <class S>
 class GraphSolver<S>::UnitInertiaSolver {
  public:
@@ -40,7 +41,8 @@ class GraphSolver<S>::UnitInertiaSolver {
     solver_.factor_once(matrix_);
   }
 
-  /// Those of the rows of which more than direction_tolerance is left beside the others.
+  /// The given rows that are independent: the sine between the row and the span of all other rows exceeds
+  /// direction_tolerance. Such a row is bordered here and counts as one of the others for rows after it.
   const std::vector<EdgeRow>& independent(const std::vector<EdgeRow>& rows) {
     candidates_.clear();
     independent_.clear();
@@ -52,22 +54,24 @@ class GraphSolver<S>::UnitInertiaSolver {
   const S& lever2(int body) const { return lever2_[component_[body]]; }
 
  private:
-  /// By halves.
+  /// Bisection: discards a set of rows if random combinations of them depend on the others; else halves it.
   void search(std::span<const EdgeRow> rows) {
     if (rows.size() == 1) {
       if (left_of(rows, 0) > square(direction_tolerance<S>()) && solver_.border(rows.front()))
         independent_.push_back(rows.front());
       return;
     }
-    // in a combination rows may cancel by accident, so that little of it may be left, and of two
+    // The remainders of rows may cancel by accident in a combination; so two combinations are tried, against
+    // a tolerance that is smaller by the factor 30.
     const S little = square(direction_tolerance<S>() / 30);
     if (all(left_of(rows, 1) <= little) && all(left_of(rows, 2) <= little)) return;
     search(rows.first(rows.size() / 2));
     search(rows.subspan(rows.size() / 2));
   }
 
-  /// The square of what is left beside the others of a combination of rows of unit size, of which each has a
-  /// share of half to one of either sign.
+  /// Square of the remainder of a combination of the rows, that is, of its part outside the span of all other
+  /// rows. Each row is scaled to unit size and has a random coefficient of magnitude 0.5 to 1; a single row
+  /// has the coefficient 1, and the result is the square of its sine.
   S left_of(std::span<const EdgeRow> rows, std::uint32_t seed) {
     using std::sqrt;
     Probe& probe = solver_.cleared_probe();
@@ -86,6 +90,7 @@ class GraphSolver<S>::UnitInertiaSolver {
   }
   static S square(const S& x) { return x * x; }
 
+  /// Square of the row's norm in the metric of H^-1.
   S size_of(const EdgeRow& row) const {
     const GraphEdge& edge = solver_.plan_.graph.edges[row.edge];
     const auto [on_i, on_j] = solver_.on_bodies(row);
@@ -96,7 +101,7 @@ class GraphSolver<S>::UnitInertiaSolver {
     return size_on(edge.i, on_i) + size_on(edge.j, on_j);
   }
 
-  /// Means over rows of the squares of their levers.
+  /// Computes l^2 of every component.
   void measure_levers() {
     const EliminationPlan& plan = solver_.plan_;
     std::fill(lever2_.begin(), lever2_.end(), S(0));
@@ -126,8 +131,8 @@ class GraphSolver<S>::UnitInertiaSolver {
 
   GraphMatrix<S> matrix_;
   GraphSolver solver_;
-  std::vector<int> component_;       ///< by body: the first body of its component
-  std::vector<S> lever2_, holding_;  ///< by component: the mean, and how many rows hold points
+  std::vector<int> component_;       ///< by body: the body that stands for its component
+  std::vector<S> lever2_, holding_;  ///< by component: l^2, and the number of levers in this mean
   std::vector<EdgeRow> candidates_, independent_;
 };
 

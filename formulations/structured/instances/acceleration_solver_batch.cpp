@@ -2,7 +2,7 @@
 #include "formulations/equations_of_motion_impl.hpp"
 #include "formulations/structured/acceleration_solver_impl.hpp"
 
-// of the tests alone
+// instances for the tests only
 template class trivium::GraphAssembly<trivium::ROmega<trivium::Batch<double, 4>>>;
 template class trivium::GraphAssembly<trivium::RP<trivium::Batch<double, 4>>>;
 template class trivium::GraphAssembly<trivium::REpsilon<trivium::Batch<double, 4>>>;

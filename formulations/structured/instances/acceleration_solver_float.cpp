@@ -1,6 +1,6 @@
 #include "formulations/structured/acceleration_solver_impl.hpp"
 
-// of the tests alone
+// instances for the tests only
 template class trivium::GraphAssembly<trivium::ROmega<float>>;
 template class trivium::GraphAssembly<trivium::RP<float>>;
 template class trivium::GraphAssembly<trivium::REpsilon<float>>;

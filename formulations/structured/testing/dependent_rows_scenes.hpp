@@ -1,6 +1,6 @@
 #pragma once
-/// Small scenes whose rows depend on each other, or nearly, and what their solutions are compared with. A
-/// support of the tests.
+/// Support of the tests: small scenes with dependent or nearly dependent rows, and the comparison of their
+/// structured solution with the printed system in quad.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace trivium::test {
 inline constexpr scenes::Vector3 point{0.3, 0.2, 0.1}, axis{1, 0.1, 0.2}, across{0, 0, 1};
 inline constexpr scenes::Vector3 slope{0.6, 0, 0.8}, level{0, 1, 0};
 
-/// A body on a revolute to the ground.
+/// A body that a revolute connects to the ground.
 inline scenes::Scene pendulum() {
   scenes::Scene scene;
   scene.bodies = {body("rod", 1, {1, 1.1, 1.2})};
@@ -44,7 +44,7 @@ inline scenes::Constraint cd(const std::string& name, int i, const scenes::Vecto
   return c;
 }
 
-/// Ranks and which multipliers are unique are those of print, r'' and lambda its solution in quad.
+/// Expects the rank and the unique multipliers of the printed system, and its r'' and lambda in quad.
 template <class Structured>
 void expect_solution_of_quad(const scenes::Scene& scene, double tolerance, const std::string& what) {
   using S = typename Structured::Scalar;
@@ -61,7 +61,7 @@ void expect_solution_of_quad(const scenes::Scene& scene, double tolerance, const
   EXPECT_LE(lambda_distance(printed.rows, solution.lambda, exact.lambda), tolerance) << what;
 }
 
-/// The error of r-omega, after which no answer is left; empty: none.
+/// The message of the error that r-omega throws, empty if it throws none; all results must be NaN then.
 inline std::string refusal_of(const scenes::Scene& scene) {
   const auto mechanism = make_mechanism<double>(scene);
   AccelerationSolver<ROmega<double>> solver(mechanism);
@@ -74,7 +74,7 @@ inline std::string refusal_of(const scenes::Scene& scene) {
   return "";
 }
 
-/// A block under rows along z at points beside its centre, in torque about y.
+/// A block with cd rows along z at the points x = beside [m] on its x axis, under a torque about y.
 inline scenes::Scene block_on_rows(const std::vector<double>& beside, double moment) {
   scenes::Scene scene;
   scene.bodies = {body("block", 1, {moment, moment, moment})};
