@@ -184,11 +184,14 @@ struct NumTraits<trivium::Batch<T, N>> : GenericNumTraits<T> {
   static Real infinity() { return std::numeric_limits<T>::infinity(); }
   static Real quiet_NaN() { return std::numeric_limits<T>::quiet_NaN(); }
 };
+// Doxygen loses the scope of this specialisation
+/// @cond
 /// Arrays keep the alignment of their lanes: Eigen would ask for less, which clang++ refuses.
 template <class T, int N, int size>
 requires(size != Dynamic) struct internal::compute_default_alignment<trivium::Batch<T, N>, size> {
   enum { value = 0 };
 };
+/// @endcond
 }  // namespace Eigen
 
 namespace trivium {
