@@ -81,7 +81,9 @@ ResultsSchema expanded(ResultsSchema schema, const std::vector<std::string>& col
         all.back().name = columns[k];
       }
     }
-    if (all.size() == first) all.push_back(column);  // one that is missing is missed by its name
+    if (all.size() == first)
+      all.push_back(
+          column);  // no column matches: keep the name with `*`, so that the missing column is reported
   }
   schema.columns = std::move(all);
   return schema;
