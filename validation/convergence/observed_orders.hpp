@@ -37,8 +37,8 @@ struct OrderResult {
   double observed(int quantity, std::size_t level) const {
     return std::log2(errors[level - 1][quantity] / errors[level][quantity]);
   }
-  /// Whether every error is a number. An error is NaN if the run failed to be accurate or reports no raw
-  /// lambda.
+  /// Whether every error is a number. An error is NaN if the method reports no raw lambda, or if the run
+  /// produced NaN.
   bool is_known(int quantity) const {
     return std::all_of(errors.begin(), errors.end(),
                        [&](const Errors& at) { return std::isfinite(at[quantity]); });

@@ -12,7 +12,7 @@ namespace trivium {
 
 namespace {
 
-/// The farthest of a body's points that constraints and effects act between.
+/// Key visitor that finds the largest distance of a body's points in effects from its centre of mass.
 struct Reach : KeyVisitor {
   int of;
   double& reach;
