@@ -33,8 +33,8 @@ std::vector<MasslessRotation> massless_rotations(const Mechanism<double>& mechan
   return out;
 }
 
-/// The size of a body [m]: its radius of gyration combined with the distance of its joint points from the
-/// centre of mass. It makes rotations comparable with displacements.
+/// The size of a body [m]: its radius of gyration combined with the largest lever arm of its rows. It makes
+/// rotations comparable with displacements.
 double size_of(const Mechanism<double>& mechanism, const MatrixX<double>& Phi, int body) {
   double reach = 0;
   for (Eigen::Index row = 0; row < Phi.rows(); ++row) {

@@ -12,7 +12,8 @@ namespace trivium {
 
 namespace {
 
-/// Key visitor that finds the largest distance of a body's points in effects from its centre of mass.
+/// Key visitor that finds the largest distance from a body's centre of mass to a point of an effect on this
+/// body.
 struct Reach : KeyVisitor {
   int of;
   double& reach;
