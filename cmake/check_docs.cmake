@@ -1,5 +1,5 @@
 cmake_minimum_required(VERSION 3.25)
-# README has at most 130 lines, and every file or folder that README, CONTRIBUTING and docs/ name, or link to, exists.
+# README has at most 130 lines. Every file or folder that README, CONTRIBUTING or docs/ name or link to must exist.
 file(READ ${SOURCE_DIR}/README.md text)
 string(REGEX MATCHALL "\n" lines "${text}")
 list(LENGTH lines count)
@@ -12,8 +12,8 @@ file(GLOB pages ${SOURCE_DIR}/README.md ${SOURCE_DIR}/CONTRIBUTING.md ${SOURCE_D
 foreach(page IN LISTS pages)
   cmake_path(GET page PARENT_PATH folder)
   file(READ ${page} text)
-  string(REPLACE "](" "@(" text "${text}")  # a bracket alone would hold a list together
-  # in backticks, quotes or an #include; and links
+  string(REPLACE "](" "@(" text "${text}")  # a single bracket would join list elements in CMake
+  # names in backticks, quotes or an #include, and links
   string(REGEX MATCHALL "[`\"<](\\./)?(${folders})/[A-Za-z0-9_./*-]*[`\">]" names "${text}")
   list(TRANSFORM names REPLACE "^.(.*[^/])/?.$" "${SOURCE_DIR}/\\1")
   string(REGEX MATCHALL "@\\([A-Za-z0-9_./]+\\)" links "${text}")
