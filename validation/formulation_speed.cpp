@@ -1,8 +1,9 @@
 /// Question: which set of coordinates is fastest, and does the order of the method change the answer? Kissel,
 /// Taves and Negrut (2021, 2022) found r-omega on SO(3) (their rA) about twice as fast as r-p and r-epsilon
-/// with backward Euler, and left higher orders open. Their four models and spatial models with more degrees
-/// of freedom are run here by methods of orders 1 to 5, with the same solver, step size and Newton criterion.
-/// CPU times are taken in random order; only ratios are meaningful. The program fails only if a run fails.
+/// with backward Euler, and left higher orders open. Here their four models and spatial models with free
+/// degrees of freedom are run by methods of orders 1 to 5, with the same solver, step size and Newton
+/// criterion. CPU times are taken in random order; only ratios are meaningful. The program fails only if a
+/// run fails.
 
 #include <fmt/format.h>
 
@@ -169,7 +170,7 @@ std::string json(const std::vector<Run>& runs) {
 
 int run(const Program& program, const Options& options) {
   std::vector<NamedScene> scenes = program.scenes(0);
-  // the four models of Kissel, Taves and Negrut, then spatial models with more degrees of freedom
+  // the four models of Kissel, Taves and Negrut, then spatial models with free degrees of freedom
   const std::vector<std::string> chosen{
       "uwsbel_single_pendulum", "uwsbel_double_pendulum", "uwsbel_slider_crank", "uwsbel_four_link",
       "spatial_slider_crank",   "triple_pendulum",        "open_arm_7",          "stewart_platform"};

@@ -3,8 +3,8 @@
 /// body has nine such numbers and six internal rows d_i . d_j = delta_ij; the unknowns are r'' and the second
 /// derivatives of the directors. These are the natural coordinates of a body with one point (Garcia de Jalon
 /// and Bayo, Kinematic and Dynamic Simulation of Multibody Systems, 1994). The mass matrix is constant, and
-/// no force depends on the velocity. lambda is the same as in all other formulations; lambda_internal exists
-/// only in this one.
+/// there are no velocity-dependent inertia forces. lambda is the same as in all other formulations; only this
+/// formulation has the multipliers lambda_internal of the internal rows.
 ///
 /// The rotational mass matrix is mass_block = E (x) I with E = tr(Jbar) / 2 I - Jbar, the second moments of
 /// mass.

@@ -50,7 +50,7 @@ void read_value(const Json& json, const Path& at, double& out);
 void read_value(const Json& json, const Path& at, std::string& out);
 void read_value(const Json& json, const Path& at, TimeFunction& out);
 
-/// The items of the array. If `size` is given, the array must have exactly so many.
+/// The items of the array. If `size` is given, the array must have exactly `size` items.
 const Json::Array& read_items(const Json& json, const Path& at, std::string_view items,
                               std::optional<std::size_t> size = {});
 

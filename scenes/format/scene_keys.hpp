@@ -100,7 +100,7 @@ namespace detail {
 /// Key visitor that lists the keys of a basic constraint.
 struct ConstraintKeyList {
   ConstraintShape& out;
-  bool has_point_i = false, has_point_j = false;  // a side may have one point
+  bool has_point_i = false, has_point_j = false;  // a side has at most one point
 
   void vector_i(auto&) { take_vector(out.i); }
   void vector_j(auto&) { take_vector(out.j); }

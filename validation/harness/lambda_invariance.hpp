@@ -3,7 +3,7 @@
 /// mechanisms, the program computes the largest relative difference of lambda between formulations, in the
 /// norm of E = diag(Phi M^-1 Phi^T)^(1/2). It fails if a solver fails, or if a difference exceeds the bound
 /// 100 u kappa. The list of formulations is a parameter: a user-written formulation is added by
-/// AllFormulations::With<Mine>.
+/// `AllFormulations::With<Mine>`.
 
 #include <functional>
 #include <string>
