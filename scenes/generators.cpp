@@ -161,10 +161,9 @@ Scene tree(int n, std::uint64_t seed) {
   Scene scene = sized("tree", n, 1,
                       fmt::format("{} bars, each hung on one drawn among those before it, seed {}", n, seed));
   std::mt19937_64 engine(seed);
-  const auto uniform =
-      [&](double low, double high) {  // std::uniform_real_distribution differs between standard libraries
-        return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1.0p-53;
-      };
+  const auto uniform = [&](double low, double high) {  // std's distribution depends on the library
+    return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1.0p-53;
+  };
   std::vector<Bar> bars;
   bars.reserve(static_cast<std::size_t>(n));
   for (int k = 0; k < n; ++k) {

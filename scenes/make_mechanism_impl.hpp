@@ -161,8 +161,7 @@ struct EffectCast {
     to = narrowed.place(from, key);
   }
   void angle(std::string_view key, const double& from, Scalar& to) const { to = narrowed.angle(from, key); }
-  void turns(std::string_view, const auto&, auto&) const {
-  }  // the tracked angle, cast by joint(), contains the full turns
+  void turns(std::string_view, const auto&, auto&) const {}  // cast by joint(), with the tracked angle
 
  private:
   void cast(std::string_view key, const double& from, Scalar& to) const { to = narrowed.number(from, key); }

@@ -43,9 +43,8 @@ using Orientation = std::variant<EulerParameters, EulerAngles, AxisAngle, Rotati
 struct Body {
   std::string name;
   double mass = 0;
-  std::variant<Vector3, Matrix3>
-      inertia;                      ///< diagonal or full [kg m^2], about the centre of mass, body frame
-  bool unphysical_inertia = false;  ///< do not check the triangle inequality of the moments
+  std::variant<Vector3, Matrix3> inertia;  ///< diagonal or full [kg m^2], centre of mass, body frame
+  bool unphysical_inertia = false;         ///< do not check the triangle inequality of the moments
   Vector3 position{};
   Orientation orientation;
   Vector3 velocity{};          ///< velocity of the centre of mass [m/s], global frame

@@ -244,7 +244,7 @@ std::vector<std::string_view> names_of(const Shapes& shapes) {
   return names;
 }
 
-inline constexpr std::array<std::string_view, 2> frame_names{"global",
-                                                             "body"};  ///< in the order of ComponentFrame
+/// In the order of ComponentFrame.
+inline constexpr std::array<std::string_view, 2> frame_names{"global", "body"};
 
 }  // namespace trivium::scenes

@@ -77,8 +77,7 @@ Body arbitrary_body(Random& random, int index) {
   Body body;
   body.name = fmt::format("body {}", index) + (random.flip() ? " \"ä/~\\\n" : "");
   body.mass = random.positive();
-  const double x = random.positive(), y = random.positive(),
-               z = random.positive();  // second moments, so that the inertia is physical
+  const double x = random.positive(), y = random.positive(), z = random.positive();  // second moments
   if (random.flip()) {
     body.inertia = Vector3{y + z, z + x, x + y};
   } else {  // diagonally dominant, and the moments obey the triangle inequality

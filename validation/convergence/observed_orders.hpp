@@ -59,8 +59,7 @@ struct OrderResult {
     return may_fall() ? fmt::format("1..{}", published(quantity)) : std::to_string(published(quantity));
   }
   bool passed(int quantity) const {
-    if (!is_known(quantity) || level(quantity) == 0)
-      return false;  // without an observed order nothing is proved
+    if (!is_known(quantity) || level(quantity) == 0) return false;  // no order is observed
     const double found = observed(quantity), p = published(quantity);
     if (!may_fall()) return std::abs(found - p) <= tolerance;
     // The error of r contains a small part of order 1. This part may first cancel the part of order 2, so

@@ -14,8 +14,7 @@ void plot(const std::vector<OrderResult>& rows, const std::string& scene, const 
           const std::string& file) {
   std::string data;
   std::array<std::vector<std::string>, 4> curves;
-  std::array<std::map<int, std::array<double, 2>>, 4>
-      lowest;  // by order: where the lowest curve of this order ends
+  std::array<std::map<int, std::array<double, 2>>, 4> lowest;  // by order: end of its lowest curve
   for (const OrderResult& row : rows) {
     if (row.scene != scene || row.formulation != formulation || !row.solved()) continue;
     const std::size_t n = curves[0].size() + 1;

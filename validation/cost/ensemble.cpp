@@ -218,8 +218,7 @@ std::vector<Measurement> measure_ensemble(int states) {
         const QuadSolution exact = ensemble.exact(portion.states[static_cast<std::size_t>(n)]);
         for (Sweep& sweep : all) {
           const double error = exact.error_of(sweep.r_ddot(n)), worst = sweep.row.error.value_or(0);
-          sweep.row.error =
-              error <= worst || std::isnan(worst) ? worst : error;  // once NaN, the error stays NaN
+          sweep.row.error = error <= worst || std::isnan(worst) ? worst : error;  // once NaN, always NaN
         }
       }
     std::shuffle(order.begin(), order.end(), engine);

@@ -15,8 +15,8 @@ namespace trivium::cost {
 struct Measurement {
   std::string scene, family;
   int n = 0, bodies = 0;
-  std::string engine, formulation,
-      refinement;  ///< formulation: only Trivium and sparse solvers; refinement: only Trivium
+  /// Only Trivium and the sparse solvers have a formulation; only Trivium has a refinement.
+  std::string engine, formulation, refinement;
   std::optional<double> microseconds;  ///< empty if not timed; `note` says why
   std::optional<double> ratio;         ///< ratio to r-omega refined [-]
   std::optional<double> error, lambda_error;

@@ -44,8 +44,7 @@ struct Load {
 struct PeerScene {
   simbody::Model model;
   Vector3 gravity{};
-  std::vector<Load>
-      loads;  ///< loads of all effects but gravity on each body at this state; empty if there are none
+  std::vector<Load> loads;      ///< per body, by effects other than gravity; empty if all are zero
   std::vector<TreeJoint> tree;  ///< parents before children
   std::vector<int> closings;    ///< joints of the model that are not in the tree
   /// All joints are revolutes with parallel axes: a closing joint then only needs to fix its point.

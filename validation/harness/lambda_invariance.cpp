@@ -183,8 +183,7 @@ class Survey {
       if (a.analysed) json.number("nc", a.nc).number("rank", a.rank).number("kappa", a.kappa);
       if (!a.difference.empty()) {
         json.begin_object("difference");
-        constexpr double none =
-            std::numeric_limits<double>::quiet_NaN();  // written as null, where the table has "none"
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();  // written as null
         for (std::size_t k = 0; k < pairs_.size(); ++k)
           json.number(pairs_[k].name, a.comparable() ? a.difference[k] : none);
         json.end_object();

@@ -23,8 +23,7 @@ struct TimedMotion : NamedScene {
 
 /// A method with one tolerance or one step size.
 struct RunSettings {
-  std::string engine, formulation,
-      method;  ///< an empty formulation means another engine, with its own coordinates
+  std::string engine, formulation, method;  ///< no formulation: another engine and its coordinates
   std::optional<double> rtol, step;
   integrators::MethodParameters parameters = {};
 

@@ -28,8 +28,7 @@ struct Body {
   Matrix3 inertia{};  ///< inertia matrix Jbar [kg m^2], body frame, about the centre of mass
   Vector3 position{};
   std::array<double, 4> euler_parameters{1, 0, 0, 0};
-  Vector3 velocity{},
-      angular_velocity{};  ///< r_dot [m/s] in the global frame; omega_bar [rad/s] in the body frame
+  Vector3 velocity{}, angular_velocity{};  ///< r_dot [m/s], global; omega_bar [rad/s], body frame
 };
 
 struct BodyPair {
