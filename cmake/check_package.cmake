@@ -14,7 +14,7 @@ foreach(room IN LISTS ROOMS)
   endforeach()
 endforeach()
 foreach(header IN LISTS installed)
-  set(door "^(trivium|scene|instant|solve|simulate|compare)\\.hpp$")  # the headers of the front door, which belong to no room
+  set(door "^(trivium|scene|instant|solve|simulate|compare)\\.hpp$")  # headers of the front door, in no room
   if(header MATCHES "testing" OR NOT header MATCHES "^[a-z]+/.*\\.hpp$|${door}")
     string(APPEND errors "${header} is installed, and is no header of a room\n")
   endif()
