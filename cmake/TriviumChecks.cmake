@@ -1,4 +1,4 @@
-# Tests of the project as a whole: its layers, headers, pages and format, and a project of its own that uses the
+# Tests of the project as a whole: layers, headers, pages and format, and separate projects that use the
 # installed package.
 if(NOT TRIVIUM_BUILD_TESTS OR TRIVIUM_SANITIZE)
   return()

@@ -1,14 +1,15 @@
 # trivium_compiled_with(<output> <compiler> <flags> <Eigen's folder>): writes bodies/numbers/compiled_with.hpp, which is
-# installed. Code that is compiled with other flags than the library, where these change its types or what a number that is
-# none does, then does not compile; the message says which flag it is.
+# installed. If user code is compiled with other flags than the library, and the flags change types of the library or
+# the treatment of NaN and infinity, the compilation fails with a message that names the flag. Flags and what they
+# change:
 #   __AVX__, __AVX512F__   Register and native_lanes     EIGEN_MAX_ALIGN_BYTES   matrices of fixed size
 #   _GLIBCXX_DEBUG         containers                    __FAST_MATH__           isfinite, and comparisons with NaN
-#   EIGEN_MAX_STATIC_ALIGN_BYTES, -fpack-struct   members' places         EIGEN_DEFAULT_TO_ROW_MAJOR   matrices
+#   EIGEN_MAX_STATIC_ALIGN_BYTES, -fpack-struct   layout of structs       EIGEN_DEFAULT_TO_ROW_MAJOR   matrices
 function(trivium_compiled_with output compiler flags eigen)
   set(switches "__AVX__=-mavx or an -march with it" "__AVX512F__=-mavx512f or an -march with it"
                "_GLIBCXX_DEBUG=-D_GLIBCXX_DEBUG" "__FAST_MATH__=-ffast-math"
                "EIGEN_DEFAULT_TO_ROW_MAJOR=-DEIGEN_DEFAULT_TO_ROW_MAJOR")
-  # what the compiler says of them
+  # Ask the preprocessor for the values with the library's flags.
   set(probe "#include <Eigen/Core>\ntrivium alignment EIGEN_MAX_ALIGN_BYTES EIGEN_MAX_STATIC_ALIGN_BYTES\n")
   foreach(switch IN LISTS switches)
     string(REGEX REPLACE "=.*" "" macro "${switch}")

@@ -1,4 +1,5 @@
-# One unit for each formulation of the list in formulations/formulation_list.hpp, so that the list stands once.
+# One translation unit for each formulation in formulations/formulation_list.hpp, which is the only list of
+# formulations.
 set(list ${PROJECT_SOURCE_DIR}/formulations/formulation_list.hpp)
 set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
 file(STRINGS ${list} lines REGEX "^ +X\\([A-Za-z]+, __VA_ARGS__\\)")
@@ -8,8 +9,9 @@ if(NOT trivium_formulations)
   message(FATAL_ERROR "${list} has no TRIVIUM_FORMULATIONS that can be read")
 endif()
 
-# trivium_units_of_formulations(<variable> <template> <scalar>): the sources that a template, with @formulation@, @scalar@
-# and @header@, makes of a scalar (double or Quad).
+# trivium_units_of_formulations(<variable> <template> <scalar>): generates one source for each formulation from a
+# template with @formulation@, @scalar@ and @header@; <scalar> is double or Quad. <variable> receives the list of
+# sources.
 function(trivium_units_of_formulations variable template scalar)
   cmake_path(GET template STEM name)
   set(header scalar)

@@ -1,9 +1,10 @@
-# Fuzz targets. They belong to the build with sanitizers, whose clang++ brings libFuzzer.
+# Fuzz targets. They are part of the build with sanitizers, because its compiler clang++ contains libFuzzer.
 
 set(TRIVIUM_FUZZ_SECONDS 60 CACHE STRING "How long the stress test lets a fuzzer run")
 
-# trivium_fuzz(<name> USES <target>... SOURCES <source>...): the fuzz target <name>, and a test of the label stress that
-# runs it on the scenes of the current folder. The targets that it uses report which of their branches an input takes.
+# trivium_fuzz(<name> USES <target>... SOURCES <source>...): adds the fuzz target <name> and a test with the label
+# stress, which runs it on the scenes of the current folder. The used targets are instrumented to report the branches
+# taken.
 function(trivium_fuzz name)
   if(NOT TRIVIUM_BUILD_TESTS OR NOT TRIVIUM_SANITIZE)
     return()
@@ -13,12 +14,12 @@ function(trivium_fuzz name)
   add_executable(${name} ${arg_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_link_libraries(${name} PRIVATE ${arg_USES} trivium_options)
-  # -O1: more inputs a second; line numbers, for what is found
+  # -O1 for more inputs per second; line numbers for the reports
   target_compile_options(${name} PRIVATE -O1 -gline-tables-only -fsanitize=fuzzer)
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
   foreach(target IN LISTS arg_USES)
     target_compile_options(${target} PRIVATE -O1 -gline-tables-only -fsanitize=fuzzer-no-link)
-    # clang++ takes no headers precompiled without these
+    # clang++ refuses headers that were precompiled without these options
     set_target_properties(${target} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
   endforeach()
   add_dependencies(unit_tests ${name})
@@ -26,6 +27,6 @@ function(trivium_fuzz name)
   add_test(NAME ${name} COMMAND sh ${PROJECT_SOURCE_DIR}/cmake/run_fuzz.sh ${fuzzer} ${CMAKE_CURRENT_SOURCE_DIR}
                                 ${CMAKE_CURRENT_BINARY_DIR}/${name} ${TRIVIUM_FUZZ_SECONDS})
   math(EXPR timeout "${TRIVIUM_FUZZ_SECONDS} + 120")
-  # COST: it begins first, as it is the longest
+  # COST makes ctest start this test first, because it takes longest
   set_tests_properties(${name} PROPERTIES LABELS stress TIMEOUT ${timeout} COST ${TRIVIUM_FUZZ_SECONDS})
 endfunction()

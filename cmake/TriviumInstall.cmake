@@ -1,5 +1,5 @@
-# What `cmake --install` lays out: the front door, the rooms as libraries and headers, the catalogue,
-# find_package(trivium) and a file for pkg-config. trivium::trivium is the front door, trivium::templates all the rooms.
+# The files that `cmake --install` installs: the front door, the rooms as libraries and headers, the catalogue,
+# find_package(trivium) and a file for pkg-config. trivium::trivium is the front door; trivium::templates is all rooms.
 include(CMakePackageConfigHelpers)
 set(rooms base bodies constraints effects mechanism scenes formulations integrators simulation)
 add_library(trivium_templates INTERFACE)
@@ -14,7 +14,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/trivium/trivium.hpp ${PROJECT_SOURCE_DIR}/tr
               ${PROJECT_SOURCE_DIR}/trivium/instant.hpp ${PROJECT_SOURCE_DIR}/trivium/solve.hpp
               ${PROJECT_SOURCE_DIR}/trivium/simulate.hpp ${PROJECT_SOURCE_DIR}/trivium/compare.hpp
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/trivium)
-# trivium::harness is lambda_invariance for formulations from outside
+# trivium::harness contains the program lambda_invariance, for formulations of users
 install(TARGETS trivium_results trivium_harness EXPORT triviumTargets)
 install(FILES ${PROJECT_SOURCE_DIR}/validation/harness/lambda_invariance.hpp
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/trivium/validation/harness)
@@ -29,7 +29,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes/catalogue/ DESTINATION ${CMAKE_IN
 install(FILES ${PROJECT_SOURCE_DIR}/scenes/format/scene.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/trivium)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/validation/reference DESTINATION ${CMAKE_INSTALL_DATADIR}/trivium)
-# of archives, who uses another comes first
+# order of static libraries: a library comes before those that it uses
 set(of_rooms trivium_simulation trivium_integrators trivium_formulations_in_other_scalars trivium_structured_solver
              trivium_formulations trivium_scenes_in_other_scalars trivium_scenes trivium_bodies trivium_base)
 list(TRANSFORM of_rooms PREPEND -l)

@@ -1,6 +1,6 @@
-# The headers of others, parsed once: most of the time of a small unit goes there. Only headers of others, so that a unit
-# must still name each header of the project that it uses. The library's headers of others are named as well: the preset
-# bench compiles without.
+# Precompiled headers of other projects: parsing them takes most of the time of a small translation unit. Headers of
+# Trivium are not precompiled, so that a unit must still include each one that it uses. The library's units include the
+# headers of other projects as well, because the preset bench compiles without precompiled headers.
 
 set(trivium_common_headers <Eigen/Core> <Eigen/Eigenvalues> <Eigen/Geometry> <boost/multiprecision/float128.hpp>
                            <fmt/format.h> <fmt/ranges.h> <algorithm> <array> <cmath> <functional> <limits> <map> <memory>
@@ -9,14 +9,15 @@ set(empty ${CMAKE_BINARY_DIR}/generated/empty.cpp)
 if(NOT EXISTS ${empty})
   file(WRITE ${empty} "")
 endif()
-# What the compiler cache asks for: g++ leaves a mark in the preprocessed text, clang++ does not look at the headers' age.
+# Requirements of the compiler cache: g++ must mark the use in the preprocessed text; clang++ must ignore time stamps.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   set(trivium_cacheable_headers "SHELL:-Xclang -fno-pch-timestamp")
 else()
   set(trivium_cacheable_headers -fpch-preprocess)
 endif()
 
-# trivium_precompiled_headers(<name> USES <target>... HEADERS <header>...): what trivium_precompile takes.
+# trivium_precompiled_headers(<name> USES <target>... HEADERS <header>...): a set of precompiled headers for
+# trivium_precompile.
 function(trivium_precompiled_headers name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;HEADERS")
   add_library(${name} STATIC ${empty})
@@ -26,7 +27,7 @@ function(trivium_precompiled_headers name)
   target_precompile_headers(${name} PRIVATE ${trivium_common_headers} ${arg_HEADERS})
 endfunction()
 
-# trivium_precompile(<target>... FROM <name>): the targets start from those headers; they use Eigen, Boost and fmt.
+# trivium_precompile(<target>... FROM <name>): the targets use this set; they must use Eigen, Boost and fmt.
 function(trivium_precompile)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "FROM" "")
   foreach(target IN LISTS arg_UNPARSED_ARGUMENTS)

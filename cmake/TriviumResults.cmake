@@ -1,6 +1,7 @@
-# results/ holds what was accepted. Each file of schema.json is made again in the build tree and compared with the
-# accepted one; `cmake --build ... --target accept` (./run accept) makes all of them, takes them in and renders the
-# paper's tables from them. Files of timings are made and accepted apart, by `./run bench --accept`: no test repeats them.
+# results/ holds the accepted results. Tests make each file of schema.json again in the build tree and compare it with
+# the accepted one. `cmake --build ... --target accept` (./run accept) makes all files, accepts them and writes the
+# paper's tables. Files of timings are only made and accepted by `./run bench --accept` and `./run times`: no test
+# repeats them.
 set(schema ${PROJECT_SOURCE_DIR}/results/schema.json)
 set(regenerated ${CMAKE_BINARY_DIR}/results/regenerated)
 file(MAKE_DIRECTORY ${regenerated})
@@ -45,17 +46,17 @@ foreach(k RANGE ${last})
              COMMAND compare_results ${PROJECT_SOURCE_DIR}/results/${name}.csv ${regenerated}/${name}.csv
                      --schema ${schema})
     set_tests_properties(results.${name}.regenerates PROPERTIES LABELS paper FIXTURES_SETUP regenerated_${name}
-                         COST 100)  # the longest tests: they begin first
+                         COST 100)  # the longest tests start first
     set_tests_properties(results.${name}.is_as_accepted PROPERTIES LABELS paper FIXTURES_REQUIRED regenerated_${name})
   endif()
 endforeach()
 
-# it also ends with its own verdict on every scene of the catalogue
+# The exit code of motion_invariance also states whether every scene of the catalogue passed.
 if(TEST results.motion_invariance.regenerates)
   set_tests_properties(results.motion_invariance.regenerates PROPERTIES LABELS "paper;validation")
 endif()
 
-# what `accept` runs, for those who build it first
+# the programs that `accept` runs, for a separate build
 add_custom_target(accept_programs)
 add_dependencies(accept_programs ${accept_programs})
 if(missing)

@@ -1,17 +1,17 @@
-# The few functions that the rooms' CMakeLists.txt share.
+# Functions that the CMakeLists.txt of the rooms share.
 
-# Warnings are errors, in every target of the project and in none of its users. g++ 12 warns of overlapping memcpy in
-# plain string concatenation (GCC bug 105651), so that one is off.
+# Warnings are errors in the targets of the project, but not in those of its users. -Wrestrict is off: g++ 12 wrongly
+# reports overlapping memcpy for plain string concatenation (GCC bug 105651).
 add_library(trivium_options INTERFACE)
 target_compile_options(trivium_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                                                  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -Werror)
-# quadmath.h is a header of g++'s own; clang++ looks for it there when it finds it nowhere else.
+# quadmath.h belongs to g++. clang++ searches g++'s folder after all others.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   execute_process(COMMAND g++ -print-file-name=include OUTPUT_VARIABLE gcc_headers OUTPUT_STRIP_TRAILING_WHITESPACE
                   COMMAND_ERROR_IS_FATAL ANY)
   target_compile_options(trivium_options INTERFACE -idirafter ${gcc_headers})
 endif()
-# Built for this processor, g++ 12 warns of its own AVX-512 headers (GCC bug 105593) and of Eigen's loads with them.
+# With -march=native, g++ 12 wrongly warns about its AVX-512 headers (GCC bug 105593) and about Eigen's loads.
 if(TRIVIUM_BUILD_BENCH)
   target_compile_options(trivium_options INTERFACE -Wno-maybe-uninitialized -Wno-uninitialized -Wno-array-bounds)
 endif()
@@ -26,7 +26,7 @@ if(TRIVIUM_SANITIZE)
 endif()
 
 # trivium_room(<room> [WITHOUT_EIGEN] USES <target>... SOURCES <source>...): the library trivium_<room> of the current
-# folder, and what it stands on. A room of headers alone is an INTERFACE library.
+# folder and its dependencies. A room without sources is an INTERFACE library.
 function(trivium_room room)
   cmake_parse_arguments(PARSE_ARGV 1 arg "WITHOUT_EIGEN" "" "USES;SOURCES")
   set(name trivium_${room})
@@ -49,11 +49,11 @@ function(trivium_room room)
   target_link_libraries(${name} ${scope} ${arg_USES})
 endfunction()
 
-# All test executables of the label unit: what the sanitizers build.
+# All test executables with the label unit; the sanitizer build makes this target.
 add_custom_target(unit_tests)
 
-# trivium_test(<name> <label> [WITHOUT_EIGEN] USES <target>... SOURCES <source>... [DEFINES <definition>...]): one
-# GoogleTest executable, each of its tests a CTest test.
+# trivium_test(<name> <label> [WITHOUT_EIGEN] USES <target>... SOURCES <source>... [DEFINES <definition>...]): a
+# GoogleTest executable; each of its tests becomes a CTest test.
 function(trivium_test name label)
   if(NOT TRIVIUM_BUILD_TESTS OR (TRIVIUM_SANITIZE AND NOT label STREQUAL "unit"))
     return()
@@ -63,7 +63,7 @@ function(trivium_test name label)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_link_libraries(${name} PRIVATE ${arg_USES} trivium_options GTest::gtest_main rapidcheck)
   target_compile_definitions(${name} PRIVATE ${arg_DEFINES})
-  # many instantiations of the templates, whose speed is not asked: half the compiler's time
+  # Tests instantiate many templates and need not be fast: -O1 halves the compile time.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   if(NOT arg_WITHOUT_EIGEN)
     trivium_precompile(${name} FROM trivium_test_headers)
@@ -71,24 +71,24 @@ function(trivium_test name label)
   if(label STREQUAL "unit")
     add_dependencies(unit_tests ${name})
   endif()
-  # tests of values have names of their own; what GoogleTest prints of a value may be the bytes of its pointers. A name that
-  # its filter takes for something else runs nothing, which would pass.
+  # NO_PRETTY_VALUES: GoogleTest may print a parameter as the bytes of its pointers, so that names would change. If a
+  # name is misread as a filter pattern, no test runs; this must count as a failure.
   gtest_discover_tests(${name} PROPERTIES LABELS ${label} FAIL_REGULAR_EXPRESSION "Running 0 tests" DISCOVERY_TIMEOUT 60
                        TEST_PREFIX ${name}. NO_PRETTY_VALUES)
 endfunction()
 
-# trivium_count_allocations(<test>): its calls for memory are counted (base/testing/counted_allocations.hpp)
+# trivium_count_allocations(<test>): counts the memory allocations of a test (base/testing/counted_allocations.hpp)
 function(trivium_count_allocations name)
   if(NOT TARGET ${name})
     return()
   endif()
   target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/base/testing/counted_allocations.cpp)
-  # g++ sees its own operators through their inlining
+  # with inlining, g++ takes the replaced operators new and delete for mismatched ones
   target_compile_options(${name} PRIVATE -Wno-mismatched-new-delete)
   target_link_options(${name} PRIVATE -Wl,--wrap=malloc,--wrap=aligned_alloc)
 endfunction()
 
-# trivium_skip(<why> <name>...): tests that this machine cannot run are listed as skipped, with the reason
+# trivium_skip(<why> <name>...): lists tests that this machine cannot run as skipped, with the reason
 function(trivium_skip why)
   if(NOT TRIVIUM_BUILD_TESTS OR TRIVIUM_SANITIZE)
     return()

@@ -1,9 +1,10 @@
 cmake_minimum_required(VERSION 3.25)
-# Writes build_info.hpp: what results say about the program that made them. Run at every build, so that the commit is
-# that of the sources; the file changes only when what it says does.
+# Writes build_info.hpp, the provenance that results state about the program. Runs at every build, so that the commit is
+# current. The file is only touched if its content changes.
 execute_process(COMMAND git -C ${SOURCE_DIR} describe --always --abbrev=12
                 OUTPUT_VARIABLE COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-# results/ and paper/ take no part in what the program is: accepting one result must not soil the next.
+# results/ and paper/ do not affect the programs: accepting one result must not mark the next one as modified
+# ("-dirty").
 execute_process(COMMAND git -C ${SOURCE_DIR} diff --quiet HEAD -- . ":(exclude)results" ":(exclude)paper"
                 RESULT_VARIABLE changed ERROR_QUIET)
 if(NOT COMMIT)

@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# README has at most 130 lines, every file or folder that README, CONTRIBUTING and docs/ name, or link to, exists, and every
-# page has its entry in the contents, docs/README.md.
+# README has at most 130 lines. Every file or folder that README, CONTRIBUTING or docs/ name or link to must exist. Every page
+# has an entry in the contents, docs/README.md.
 file(READ ${SOURCE_DIR}/README.md text)
 string(REGEX MATCHALL "\n" lines "${text}")
 list(LENGTH lines count)
@@ -13,8 +13,8 @@ file(GLOB pages ${SOURCE_DIR}/README.md ${SOURCE_DIR}/CONTRIBUTING.md ${SOURCE_D
 foreach(page IN LISTS pages)
   cmake_path(GET page PARENT_PATH folder)
   file(READ ${page} text)
-  string(REPLACE "](" "@(" text "${text}")  # a bracket alone would hold a list together
-  # in backticks, quotes or an #include; and links
+  string(REPLACE "](" "@(" text "${text}")  # a single bracket would join list elements in CMake
+  # names in backticks, quotes or an #include, and links
   string(REGEX MATCHALL "[`\"<](\\./)?(${folders})/[A-Za-z0-9_./*-]*[`\">]" names "${text}")
   list(TRANSFORM names REPLACE "^.(.*[^/])/?.$" "${SOURCE_DIR}/\\1")
   string(REGEX MATCHALL "@\\([A-Za-z0-9_./]+\\)" links "${text}")

@@ -1,5 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# Every source is formatted as .clang-format says; skipped (by its message) where clang-format is not installed.
+# Every source must be formatted by .clang-format. The test is skipped, by its message, if clang-format is not
+# installed.
 find_program(CLANG_FORMAT NAMES clang-format clang-format-14)
 if(NOT CLANG_FORMAT)
   message("clang-format is not installed")

@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# Every header below SOURCE_DIR begins with `#pragma once` and, on the next line, with a comment of at least two sentences:
-# what the file is for, and what to know of it.
+# Every header below SOURCE_DIR must begin with `#pragma once` and, on the next line, a comment of at least two
+# sentences that says what the file is for.
 file(GLOB_RECURSE headers RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/*.hpp)
 list(FILTER headers EXCLUDE REGEX "^build/")
 if(NOT headers)

@@ -1,9 +1,9 @@
 cmake_minimum_required(VERSION 3.25)
-# Who may include whom. Reads the includes of every source below SOURCE_DIR and fails on one that the rooms do not allow:
+# Which room may include which. Reads the includes of every source below SOURCE_DIR and fails on a forbidden one:
 #   base <- all;  bodies <- constraints <- effects <- mechanism <- {scenes, formulations}
 #   {formulations, integrators} <- simulation <- {trivium, validation};  scenes <- {trivium, validation}
 #   results <- {validation, paper}
-# Tests, and the helpers in folders called testing, may include scenes besides; nothing else may include testing.
+# Tests, and helpers in folders called testing, may also include scenes. Only they may include testing.
 set(base_may base)
 set(bodies_may base bodies)
 set(constraints_may ${bodies_may} constraints)
@@ -20,9 +20,9 @@ set(paper_may base results paper)
 
 set(sources_match "\\.(hpp|cpp|h|cc|cxx|ipp|inl|(hpp|cpp)\\.in)$")
 
-# read_includes(<file> <variable>): its lines that include something, however they are spelt: with <> or "", with blanks
-# and comments around the #, over several lines, as digraph or import. Comments of a whole line go first, as they may hold
-# half of another.
+# read_includes(<file> <variable>): the lines of a file that include something, in any spelling: with <> or "", with
+# blanks and comments around the #, over several lines, as digraph or import. Comments of whole lines are removed first,
+# because they may contain the beginning or the end of another comment.
 function(read_includes file variable)
   file(READ ${file} text)
   string(REGEX REPLACE "\\\\\n" "" text "${text}")
@@ -38,7 +38,7 @@ endfunction()
 set(layers base bodies constraints effects mechanism scenes formulations integrators simulation results trivium validation
            paper)
 set(errors "")
-# what is no room has no sources, but for the build's own
+# only rooms, build and examples may contain sources, except for files of the build itself
 file(GLOB others RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/*)
 list(REMOVE_ITEM others ${layers} build examples)
 foreach(other IN LISTS others)
@@ -79,7 +79,7 @@ foreach(layer IN LISTS layers)
       endif()
       string(REGEX REPLACE "/.*" "" folder "${included}")
       if(NOT folder IN_LIST layers)
-        continue()  # a generated header, or a library's
+        continue()  # a generated header, or a header of another library
       endif()
       if(NOT folder IN_LIST may)
         string(APPEND errors "${name} includes \"${included}\", which ${layer}/ may not\n")

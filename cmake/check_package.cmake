@@ -1,8 +1,8 @@
 cmake_minimum_required(VERSION 3.25)
-# Whether an installed package has whole rooms and no test helper: every header of an installed room is there except
-# those in testing/ and instances/, none includes GoogleTest or RapidCheck, and what a header includes of the project is
-# there too.
-#   SOURCE_DIR   the sources     INCLUDE   the folder of the installed headers     ROOMS   those of the library
+# Checks that an installed package is complete and contains no test helper. Every header of an installed room is
+# installed, except those in testing/ and instances/. No header includes GoogleTest or RapidCheck. All project headers
+# that installed headers include are installed too.
+#   SOURCE_DIR   the sources     INCLUDE   the folder of the installed headers     ROOMS   the rooms of the library
 file(GLOB_RECURSE installed RELATIVE ${INCLUDE} ${INCLUDE}/*)
 set(errors "")
 foreach(room IN LISTS ROOMS)
@@ -14,7 +14,7 @@ foreach(room IN LISTS ROOMS)
   endforeach()
 endforeach()
 foreach(header IN LISTS installed)
-  set(door "^(trivium|scene|instant|solve|simulate|compare)\\.hpp$")  # the front door's, beside the rooms
+  set(door "^(trivium|scene|instant|solve|simulate|compare)\\.hpp$")  # headers of the front door, in no room
   if(header MATCHES "testing" OR NOT header MATCHES "^[a-z]+/.*\\.hpp$|${door}")
     string(APPEND errors "${header} is installed, and is no header of a room\n")
   endif()

@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# What can be proved of paper.tex without TeX: it prints every generated table and none besides, every command that
-# looks like a number is one of numbers.tex, and no measured number is typed in its text.
+# Checks of paper.tex that need no TeX: it prints exactly the generated tables, every command that looks like a number
+# is defined in numbers.tex, and its text contains no measured number typed by hand.
 file(READ ${PAPER}/paper.tex source)
 string(REGEX REPLACE "\n *%[^\n]*" "\n" source "${source}")
 set(errors "")
@@ -25,7 +25,7 @@ math(EXPR length "${to} - ${from}")
 string(SUBSTRING "${source}" ${from} ${length} text)
 string(REGEX REPLACE "\\\\setlength{[^}]*}{[^}]*}" "" text "${text}")
 file(READ ${PAPER}/tables/numbers.tex numbers)
-# commands of numbers.tex start with a capital letter, and so do few of LaTeX
+# commands of numbers.tex start with a capital letter; few commands of LaTeX do
 string(REGEX MATCHALL "\\\\[A-Z][A-Za-z]+" used "${text}")
 list(REMOVE_DUPLICATES used)
 list(FILTER used EXCLUDE REGEX "^.(Phi|Delta|Omega)$")

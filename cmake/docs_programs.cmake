@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
-# The C++ of README and docs/ as programs, so that a test can compile and run what they show. A block with a main is a
-# program of its own, <page>_<n>.cpp; the others, which show the templates on a scene, are functions of templates.cpp, whose
-# main runs them all.
+# Extracts the C++ blocks of README and docs/ as programs, so that a test can compile and run them. A block with a main
+# becomes the program <page>_<n>.cpp. The other blocks, which use the templates on a scene, become functions of
+# templates.cpp, whose main calls all of them.
 #   SOURCE_DIR   the sources     OUT   the folder to write to
 file(REMOVE_RECURSE ${OUT})
 file(GLOB pages ${SOURCE_DIR}/README.md ${SOURCE_DIR}/docs/*.md)
@@ -12,7 +12,7 @@ foreach(page IN LISTS pages)
   cmake_path(GET page STEM name)
   string(TOLOWER ${name} name)
   file(READ ${page} text)
-  # what would part or join a list
+  # Replace characters that would split or join a list in CMake.
   foreach(character IN ITEMS "[|<open>" "]|<close>" ";|<end>" "\\|<back>")
     string(REGEX MATCH "^(.)\\|(.*)$" pair "${character}")
     string(REPLACE "${CMAKE_MATCH_1}" "${CMAKE_MATCH_2}" text "${text}")

@@ -1,10 +1,10 @@
 cmake_minimum_required(VERSION 3.25)
-# Code with the library's flags compiles, and with others it does not; the message then names the flag.
+# Code with the library's flags must compile. With other flags it must not, and the message must name the flag.
 include(${CMAKE_CURRENT_LIST_DIR}/TriviumCompiledWith.cmake)
 file(REMOVE_RECURSE ${WORK})
 file(WRITE ${WORK}/user.cpp "#include <bodies/numbers/batch.hpp>\n#include <bodies/numbers/register_vectors.hpp>\n")
 
-# user_says(<variable> <flags of the library> <flags of the user>): what the compiler says of the user's code
+# user_says(<variable> <flags of the library> <flags of the user>): the compiler's output for the user's code
 function(user_says variable library user)
   trivium_compiled_with(${WORK}/bodies/numbers/compiled_with.hpp ${CXX} "${library}" ${EIGEN})
   separate_arguments(user UNIX_COMMAND "${user}")
@@ -22,13 +22,13 @@ function(expect library user expected)
   endif()
 endfunction()
 
-# with a user that has nothing of the flag, whatever the compiler's own choice
+# `none` turns the flag off, even if the compiler enables it by default
 foreach(flag IN ITEMS -mavx -mavx512f -D_GLIBCXX_DEBUG -ffast-math)
   set(none "")
   if(flag STREQUAL "-mavx")
-    set(none "-mno-avx")  # also on a compiler that is built for more
+    set(none "-mno-avx")  # for compilers that enable AVX by default
   elseif(flag STREQUAL "-mavx512f")
-    set(none "-mavx -mfma")  # Eigen asks for both
+    set(none "-mavx -mfma")  # Eigen needs both for AVX-512
   endif()
   set(set "${none} ${flag}")
   expect("${set}" "${set}" "^compiles$")
@@ -37,5 +37,5 @@ foreach(flag IN ITEMS -mavx -mavx512f -D_GLIBCXX_DEBUG -ffast-math)
 endforeach()
 expect("-DEIGEN_MAX_ALIGN_BYTES=64" "" "trivium was compiled with EIGEN_MAX_ALIGN_BYTES = 64, this file with another")
 expect("-DEIGEN_MAX_ALIGN_BYTES=64" "-DEIGEN_MAX_ALIGN_BYTES=64" "^compiles$")
-# flags that change neither types nor numbers are the user's own
+# Users may choose flags that change neither types nor numbers.
 expect("-O3 -DNDEBUG" "-O0 -g" "^compiles$")

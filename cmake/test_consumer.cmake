@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# Installs the build, looks at the headers that are then there, and configures, builds and runs projects of their own that
-# find them: what README and docs/ show, and the examples.
+# Installs the build, checks the installed headers, and configures, builds and runs separate projects that use the
+# installation: the programs shown in README and docs/, and the examples.
 file(REMOVE_RECURSE ${WORK_DIR})
 function(step)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -11,7 +11,7 @@ endfunction()
 step(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
 set(INCLUDE ${WORK_DIR}/prefix/include/trivium)
 include(${SOURCE_DIR}/cmake/check_package.cmake)
-# serves(<folder> <program> <scene>...): the project of a folder builds, and its program is content with the scenes
+# serves(<folder> <program> <scene>...): the project in a folder must build, and its program must succeed on the scenes
 function(serves folder program)
   set(build ${WORK_DIR}/${program})
   step(${CMAKE_COMMAND} -S ${SOURCE_DIR}/${folder} -B ${build} -G Ninja -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix
@@ -20,7 +20,7 @@ function(serves folder program)
   list(TRANSFORM ARGN REPLACE "(.+)" "${WORK_DIR}/prefix/share/trivium/scenes/\\1.json")
   step(${build}/${program} ${ARGN})
 endfunction()
-# what the pages show
+# the programs that README and docs/ show
 set(DOCS ${WORK_DIR}/docs)
 step(${CMAKE_COMMAND} -DSOURCE_DIR=${SOURCE_DIR} -DOUT=${DOCS} -P ${SOURCE_DIR}/cmake/docs_programs.cmake)
 set(shown ${WORK_DIR}/shown)
@@ -36,7 +36,8 @@ foreach(program IN LISTS programs)
   cmake_path(GET program STEM name)
   step(${CMAKE_COMMAND} -E chdir ${shown} ${shown}/${name} ${WORK_DIR}/prefix/share/trivium/scenes/heavy_top.json)
 endforeach()
-# the front door shows no header of what it stands on, with the flags that pkg-config says, whatever the processor
+# The front door must not include headers of its dependencies. With pkg-config's flags, it must compile for any
+# processor.
 find_program(PKG_CONFIG pkg-config REQUIRED)
 file(GLOB_RECURSE pc ${WORK_DIR}/prefix/trivium.pc)
 cmake_path(GET pc PARENT_PATH pc_folder)
@@ -50,7 +51,7 @@ if(included MATCHES "/(eigen3|Eigen|boost|simbody|SimTKcommon|fmt|nlohmann|sundi
 endif()
 step(${CXX} -std=c++20 -O1 -mavx ${DOCS}/library_1.cpp -o ${shown}/by_pkg_config ${flags})
 step(${shown}/by_pkg_config ${WORK_DIR}/prefix/share/trivium/scenes/stewart_platform.json)
-# compiled for a processor that the library was not, a project does not build, and is told why
+# If a project is compiled for another processor than the library, it must not build, and a message must say why.
 function(is_refused_with flag said)
   set(build ${WORK_DIR}/refused${flag})
   step(${CMAKE_COMMAND} -S ${SOURCE_DIR}/cmake/consumer -B ${build} -G Ninja -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix
@@ -61,7 +62,7 @@ function(is_refused_with flag said)
   endif()
 endfunction()
 file(READ ${INCLUDE}/bodies/numbers/compiled_with.hpp compiled_with)
-if(compiled_with MATCHES "#ifdef __AVX__")  # a library for any processor
+if(compiled_with MATCHES "#ifdef __AVX__")  # the library was compiled without AVX
   is_refused_with(-mavx "without -mavx[^\n]*, this file with")
 endif()
 is_refused_with(-ffast-math "without -ffast-math, this file with")

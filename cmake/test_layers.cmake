@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# Copies the sources, plants includes that the rooms do not allow, and expects check_layers.cmake to fail on that line:
-# one include in each of its spellings, and one include across each edge that matters.
+# Copies the sources, adds forbidden includes, and expects check_layers.cmake to fail on these lines: one include in
+# each possible spelling, and one include for each important pair of rooms.
 #   SOURCE_DIR   the sources          WORK   a folder to write in
 function(check outcome file what)
   execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${WORK} -P ${SOURCE_DIR}/cmake/check_layers.cmake
@@ -40,7 +40,7 @@ endforeach()
 file(WRITE ${WORK}/${so3} "${text}#include <vector>\n# include \"base/error.hpp\"\n")
 check(holds ${so3} "what the layers allow, in another spelling")
 
-# plant(<outcome> <file> <include>): a file of its own with one include
+# plant(<outcome> <file> <include>): adds a file with one include
 function(plant outcome file include)
   file(WRITE ${WORK}/${file} "#include \"${include}\"\n")
   check(${outcome} ${file} "${include}")
@@ -61,7 +61,7 @@ plant(fails bodies/planted.hpp testing/properties.hpp)
 plant(fails bodies/planted.h formulations/r_p.hpp)
 plant(fails bodies/planted.ipp formulations/r_p.hpp)
 plant(fails cmake/planted.hpp base/error.hpp)
-# tests and their helpers may include scenes besides
+# Tests and their helpers may also include scenes.
 plant(holds formulations/planted_test.cpp scenes/make_mechanism.hpp)
 plant(holds formulations/testing/planted.hpp scenes/scene.hpp)
 plant(fails formulations/testing/planted.hpp simulation/simulate.hpp)

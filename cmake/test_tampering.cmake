@@ -1,11 +1,11 @@
 cmake_minimum_required(VERSION 3.25)
-# Changes one number of an accepted CSV, and of a generated table, and expects the checks to fail: with exit code 1,
-# since a check that merely broke would prove nothing.
+# Changes one number of an accepted CSV, and of a generated table, and expects the checks to fail with the right exit
+# code: a check that merely crashes proves nothing.
 #   COMPARE, TABLES   the executables          RESULTS, PAPER_TABLES   accepted results, committed tables
 #   REGENERATED       results made again       WORK                    a folder to write in
 
-# Writes FILE to COPY with the first match of a pattern replaced, of the first of the (pattern replacement ...) that has
-# one.
+# tamper(<file> <copy> <pattern> <replacement>...): writes the file to <copy> with one number changed. The first pattern
+# that occurs in the file is used; its first match is replaced.
 function(tamper file copy)
   file(READ ${file} text)
   set(changes ${ARGN})
@@ -34,9 +34,9 @@ function(expect exit_code what)
   message(STATUS "${what}: ${exit_code}, as it should be")
 endfunction()
 
-# Two ways to change a number: by a factor that its rule must see (10^4 of what is rounding, the leading digit of a
-# count or of a time), and in its last digit, which only the checksum can. Files of timings are not made again: for
-# them the checksum alone stands.
+# Two ways to change a number: by a factor that the rule of its column must detect (10^4 for rounding errors, the
+# leading digit of a count or of a time), and in its last digit, which only the checksum detects. Files of timings are
+# not made again; for them only the checksum is tested.
 set(exponent "([0-9]\\.[0-9]+e-)1([4-9])" "\\10\\2" ",[1-4]([0-9][0-9]+)(,|\n)" ",9\\1\\2"
     ",[1-4](\\.[0-9]+e)" ",9\\1")
 set(digit "([0-9]\\.[0-9]+)[0-8](e-[0-9]+)" "\\19\\2" ",([0-9]+)[0-8](,|\n)" ",\\19\\2")

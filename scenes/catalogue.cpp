@@ -32,7 +32,8 @@ std::vector<fs::path> catalogue() {
 
 namespace {
 
-/// No file and no scene of the catalogue; the nearest of its names is suggested.
+/// Throws the SceneError for a name that is neither a file nor a scene of the catalogue. The message suggests
+/// the nearest name of the catalogue.
 [[noreturn]] void throw_unknown_scene(const std::string& name) {
   std::vector<std::string> names;
   std::error_code error;

@@ -1,6 +1,7 @@
 #pragma once
-/// Scenes by name or path: the catalogue that comes with the project, and files beside it. Decided here:
-/// where the catalogue is looked for, and that a file's path comes before a name.
+/// Loads scenes by name or by path. A name refers to the catalogue, the folder of scene files that comes with
+/// the project. This file decides where the catalogue is looked for, and that an existing file comes before a
+/// name.
 
 #include <filesystem>
 #include <optional>
@@ -11,15 +12,16 @@
 
 namespace trivium {
 
-/// The folder of the catalogue: $TRIVIUM_SCENES, else share/trivium/scenes beside the installed program, else
-/// the source tree's.
+/// The folder of the catalogue: $TRIVIUM_SCENES if set, else share/trivium/scenes of the installation that
+/// the program belongs to, else the folder in the source tree.
 std::filesystem::path catalogue_directory();
 
-/// All scene files of the catalogue, sorted by name.
+/// The paths of all scene files of the catalogue, sorted.
 std::vector<std::filesystem::path> catalogue();
 
-/// The scene of a path as given, its state at t (scenes::time_of), or of the catalogue's scene of that name,
-/// which no folder of the same name hides. Throws scenes::SceneError.
+/// The scene in the file at this path, or the scene of the catalogue with this name. A folder of the same
+/// name does not hide a scene of the catalogue. The scene is checked at time t [s] (scenes::time_of). Throws
+/// scenes::SceneError.
 scenes::Scene load_scene(const std::string& path_or_name, std::optional<double> t = {});
 
 }  // namespace trivium

@@ -17,7 +17,7 @@ namespace {
 using V = trivium::Vector3<double>;
 using P = trivium::Vector4<double>;
 
-/// An empty scene of size n, at least `least`.
+/// An empty scene of size n. Throws std::invalid_argument if n is less than `least`.
 Scene sized(const char* kind, int n, int least, const std::string& description) {
   if (n < least) throw std::invalid_argument(fmt::format("a scene needs n >= {}, not {}", least, n));
   Scene scene;
@@ -26,17 +26,18 @@ Scene sized(const char* kind, int n, int least, const std::string& description) 
   return scene;
 }
 
-/// A bar along its x axis, joints at both ends, and how it moves.
+/// A bar along its own x axis with joints at both ends, and its motion.
 struct Bar {
   P p = P::Unit(0);
-  V r = V::Zero(), r_dot = V::Zero(), omega = V::Zero();  ///< omega is global
+  V r = V::Zero(), r_dot = V::Zero(), omega = V::Zero();  ///< velocities in the global frame [m/s, rad/s]
 
   V end(double x) const { return r + rotation_matrix(p) * V(x, 0, 0); }
   V end_velocity(double x) const { return r_dot + omega.cross(end(x) - r); }
 };
 
-/// The bar that hangs on `inboard` (or on the ground's origin), turned by `angle` about `axis` (inboard
-/// frame) at `rate`.
+/// The bar that hangs on the outer end of `inboard`, or on the origin of the ground if there is none. The bar
+/// is turned by `angle` [rad] about `axis` (frame of `inboard`, unit vector) and turns at `rate` [rad/s]
+/// relative to it.
 Bar hang(const Bar* inboard, const V& axis, double angle, double rate) {
   Bar bar;
   const P turn = exponential_parameters<double>(angle * axis);
@@ -64,8 +65,8 @@ Body body_of(const std::string& name, const Bar& bar) {
   return body;
 }
 
-/// The revolute at the end of body i (the origin of the ground) and the start of body j; the axis is the same
-/// in both.
+/// The revolute between the outer end of body i (the origin, if i is the ground) and the inner end of body j.
+/// The axis has the same components in both body frames.
 Constraint hinge(const std::string& name, int i, int j, const V& axis) {
   Constraint c;
   c.type = JointType::revolute;
@@ -160,7 +161,7 @@ Scene tree(int n, std::uint64_t seed) {
   Scene scene = sized("tree", n, 1,
                       fmt::format("{} bars, each hung on one drawn among those before it, seed {}", n, seed));
   std::mt19937_64 engine(seed);
-  const auto uniform = [&](double low, double high) {  // the same on every standard library
+  const auto uniform = [&](double low, double high) {  // std's distribution depends on the library
     return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1.0p-53;
   };
   std::vector<Bar> bars;
@@ -181,7 +182,9 @@ Scene ring(int n) {
   Scene scene = sized("ring", n, 3,
                       fmt::format("a regular polygon of {} bars on spherical joints, one of them held", n));
   const double corner = 2 * std::numbers::pi / n, apothem = 0.5 / std::tan(corner / 2), turn = 0.8;
-  // across the plane, bars of a plane polygon may move their ends as they like
+  // Velocity [m/s] of corner k perpendicular to the plane of the polygon. Corners may have any such
+  // velocities: to first order they do not change the length of a bar. The first bar (corners 0 and 1) stays
+  // in the plane.
   const auto lift = [n](int k) { return k % n < 2 ? 0.0 : 0.5 * std::sin(1.7 * (k % n)); };
   for (int k = 0; k < n; ++k) {
     Bar bar;
@@ -206,13 +209,13 @@ Scene ring(int n) {
 
 Scene hub(int n) {
   Scene scene = sized("hub", n, 1, fmt::format("a wheel on an upright axle, {} bars hung on its rim", n));
-  const double radius = 1, turn = 0.7;  // the radius is a bar's length
+  const double radius = 1, turn = 0.7;  // the length of a bar, so that a spoke ends at the rim
   Body wheel = rod("wheel", {2.5, 2.5, 5}, {0, 0, 0}, {0, 0, 0}, turn);
   wheel.mass = 10;
   scene.bodies.push_back(wheel);
   scene.constraints.push_back(revolute_about_z("axle", ground, {0, 0, 0}, 0, {0, 0, 0}));
   for (int k = 1; k <= n; ++k) {
-    // where a bar from the axle to the rim would be
+    // An imaginary bar from the axle to the rim, on whose outer end hang() puts the real bar.
     Bar spoke;
     spoke.p = exponential_parameters<double>(V(0, 0, 2 * std::numbers::pi * k / n));
     spoke.r = rotation_matrix(spoke.p) * V(radius / 2, 0, 0);

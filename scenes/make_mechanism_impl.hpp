@@ -1,7 +1,8 @@
 #pragma once
-/// How a scene becomes a mechanism and a state in Scalar. Decided here: which numbers are checked against the
-/// range of Scalar, how directions are scaled before Scalar normalises them, and that principal moments below
-/// zero, which the reader takes within its tolerance, are lifted to zero. Included by instances/ alone.
+/// How a scene becomes a mechanism and a state in Scalar. This file decides which numbers are checked against
+/// the range of Scalar and how directions are scaled before Scalar normalises them. Slightly negative
+/// principal moments of inertia, which the reader accepts within its tolerance, are raised to zero here.
+/// Included only by instances/.
 
 #include <fmt/format.h>
 
@@ -26,14 +27,16 @@ namespace trivium {
 
 namespace detail {
 
-/// Of a direction, see of_moderate_size; what has a magnitude goes through RangeCheckedCast.
+/// A direction, already scaled by of_moderate_size. A vector whose magnitude matters is cast by
+/// RangeCheckedCast.
 template <class Scalar>
 Vector3<Scalar> direction_of(const scenes::Vector3& v) {
   return {Scalar(v[0]), Scalar(v[1]), Scalar(v[2])};
 }
 
-/// The direction of what the scene normalises when used, of a size that any Scalar can square: numbers up to
-/// 1e100 overflow in float. A power of two scales doubles exactly.
+/// The same direction with its largest component between 1 and 2 in magnitude. A scene may state components
+/// up to 1e100, whose squares overflow in float when the direction is normalised. Scaling by a power of two
+/// is exact.
 template <std::size_t n>
 std::array<double, n> of_moderate_size(std::array<double, n> direction) {
   double largest = 0;
@@ -50,8 +53,9 @@ Matrix3<Scalar> matrix_of(const scenes::Matrix3& rows, const RangeCheckedCast<Sc
   return m;
 }
 
-/// What lifts principal moments below zero, which the reader takes within its tolerance and no body has, to
-/// zero. What rounding leaves below zero of a matrix that is singular as written is none of them.
+/// The matrix [3x3, kg m^2] that raises the negative principal moments of J to zero when added to J. The
+/// reader accepts moments slightly below zero within its tolerance, but no body has them. Moments above -8 u
+/// max|J| are rounding of the eigenvalue solver (J is singular as written) and stay as they are.
 inline Matrix3<double> lift_of_negative_moments(const Matrix3<double>& J) {
   const Eigen::SelfAdjointEigenSolver<Matrix3<double>> principal(J);
   const double rounding = 8 * unit_roundoff<double>() * J.cwiseAbs().maxCoeff();
@@ -62,7 +66,8 @@ inline Matrix3<double> lift_of_negative_moments(const Matrix3<double>& J) {
 
 template <class Scalar>
 Matrix3<Scalar> inertia_of(const scenes::Body& body, const RangeCheckedCast<Scalar>& narrowed) {
-  // no moment may vanish beside the others: without it the rotation has no mass
+  // A positive moment that would underflow to zero in Scalar is refused: the mass matrix would become
+  // singular.
   const auto moment = [&](double written) { return narrowed.number(std::max(written, 0.0), "inertia"); };
   if (const auto* diagonal = std::get_if<scenes::Vector3>(&body.inertia)) {
     const auto& [Jx, Jy, Jz] = *diagonal;
@@ -81,13 +86,15 @@ JointFrame<Scalar> frame_of(const scenes::Side& side, const RangeCheckedCast<Sca
   const Vector3<Scalar> point = narrowed.place(side.point.value_or(scenes::Vector3{}), point_key);
   if (!side.axis) return {.point = point};
   const scenes::Vector3 axis = of_moderate_size(*side.axis);
-  // which e_k is the scene's, in double: a Scalar that rounds two components to a tie has the same rows
+  // default_x selects a coordinate axis e_k by comparing components of the axis. The comparison is made in
+  // double: a Scalar that rounds two components to the same value would otherwise select another e_k, and so
+  // other rows.
   const Vector3<Scalar> x = side.x ? direction_of<Scalar>(of_moderate_size(*side.x))
                                    : scalar_cast<Scalar>(default_x(direction_of<double>(axis)));
   return joint_frame<Scalar>(point, direction_of<Scalar>(axis), x);
 }
 
-/// Takes what the scene's constraint states to the basic constraint of its type.
+/// Key visitor that fills a basic constraint with the values of the scene's constraint.
 template <class Scalar>
 struct StatedParts {
   const scenes::Constraint& stated;
@@ -124,13 +131,13 @@ JointRows<Scalar> stated_rows(const scenes::Constraint& stated, const Joint<Scal
   if (stated.type.is_basic()) return {{"", basic_row_of(stated, joint, narrowed)}};
   if (properties_of(stated.type).states_a_distance) {
     narrowed.number(stated.distance, "distance");
-    narrowed.number(stated.distance * stated.distance, "squared distance");  // the row's right side
+    narrowed.number(stated.distance * stated.distance, "squared distance");  // right side of the row d
   }
   return rows_of(stated.type.joint, joint, joint.frame_i, joint.frame_j, stated.distance,
                  narrowed.function(stated.angle, "angle"));
 }
 
-/// Takes what an effect of the scene shows to an effect of the mechanism.
+/// Key visitor that casts the values of a scene's effect (double) to an effect of the mechanism (Scalar).
 template <class Scalar>
 struct EffectCast {
   const Mechanism<Scalar>& mechanism;
@@ -154,7 +161,7 @@ struct EffectCast {
     to = narrowed.place(from, key);
   }
   void angle(std::string_view key, const double& from, Scalar& to) const { to = narrowed.angle(from, key); }
-  void turns(std::string_view, const auto&, auto&) const {}  // of the joint's angle
+  void turns(std::string_view, const auto&, auto&) const {}  // cast by joint(), with the tracked angle
 
  private:
   void cast(std::string_view key, const double& from, Scalar& to) const { to = narrowed.number(from, key); }
@@ -171,7 +178,7 @@ struct EffectCast {
   void cast(std::string_view, ComponentFrame from, ComponentFrame& to) const { to = from; }
 };
 
-/// Adds the scene's effect to a mechanism that has its joints.
+/// Adds an effect of the scene to a mechanism whose joints are complete.
 template <class Scalar, template <class> class E>
 void add_effect(const E<double>& from, std::string name, Mechanism<Scalar>& mechanism) {
   E<Scalar> to;

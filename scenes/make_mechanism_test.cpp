@@ -60,7 +60,7 @@ TEST(Mechanism, RowsStandInFileOrderUnderTheNamesOfTheirJoints) {
     next += rows[k].second;
   }
   EXPECT_EQ(mechanism.nc(), next);
-  // a basic constraint has one row, of its own name; a joint's rows add their labels
+  // The row of a basic constraint has the name of the constraint. The rows of a joint append their labels.
   EXPECT_EQ(mechanism.row_names[0], "c0");
   EXPECT_EQ(mechanism.row_names[4], "c4.cd(e_x)");
   EXPECT_EQ(mechanism.row_names[mechanism.joints[6].first_row + 4], "c6.dp1(v_i, z_j)");
@@ -125,7 +125,7 @@ TEST(Mechanism, JointFramesAreTheSameInEveryScalar) {
   const auto u = []<class Scalar>(Scalar) {
     scenes::Scene scene;
     scene.bodies = {test::body("a", 1)};
-    const scenes::Vector3 axis{1, 1 - 1e-12, 5};  // a tie of x and y once rounded to float
+    const scenes::Vector3 axis{1, 1 - 1e-12, 5};  // x and y are equal after rounding to float
     scene.constraints = {
         test::joint(JointType::revolute, "r", test::side(scenes::ground, {}, axis), test::side(0, {}, axis))};
     return scalar_cast<double>(make_mechanism<Scalar>(scene).joints[0].frame_i.u);
@@ -159,7 +159,7 @@ TEST(Mechanism, InertiaIsDiagonalOrFull) {
   EXPECT_EQ(mechanism.bodies[1].inertia, full);
 }
 
-/// What the reader takes within its tolerance is no moment below zero in the equations.
+/// The reader accepts slightly negative moments within its tolerance; the mechanism must not contain them.
 TEST(Mechanism, AMomentJustBelowZeroCountsAsZero) {
   const scenes::Vector3 moments{2, 2, -1e-12};
   scenes::Scene scene;
@@ -176,9 +176,9 @@ TEST(Mechanism, AMomentJustBelowZeroCountsAsZero) {
   const auto mechanism = make_mechanism<double>(scene);
   EXPECT_EQ(mechanism.bodies[0].inertia, (Matrix3<double>(Vector3<double>(2, 2, 0).asDiagonal())));
   const auto lifted = check_inertia(mechanism.bodies[1].inertia).principal_moments;
-  EXPECT_LE(std::abs(lifted[0]), 4e-15);  // the rounding of a trace of 4
+  EXPECT_LE(std::abs(lifted[0]), 4e-15);  // rounding error for a trace of 4
   EXPECT_LE(distance(mechanism.bodies[1].inertia, J), 1.1e-12);
-  for (int r = 0; r < 3; ++r)  // and what is singular as written stays as written
+  for (int r = 0; r < 3; ++r)  // an exactly singular matrix is not changed
     EXPECT_EQ(mechanism.bodies[2].inertia.row(r), Vector3<double>(exactly_singular[r].data()).transpose());
 }
 
@@ -211,12 +211,12 @@ TEST(Orientation, IsUnitToTheLastBitOfEveryScalar) {
   EXPECT_LE(std::abs(static_cast<double>(Real50(euler_parameters_of<Real50>(written).norm() - 1))), 1e-49);
 }
 
-/// Whatever a scene normalises has the same direction at every size that the format takes, in float as well.
+/// A vector that a scene normalises has the same direction at every magnitude of the format, even in float.
 template <class Scalar>
 class EverySize : public testing::Test {
  public:
   static constexpr std::array sizes = {1e-99, 1e-50, 3.0, 1e50, 1e99};
-  /// A few roundings, and those of the doubles in which the sizes are written.
+  /// A few roundings of Scalar, but at least those of the doubles that state the vectors.
   const double tolerance = std::max(test::roundings<Scalar>(8), test::roundings<double>(8));
 };
 using Scalars = testing::Types<float, double, Quad>;

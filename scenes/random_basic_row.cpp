@@ -12,12 +12,12 @@ namespace {
 
 using V = RandomDraw::V;
 
-/// Draws what a basic constraint shows, but for f.
+/// Key visitor that draws a random value for every key of a basic constraint except f.
 struct Drawing {
   RandomDraw& draw;
   const V &P, &Q, &x, &y;
   RandomBasicRow& out;
-  V a = V::Zero();  ///< the vector of body i
+  V a = V::Zero();  ///< the vector of body i, in global components
 
   void vector_i(V& a_i) {
     a = a_i = draw.vector(2) + x;

@@ -1,6 +1,6 @@
 #pragma once
-/// A basic constraint drawn at random in global vectors and points, whatever its type: how random scenes come
-/// by theirs.
+/// Draws a basic constraint of any type at random, in global vectors and points. Random scenes
+/// (random_scene.hpp) take their basic constraints from here.
 
 #include "constraints/basic_constraint.hpp"
 #include "scenes/random_draw.hpp"
@@ -8,17 +8,19 @@
 
 namespace trivium::scenes {
 
-/// Parallel vectors of a dp1 and coincident points of a d are singularities of that one row; its scaling to
-/// unit size hides them from kappa, so rows are drawn this far from them [sine; m].
+/// Smallest distance of a drawn row from its singularity: the sine of the angle between the vectors of a dp1,
+/// and the distance [m] between the points of a d. The condition number kappa would not show such a
+/// singularity, since rows are scaled to unit size first.
 inline constexpr double far_from_singular = 0.2;
 
 struct RandomBasicRow {
-  Side i, j;  ///< vectors and points, global; bodies are not set
+  Side i, j;  ///< vectors and points in global components; `body` is not set
   Vector3 direction{};
-  double f = 0;  ///< that meets the row at t
+  double f = 0;  ///< value of the row's function f at time t for which the row is satisfied
 };
 
-/// Where a row has points they are P and Q; vectors are drawn about x, one of body j about y.
+/// A random basic constraint of this type at time t. Its points, if it has points, are P on body i and Q on
+/// body j. Its vectors are drawn around x on body i and around y on body j.
 RandomBasicRow random_basic_row(ConstraintType type, RandomDraw& draw, double t, const RandomDraw::V& P,
                                 const RandomDraw::V& Q, const RandomDraw::V& x, const RandomDraw::V& y);
 

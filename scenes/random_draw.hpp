@@ -1,7 +1,8 @@
 #pragma once
-/// Random numbers, directions and rotations of a seed. They do not depend on the standard library's
-/// distributions, so that a seed means the same everywhere: who draws several numbers for one call draws each
-/// in a statement of its own, since compilers evaluate arguments in different orders.
+/// Random numbers, directions and rotations from a seed. They do not use the distributions of the standard
+/// library, so a seed gives the same numbers on every platform. Compilers evaluate function arguments in
+/// different orders: code that needs several random numbers for one call must therefore draw each number in
+/// its own statement.
 
 #include <cstdint>
 #include <random>
@@ -22,7 +23,7 @@ class RandomDraw {
   int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
   bool chance(double p) { return uniform(0, 1) < p; }
   V vector(double size = 1) { return size * vector(-1, 1); }
-  /// Each component from low to high.
+  /// A vector whose components are uniform between low and high.
   V vector(double low, double high) {
     const double z = uniform(low, high), y = uniform(low, high), x = uniform(low, high);
     return {x, y, z};

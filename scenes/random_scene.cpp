@@ -90,7 +90,7 @@ class Builder {
     return out_.scene.constraints.back();
   }
 
-  /// A function of time that is `value` at t, moving if `moving`.
+  /// A function of time with the given value at out_.t. It varies with time only if `moving`.
   TimeFunction through(double value, bool moving) {
     if (!moving) return value;
     const double w = draw_.uniform(0.5, 3), phase = draw_.uniform(-3, 3),
@@ -101,7 +101,7 @@ class Builder {
     return TimeFunction::Polynomial{{value - c1 * out_.t - c2 * out_.t * out_.t, c1, c2}};
   }
 
-  /// A joint of any type between two bodies, fitted to where they are.
+  /// Adds a joint of a random type between two bodies, fitted to their positions.
   void add_joint(int i, int j) {
     if (draw_.chance(0.5)) std::swap(i, j);
     static const std::vector<ConstraintType> types = [] {
@@ -109,7 +109,9 @@ class Builder {
                                       JointType::universal,     JointType::fixed,    JointType::cylindrical,
                                       JointType::translational, JointType::planar,   JointType::in_line,
                                       JointType::in_plane,      JointType::distance};
-      // what the order above, which draws are counted by, does not know; drivers come with revolutes
+      // Append the types that are missing above. They stand last, so that the draws, which are indices into
+      // this list, keep the meaning of the order above. Drivers are not listed: they are added together with
+      // a revolute.
       for (const ConstraintShape& known : constraint_shapes()) {
         const bool is_fitted = known.type.is_basic() ? known.shape.find("f") != nullptr
                                                      : !properties_of(known.type).drives_an_angle;
@@ -167,11 +169,11 @@ class Builder {
         add_points(type, i, P, j, Q).distance = (Q - P).norm();
         break;
       case JointType::rotation_driver:
-        break;  // comes with its revolute
+        break;  // added together with its revolute
     }
   }
 
-  /// A row that is met where the bodies are.
+  /// Adds a basic constraint that the positions of the bodies satisfy at out_.t.
   void add_basic(ConstraintType type, int i, int j, const RandomBasicRow& drawn, bool moving) {
     const auto side = [&](int body, const Side& global) {
       Side s;
@@ -200,7 +202,7 @@ class Builder {
     add(JointType::rotation_driver, i, j).angle = through(angle, true);
   }
 
-  /// One more joint between bodies that are joined already, as long as degrees of freedom are left.
+  /// Adds one more joint between two bodies, unless the scene would have as many rows as velocities (6 nb).
   void close_loop() {
     const int nb = static_cast<int>(out_.scene.bodies.size());
     const int j = draw_.below(nb);
@@ -214,7 +216,7 @@ class Builder {
     if (make_mechanism<double>(out_.scene).nc() >= 6 * nb) out_.scene = before;
   }
 
-  /// A joint on the same axis as another one, a little further along it.
+  /// Adds a redundant joint: a copy of a revolute or cylindrical joint, moved by 0.5 m along its axis.
   void repeat(const Constraint& original) {
     if (!properties_of(original.type).has_an_angle) return;
     Constraint copy = original;

@@ -1,8 +1,8 @@
 #pragma once
-/// Random scenes: trees and closed loops with every joint and basic constraint, drivers, springs and mass
-/// ratios to 1e6. Bodies are placed first and joints fitted to them, so that positions hold by construction
-/// in any graph. Velocities are drawn freely and do not hold: validations take
-/// consistent ones (validation/harness/consistent_random_scene.hpp).
+/// Generates random scenes: trees and closed loops with joints and basic constraints of every type, drivers,
+/// springs, and mass ratios up to 1e6. Bodies are placed first and joints are fitted to them, so that
+/// positions satisfy the constraints in any graph. Velocities are drawn freely and violate the constraints;
+/// validation programs make them consistent first (validation/harness/consistent_random_scene.hpp).
 
 #include <cstdint>
 
@@ -12,17 +12,18 @@ namespace trivium::scenes {
 
 struct RandomScene {
   Scene scene;
-  double t = 0;  ///< the time at which its positions hold
+  double t = 0;  ///< time at which the positions satisfy the constraints [s]
 };
 
 struct RandomOptions {
   int most_bodies = 8;
   double mass_ratio = 1e6;
   bool effects = true;
-  bool redundant = true;  ///< now and then a joint that repeats what another does
+  bool redundant = true;  ///< also add, at random, joints that repeat an existing joint
 };
 
-/// The scene of a seed; the same everywhere, and for ever unless a basic constraint is added to the list.
+/// The random scene of a seed. A seed gives the same scene on every platform, and in every version until a
+/// basic constraint is added to the list of types.
 RandomScene random_scene(std::uint64_t seed, const RandomOptions& options = {});
 
 }  // namespace trivium::scenes

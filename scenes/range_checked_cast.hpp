@@ -1,7 +1,7 @@
 #pragma once
-/// The numbers of a scene, which are doubles, in a Scalar that may hold less. Decided here: which numbers are
-/// refused (too large for Scalar, or too small where their size counts) and which are rounded to zero
-/// (places, angles, single components).
+/// Casts the numbers of a scene, which are doubles, to a Scalar whose range may be smaller. This file decides
+/// which numbers are refused (too large for Scalar, or too small where the magnitude matters) and which
+/// numbers are rounded to zero (positions, velocities, angles, single components).
 
 #include <fmt/format.h>
 
@@ -22,16 +22,17 @@
 
 namespace trivium {
 
-/// Takes the numbers of one thing of a scene to Scalar. One beyond its range, which would become infinite or
-/// lose its digits near zero, is a ModelError that names the thing, the key and the number. Costs nothing
-/// where Scalar holds every double.
+/// Casts the numbers of one part of a scene to Scalar. A number that would become infinite, or lose digits
+/// because it is subnormal in Scalar, throws a ModelError that names the part, the key and the number. If
+/// Scalar holds every double, the checks are compiled away.
 template <class Scalar>
 class RangeCheckedCast {
  public:
   static constexpr bool holds_every_double =
       std::numeric_limits<Scalar>::max_exponent >= std::numeric_limits<double>::max_exponent;
 
-  /// As in: body "crank". Both outlive this.
+  /// The kind and the name of the part for messages, such as body and "crank". Both texts must outlive this
+  /// object.
   RangeCheckedCast(std::string_view kind, std::string_view name) : kind_(kind), name_(name) {}
 
   Scalar number(double x, std::string_view key) const {
@@ -39,13 +40,14 @@ class RangeCheckedCast {
       if (overflows(x) || vanishes(x)) fail(x, key);
     return Scalar(x);
   }
-  /// Whatever is lost of an angle near zero is less than a rounding of the turn.
+  /// An angle [rad] may underflow: the error is less than the rounding error of the rotation.
   Scalar angle(double x, std::string_view key) const {
     if constexpr (!holds_every_double)
       if (overflows(x)) fail(x, key);
     return Scalar(x);
   }
-  /// Of three numbers in doubles. A position or a velocity near zero is rounded to it like any other.
+  /// Three doubles of a position or a velocity. A component that underflows is rounded to zero: the error is
+  /// as harmless as any rounding error.
   template <class Three>
   Vector3<Scalar> place(const Three& v, std::string_view key) const {
     if constexpr (!holds_every_double)
@@ -53,8 +55,8 @@ class RangeCheckedCast {
         if (overflows(x)) fail(x, key);
     return {Scalar(v[0]), Scalar(v[1]), Scalar(v[2])};
   }
-  /// A component that vanishes beside others that do not is rounded like any digit; a vector that vanishes is
-  /// lost.
+  /// Three doubles whose common magnitude matters. A component that underflows is rounded to zero as long as
+  /// another component remains. If all nonzero components underflow, the vector would be lost and is refused.
   template <class Three>
   Vector3<Scalar> vector(const Three& v, std::string_view key) const {
     if constexpr (!holds_every_double) {
@@ -68,7 +70,8 @@ class RangeCheckedCast {
   Vector3<Scalar> vector(const std::optional<scenes::Vector3>& v, std::string_view key) const {
     return v ? vector(*v, key) : Vector3<Scalar>(Vector3<Scalar>::Zero());
   }
-  /// A function of time keeps its doubles and is evaluated in Scalar: all of its numbers must go there.
+  /// A function of time keeps its doubles and is evaluated in Scalar. All its numbers must therefore fit into
+  /// Scalar.
   const TimeFunction& function(const TimeFunction& f, std::string_view key) const {
     if constexpr (!holds_every_double) std::visit([&](const auto& kind) { check(kind, key); }, f.kind());
     return f;
@@ -79,7 +82,7 @@ class RangeCheckedCast {
     return f;
   }
 
-  /// A time that has been cast already.
+  /// A time that is a Scalar already. Throws ModelError if it is not finite.
   static const Scalar& time(const Scalar& t) {
     if constexpr (!holds_every_double)
       if (!std::isfinite(t))
@@ -90,7 +93,7 @@ class RangeCheckedCast {
 
  private:
   static bool overflows(double x) { return !std::isfinite(static_cast<Scalar>(x)); }
-  /// Zero or subnormal, and not so in the scene.
+  /// Whether x is not zero as a double, but zero or subnormal as a Scalar.
   static bool vanishes(double x) {
     return x != 0 && std::abs(static_cast<Scalar>(x)) < std::numeric_limits<Scalar>::min();
   }

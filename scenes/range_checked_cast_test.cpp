@@ -1,4 +1,5 @@
-/// A file's doubles in a Scalar of a narrower range: refused by name, or rounded where that is harmless.
+/// Doubles of a file in a Scalar with a smaller range are refused with a clear message, or rounded if
+/// harmless.
 
 #include "scenes/range_checked_cast.hpp"
 
@@ -13,7 +14,8 @@
 namespace trivium {
 namespace {
 
-/// A scene with one number of every kind that float cannot hold, and what the message about it says.
+/// A change that writes a number beyond the range of float into a scene, and the expected part of the
+/// message.
 struct Beyond {
   const char* says;
   std::function<void(scenes::Scene&)> write;
@@ -133,7 +135,8 @@ TEST(Narrowing, RefusesATimeThatTheScalarCannotHold) {
   EXPECT_NO_THROW(make_state<double>(two_bodies(), 1e39));
 }
 
-/// What rounding leaves of a zero beside numbers of ordinary size keeps nobody from solving in float.
+/// A component that is the rounding error of a zero, as programs write it, must not prevent a solution in
+/// float.
 TEST(Narrowing, RoundsAComponentAwayBesideLargerOnes) {
   scenes::Scene scene = two_bodies();
   scene.bodies[0].velocity = {1e-48, 1, 0};

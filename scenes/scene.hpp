@@ -1,7 +1,7 @@
 #pragma once
-/// A scene as its file states it: plain data in doubles, SI units, nothing derived. What has passed the
-/// reader is finite, physical and free of dangling names; `Mechanism<Scalar>` is what the equations make of
-/// it.
+/// A scene as a scene file states it: plain data in doubles and SI units, with no derived quantities. A scene
+/// that has passed the reader has finite numbers, physical bodies and no dangling names. The equations use a
+/// `Mechanism<Scalar>`, which make_mechanism.hpp makes from the scene.
 
 #include <array>
 #include <optional>
@@ -18,10 +18,10 @@
 
 namespace trivium::scenes {
 
-using Matrix3 = std::array<Vector3, 3>;  ///< row by row
+using Matrix3 = std::array<Vector3, 3>;  ///< three rows
 
 struct EulerParameters {
-  std::array<double, 4> e{1, 0, 0, 0};  ///< e0 first; normalised when used
+  std::array<double, 4> e{1, 0, 0, 0};  ///< e0, e1, e2, e3 [-]; normalised when used
   bool operator==(const EulerParameters&) const = default;
 };
 struct EulerAngles {
@@ -35,7 +35,7 @@ struct AxisAngle {
   bool operator==(const AxisAngle&) const = default;
 };
 struct RotationMatrix {
-  Matrix3 A{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< body to global
+  Matrix3 A{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< maps body components to global components
   bool operator==(const RotationMatrix&) const = default;
 };
 using Orientation = std::variant<EulerParameters, EulerAngles, AxisAngle, RotationMatrix>;
@@ -43,31 +43,31 @@ using Orientation = std::variant<EulerParameters, EulerAngles, AxisAngle, Rotati
 struct Body {
   std::string name;
   double mass = 0;
-  std::variant<Vector3, Matrix3> inertia;  ///< diagonal or full, about the centre of mass, body frame
-  bool unphysical_inertia = false;         ///< the triangle inequality is waived
+  std::variant<Vector3, Matrix3> inertia;  ///< diagonal or full [kg m^2], centre of mass, body frame
+  bool unphysical_inertia = false;         ///< do not check the triangle inequality of the moments
   Vector3 position{};
   Orientation orientation;
-  Vector3 velocity{};          ///< of the centre of mass, global
-  Vector3 angular_velocity{};  ///< omega_bar, body frame
+  Vector3 velocity{};          ///< velocity of the centre of mass [m/s], global frame
+  Vector3 angular_velocity{};  ///< omega_bar [rad/s], body frame
   bool operator==(const Body&) const = default;
 };
 
-/// What it states beside its type, name and sides; each type reads its own.
+/// A constraint of any type. The members after `j` are parameters; each type uses some of them.
 struct Constraint {
   ConstraintType type = JointType::spherical;
   std::string name;
   Side i, j;
-  TimeFunction f;       ///< of basic constraints
-  Vector3 direction{};  ///< of basic constraints, global
-  double distance = 0;  ///< distance: its length
-  TimeFunction angle;   ///< rotation_driver: alpha(t)
+  TimeFunction f;       ///< right-hand side, for basic constraints
+  Vector3 direction{};  ///< direction c in the global frame, for basic constraints
+  double distance = 0;  ///< length [m], for a distance joint
+  TimeFunction angle;   ///< alpha(t) [rad], for a rotation_driver
   bool operator==(const Constraint&) const = default;
 };
 
-/// An effect as it acts, in doubles: its bodies and its joint are those of the scene.
+/// An effect in doubles. Its indices of bodies and joints refer to the lists of the scene.
 using Effect = StandardEffects::OneOf<double>;
 
-/// Shows the keys of an effect of any type (effects/effect_keys.hpp).
+/// Calls the visitor for every key of an effect of any type (effects/effect_keys.hpp).
 template <class Visitor, class AnEffect>
 void visit_keys(Visitor&& visitor, AnEffect& effect) {
   std::visit([&](auto& one) { one.keys(visitor, one); }, effect);
@@ -78,7 +78,7 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<Constraint> constraints;
   std::vector<Effect> effects;
-  std::optional<SavedRun> saved;  ///< of a run that ended in this state
+  std::optional<SavedRun> saved;  ///< data to continue the run that ended in this state
   bool operator==(const Scene&) const = default;
 
   const std::string& body_name(int body) const {
@@ -87,7 +87,7 @@ struct Scene {
   }
 };
 
-/// The time [s] of a scene's state: that asked for, else that of a saved run, else 0.
+/// The time [s] of a scene's state: t if given, else the time of the saved run, else 0.
 inline double time_of(const Scene& scene, std::optional<double> t) {
   return t ? *t : scene.saved ? scene.saved->t : 0.0;
 }

@@ -1,13 +1,14 @@
 #pragma once
-/// From a state back to the scene that a file holds: the inverse of make_state (make_mechanism.hpp).
-/// Assembled and simulated states are written by it.
+/// Writes a state back into a scene: the inverse of make_state (make_mechanism.hpp). Used to write assembled
+/// and simulated states to scene files.
 
 #include "mechanism/mechanism_state.hpp"
 #include "scenes/scene.hpp"
 
 namespace trivium {
 
-/// Writes poses and velocities back into a scene, rounded to double. A saved run of another state is dropped.
+/// Writes poses and velocities into the scene as doubles, and removes the saved run, which belongs to another
+/// state.
 void set_state(scenes::Scene& scene, const MechanismState<double>& state);
 
 }  // namespace trivium

@@ -1,6 +1,6 @@
 #pragma once
-/// A vector as a scene file states it, the number of a body, and one side of a constraint. Which vectors a
-/// side has is said by the type of its constraint.
+/// Basic types of a scene file: a vector, the index of a body, and one side of a constraint. The type of a
+/// constraint determines which vectors its sides have.
 
 #include <array>
 #include <optional>
@@ -13,13 +13,13 @@ using Vector3 = std::array<double, 3>;
 
 inline Vector3 plain(const trivium::Vector3<double>& v) { return {v[0], v[1], v[2]}; }
 
-/// The index of the implicit body `ground`; other bodies count from 0 in file order.
+/// The index of the implicit body `ground`. The other bodies count from 0 in the order of the file.
 inline constexpr int ground = -1;
 
-/// One side of a constraint; which of the vectors a type takes is the scene format's table.
+/// One side of a constraint. The scene format's table says which of the vectors a constraint type uses.
 struct Side {
   int body = ground;
-  std::optional<Vector3> point, vector, axis, x;  ///< body frame
+  std::optional<Vector3> point, vector, axis, x;  ///< in the body frame
   bool operator==(const Side&) const = default;
 };
 

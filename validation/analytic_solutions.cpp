@@ -1,6 +1,7 @@
-/// Does a motion meet the solutions that are known in closed form, and the curves of an independent code?
-/// Every problem in every formulation, by Fehlberg's method at tight tolerance; the largest error of each
-/// quantity over the run, and what it is held to.
+/// Question: does a motion agree with the solutions that are known in closed form, and with the curves of an
+/// independent code? Every problem is solved in every formulation by Fehlberg's method at tight tolerance.
+/// The program fails if the largest error of a quantity over a run exceeds the bound of this quantity
+/// (validation/analytic/).
 
 #include <fmt/format.h>
 

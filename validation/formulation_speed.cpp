@@ -1,8 +1,9 @@
-/// Which set of coordinates is fastest, and does the order of the method change that? Kissel, Taves and
-/// Negrut (2021, 2022) found r-omega on SO(3) (their rA) about twice as fast as r-p and r-epsilon by backward
-/// Euler, and left higher orders open. Here their four models and spatial ones with free degrees of freedom,
-/// by methods of orders 1 to 5: one solver, one step, one rule for Newton's method. CPU times, in turn and in
-/// random order: ratios count.
+/// Question: which set of coordinates is fastest, and does the order of the method change the answer? Kissel,
+/// Taves and Negrut (2021, 2022) found r-omega on SO(3) (their rA) about twice as fast as r-p and r-epsilon
+/// with backward Euler, and left higher orders open. Here their four models and spatial models with free
+/// degrees of freedom are run by methods of orders 1 to 5, with the same solver, step size and Newton
+/// criterion. CPU times are taken in random order; only ratios are meaningful. The program fails only if a
+/// run fails.
 
 #include <fmt/format.h>
 
@@ -44,7 +45,7 @@ struct Run {
   const Method* method = nullptr;
   std::vector<double> seconds = {};
   long steps = 0, iterations = 0, evaluations = 0;
-  double ratio = 0;  ///< of medians, to r-omega
+  double ratio = 0;  ///< ratio of the median time to that of r-omega [-]
 
   bool solved() const { return failure.empty(); }
   double median() const { return median_of(seconds); }
@@ -169,7 +170,7 @@ std::string json(const std::vector<Run>& runs) {
 
 int run(const Program& program, const Options& options) {
   std::vector<NamedScene> scenes = program.scenes(0);
-  // their four models, then spatial ones with free degrees of freedom
+  // the four models of Kissel, Taves and Negrut, then spatial models with free degrees of freedom
   const std::vector<std::string> chosen{
       "uwsbel_single_pendulum", "uwsbel_double_pendulum", "uwsbel_slider_crank", "uwsbel_four_link",
       "spatial_slider_crank",   "triple_pendulum",        "open_arm_7",          "stewart_platform"};

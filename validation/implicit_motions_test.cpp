@@ -1,4 +1,4 @@
-/// Motions by implicit methods, in every formulation.
+/// Simulations by implicit methods, in every formulation.
 
 #include <cmath>
 
@@ -14,7 +14,7 @@ using test::implicit_methods, test::apart, test::catalogue_scene, test::Implicit
 INSTANTIATE_TEST_SUITE_P(Motions, Implicit, testing::ValuesIn(formulation_names()),
                          test::formulation_in_a_name);
 
-// the governor's damper alone asks of an explicit method steps below 1e-3 s
+// The governor's damper limits explicit methods to steps below 1e-3 s.
 TEST_P(Implicit, StepsOfAStiffGovernorAreSetByAccuracy) {
   static const Motion exact(catalogue_scene("flyball_governor"), tight("r-omega", "rkf78", 2, 1e-11));
   for (const std::string& method : implicit_methods) {
@@ -39,13 +39,13 @@ TEST_P(Implicit, PositionsStayOnTheirConstraintsAndVelocitiesToTheMethodsError) 
       const bool is_stabilised = method.ends_with("gl2") || method.starts_with("radau");
       EXPECT_LE(motion.report.phi_dot, is_stabilised ? 1e-10 : 0.2) << name << " " << method;
       if (is_stabilised) continue;
-      // an error of the method, not a drift: it falls with the steps, by its order at least once
+      // The velocity error is an error of the method, not a drift: it decreases at least with order 1.
       const Motion fine(catalogue_scene(name), stepping(GetParam(), method, 0.5, 0.00125));
       EXPECT_LE(fine.report.phi_dot, motion.report.phi_dot / 1.7) << name << " " << method;
     }
 }
 
-// where springs hold each other, no force is left that their rounding could be measured by
+// The spring forces cancel, so that the sum of forces gives no scale for their rounding errors.
 TEST_P(Implicit, ABodyComesToRestOnStiffSpringsAlone) {
   scenes::Scene scene;
   scene.name = "mount";
@@ -78,7 +78,7 @@ TEST_P(Implicit, ABodyComesToRestOnStiffSpringsAlone) {
   }
 }
 
-// an explicit method would need some 10 000 steps of what is here one
+// An explicit method would need about 10 000 steps for one of these steps.
 TEST_P(Implicit, BackwardDifferencesBeginInAStiffMotionAsTheyGoOn) {
   const scenes::Scene scene = test::sprung_wheel(0.2, 1, 1e6, 1e6);
   for (int order = 1; order <= 5; ++order) {
@@ -90,7 +90,8 @@ TEST_P(Implicit, BackwardDifferencesBeginInAStiffMotionAsTheyGoOn) {
   }
 }
 
-// one method, one step: formulations differ by its error, and less by its order
+// With the same method and step size, formulations differ by the error of the method, which decreases with
+// its order.
 TEST_P(Implicit, LambdaOfTheFormulationsMeetsAtTheMethodsOrder) {
   const auto gap = [&](const std::string& method, double h) {
     const Motion motion(catalogue_scene("spatial_slider_crank"), stepping(GetParam(), method, 0.1, h));
@@ -121,7 +122,7 @@ TEST_P(Implicit, RedundantMechanismsPassTheirSingularPositions) {
 TEST_P(Implicit, ChangesOfChartAndKinksRestartAMethod) {
   const Motion exact(catalogue_scene("heavy_top"), tight("r-omega", "rkf78", 0.3, 1e-11));
   for (const std::string& method : implicit_methods) {
-    if (method == "hht") continue;  // of order 1 here: convergence_order shows it
+    if (method == "hht") continue;  // of order 1 here, see convergence_order
     SimulationOptions options = stepping(GetParam(), method, 0.3, 1e-4);
     options.parameters.order = method == "bdf" ? std::optional<int>(4) : std::nullopt;
     const Motion motion(catalogue_scene("heavy_top"), options);

@@ -1,5 +1,7 @@
-/// How many instructions does one evaluation of accelerations and multipliers take? Counted by callgrind on
-/// this very program, so that a regression of the hot path shows whatever else the machine is doing.
+/// Question: how many instructions does one evaluation of accelerations and multipliers take? The program
+/// runs itself under callgrind, which counts instructions. Unlike a time, this number does not depend on
+/// other load of the machine, so that a regression of the solver is visible. The program fails only if
+/// valgrind cannot count.
 
 #include <fmt/format.h>
 #include <stdio.h>
@@ -48,7 +50,7 @@ void walk(const Workload& w, int evaluations) {
   with_formulation<double>(w.formulation, [&]<class F>() { walk<F>(w, evaluations); });
 }
 
-/// All instructions of this program when it walks a workload so often.
+/// The number of instructions of this program when it solves the workload `evaluations` times.
 long long count(const Workload& w, int evaluations) {
   const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
   const std::string command = fmt::format(
@@ -137,7 +139,7 @@ int main(int argc, char** argv) {
                   "instruction_counts");
   Workload workload;
   int evaluations = 0;
-  // what the program calls itself with, under valgrind
+  // hidden options with which the program calls itself under valgrind
   ProgramOptions& options = program.options();
   options.add_option("--walk", &workload.scene).hide();
   options.add_option("--size", &workload.n).hide();

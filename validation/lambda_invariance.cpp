@@ -1,5 +1,6 @@
-/// Is lambda the same number in every formulation of the library? The program stands in
-/// validation/harness/lambda_invariance.hpp, for any list of formulations.
+/// Question: is lambda the same number in every formulation of the library? Method and criterion are
+/// described in validation/harness/lambda_invariance.hpp, which contains the program for any list of
+/// formulations.
 
 #include "validation/harness/lambda_invariance.hpp"
 

@@ -1,4 +1,4 @@
-/// Motions by the methods of SUNDIALS, in every formulation.
+/// Simulations by the methods of SUNDIALS, in every formulation.
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ TEST_P(Implicit, BackwardDifferencesOfLibrariesChooseLongStepsInAStiffMotion) {
     EXPECT_LE(motion.report.counters.steps + motion.report.counters.rejected_steps,
               by_dopri5.report.counters.steps / 2)
         << method;
-    // Newton's matrix is worth its name
+    // A poor Newton matrix would need more iterations.
     EXPECT_LE(static_cast<double>(motion.report.counters.iterations),
               method == std::string("arkode-dirk") ? 45.0 * static_cast<double>(motion.report.counters.steps)
                                                    : 5.0 * static_cast<double>(motion.report.counters.steps))
@@ -55,7 +55,7 @@ TEST_P(Libraries, MotionsFollowTheToleranceOnTheirConstraints) {
   }
 }
 
-// they step over outputs: these cost no steps, and are as exact as the end
+// These methods interpolate at outputs: outputs cost no steps, and are as accurate as the end of the run.
 TEST_P(Libraries, OutputsBetweenStepsAreOfTheMethodsOwnAccuracy) {
   SimulationOptions options = tight("r-omega", "rkf78", 1, 1e-12);
   options.output_step = 0.01;

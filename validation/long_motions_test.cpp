@@ -1,4 +1,4 @@
-/// What a hundred thousand periods leave.
+/// Energy and constraint violation after a hundred thousand periods.
 
 #include "validation/testing/catalogue_motion.hpp"
 
@@ -7,7 +7,7 @@ namespace {
 
 using test::catalogue_scene, test::Motion;
 
-// of the pendulum of A01, at a hundred steps a period
+// The pendulum of benchmark A01 with a hundred steps per period.
 TEST(Rattle, KeepsTheEnergyOfAHundredThousandPeriods) {
   SimulationOptions options;
   options.integrator = "rattle";

@@ -1,4 +1,5 @@
-/// The energy of a motion is accounted for by work; angles of springs are counted over full turns.
+/// The work of drivers and dampers explains the change of energy; the angles of springs are counted over full
+/// turns.
 
 #include <cmath>
 
@@ -21,7 +22,7 @@ TEST_P(InEveryFormulation, WorkOfDriversAndDampersAccountsForTheEnergy) {
   }
 }
 
-// three turns of a spring, then back: theta = 6 pi cos(t)
+// The spring is wound up by three turns and back: theta = 6 pi sin(t).
 TEST_P(InEveryFormulation, ATorsionalSpringIsCountedOverFullTurns) {
   scenes::Scene scene;
   scene.name = "wound_up";
@@ -43,18 +44,19 @@ TEST_P(InEveryFormulation, ATorsionalSpringIsCountedOverFullTurns) {
   EXPECT_LE(motion.report.unaccounted_energy, 1e-8 * motion.report.energy_start);
 }
 
-// a wheel that winds a weak spring up moves nearly evenly, so that errors alone would let steps be many turns
+// A fast wheel on a weak spring turns almost uniformly: the error estimate alone would allow steps of many
+// turns.
 TEST_P(InEveryFormulation, NoStepLosesCountOfTheTurns) {
   const scenes::Scene scene = test::sprung_wheel(0.5, 20, 0.2, 0);
   for (const char* method : {"dopri5", "rkf78", "bulirsch-stoer", "abm", "cvode-adams", "arkode-erk"}) {
     const Motion motion(scene, tight(GetParam(), method, 5, 1e-6));
     EXPECT_NEAR(motion.end().state.twist[0].omega_bar[2], 20 * std::cos(5 * std::sqrt(0.4)), 1e-3) << method;
-    // Adams' errors add up over many short steps
+    // the errors of cvode-adams accumulate over many short steps
     EXPECT_LE(motion.report.unaccounted_energy, method == std::string("cvode-adams") ? 2e-2 : 1e-3) << method;
   }
 }
 
-// two methods for the work too, of dampers and drivers
+// These methods also integrate the work of dampers and drivers.
 TEST_P(Implicit, WorkAccountsForTheEnergy) {
   for (const char* name : {"driven_crank", "open_arm_7"})
     for (const std::string& method : implicit_methods) {

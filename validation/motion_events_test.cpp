@@ -1,4 +1,4 @@
-/// Motions over events: velocities that jump, and kinks of functions of time.
+/// Simulations over events: jumps of velocities, and kinks of functions of time.
 
 #include <cmath>
 
@@ -11,7 +11,8 @@ namespace {
 
 using test::InEveryFormulation, test::Motion, test::tight, test::wellformed_scene;
 
-// hung straight below, the bob is struck through its hook: 1 m/s = J (1/m + l^2/I)
+// The bob hangs straight below its hook. An impulse J at the hook changes the hook's speed by 1 m/s = J (1/m
+// + l^2/I).
 TEST_P(InEveryFormulation, ADriverWhoseSpeedJumpsStrikesWithAnImpulse) {
   const scenes::Scene scene = wellformed_scene("jerked_trolley");
   const double on_bob = 1 / (1.0 / 2 + 0.25 / 0.1), impulse = 3 + on_bob;
@@ -28,12 +29,12 @@ TEST_P(InEveryFormulation, ADriverWhoseSpeedJumpsStrikesWithAnImpulse) {
   EXPECT_NEAR(after.state.twist[1].omega_bar[1], 0.5 * on_bob / 0.1, 1e-11);
   ASSERT_EQ(struck.report.impulses.size(), 1u);
   EXPECT_EQ(struck.report.impulses[0].t, 0.5);
-  EXPECT_NEAR(struck.report.impulses[0].lambda[5], -impulse, 1e-11);  // after the rail's five rows
+  EXPECT_NEAR(struck.report.impulses[0].lambda[5], -impulse, 1e-11);  // row 5: the rail has rows 0 to 4
   EXPECT_NEAR(after.energy - struck.samples[0].energy, impulse * (0.4 + 1.4) / 2, 1e-11);
   EXPECT_LE(struck.report.unaccounted_energy, 1e-10);
 }
 
-// the state after it is that of the end
+// The state at the end is the state after the jump.
 TEST_P(InEveryFormulation, AJumpAtTheEndOfTheRunIsStillPassed) {
   for (const char* method :
        {"dopri5", "cvode-bdf", "ida", "radau5", "radau9", "hedop5", "generalized-alpha", "bdf"}) {
@@ -67,12 +68,12 @@ TEST_P(InEveryFormulation, EveryMethodGoesOverAJumpOfVelocities) {
           << method;
     EXPECT_LE(motion.report.phi, 1e-12) << method;
     EXPECT_LE(motion.report.unaccounted_energy, steps ? 1e-4 : 1e-6) << method;
-    // at the event the method's own multipliers are those of before it
+    // at the event the method's own multipliers are those before the jump
     EXPECT_LE(motion.report.lambda_gap, steps ? 1e-2 : 1e-5) << method;
   }
 }
 
-// the quintic's own pieces are integrated exactly by order 8, but not across their kinks
+// A method of order 8 integrates each piece of the quintic exactly, but not a step across a kink.
 TEST_P(InEveryFormulation, KinksOfAFunctionOfTimeAreLandedOn) {
   scenes::Scene scene;
   scene.name = "pushed";

@@ -1,5 +1,7 @@
-/// Is lambda the same number along a motion? Every scene moves in every formulation, each stepped by itself;
-/// lambda is compared at equal times, and at equal states (simulation/motion_comparison.hpp).
+/// Question: is lambda the same number along a motion? Every scene is simulated in every formulation
+/// independently. lambda is compared between the runs at equal times, and between the formulations at equal
+/// states (simulation/motion_comparison.hpp). The program fails if a run fails, or if a difference exceeds
+/// its bound.
 
 #include <fmt/format.h>
 
@@ -23,10 +25,11 @@ struct Arguments {
   double t_end = 2;
 };
 
-/// Scenes whose published motion is shorter than the others are moved for [s].
+/// End times [s] of scenes whose published motion is shorter than the default.
 const std::map<std::string, double> published_ends{{"andrews_squeezer", 0.03}};
 
-/// Every formulation at the states of all: a dense matrix each, of which those of many bodies get fewer.
+/// The number of outputs at which all formulations are solved at the same states. Each solution needs a dense
+/// matrix, so that large scenes get fewer.
 int states_of(const NamedScene& named) { return named.scene.bodies.size() > 30 ? 3 : 10; }
 
 struct Answer {
@@ -34,11 +37,11 @@ struct Answer {
   std::size_t nb = 0;
   int nc = 0;
   double t_end = 0;
-  long steps = 0;  ///< the most of a formulation
+  long steps = 0;  ///< largest number of steps of any formulation
   std::size_t outputs = 0, judged = 0;
   bool has_unique_lambda = true, holds = false;
   double amplification = 1;
-  // the largest of the outputs that are judged, and beside their bounds
+  // largest values over the judged outputs, with bounds and ratios to the bounds
   double lambda = 0, lambda_bound = 0, lambda_ratio = 0;
   double state_lambda = 0, state_kappa = 1, state_ratio = 0;
 

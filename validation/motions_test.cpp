@@ -1,4 +1,4 @@
-/// Motions against trusted numbers, in every formulation: what users run as `trivium simulate`.
+/// Simulations in every formulation, as by `trivium simulate`, compared with trusted numbers.
 
 #include <cmath>
 
@@ -63,7 +63,7 @@ TEST_P(InEveryFormulation, AndrewsSqueezerIsThatOfTheReference) {
   const auto angles = andrews_angles(exact);
   for (std::size_t b = 0; b < angles.size(); ++b)
     EXPECT_LE(apart_from_angle(motion.end().state.pose[b].p, angles[b]), 1e-9) << b;
-  // of the joints at E, forces on the body that is not K2
+  // forces of the joints at E on the body that is not K2
   for (const auto& [joint, k] : {std::pair(2, 1), {3, 3}, {4, 5}}) {
     const auto& force = motion.end().reactions[joint].force;
     const double x = exact.value("lambda" + std::to_string(k)),
@@ -80,7 +80,7 @@ TEST_P(InEveryFormulation, BricardIsThatOfAnotherMethodAtATighterTolerance) {
     EXPECT_LE((motion.end().state.pose[b].r - exact.state.pose[b].r).norm(), 1e-8);
 }
 
-// of r, v and lambda, in quad so that no rounding hides it
+// The orders of r, v and lambda are observed in quad, so that rounding does not hide them.
 TEST_P(InEveryFormulation, GivenStepsConvergeWithThePublishedOrder) {
   const scenes::Scene scene = catalogue_scene("parallelogram");
   static const MotionSample exact = Motion(scene, tight("r-omega", "rkf78", 0.4, 1e-20), in_quad).end();
@@ -107,7 +107,7 @@ TEST_P(InEveryFormulation, GivenStepsConvergeWithThePublishedOrder) {
   }
 }
 
-// the same lambda, in all formulations, wherever the motion goes
+// lambda is the same in all formulations along the whole motion.
 TEST_P(InEveryFormulation, LambdaAlongAMotionIsThatOfROmega) {
   for (const char* name : {"spatial_slider_crank", "stewart_platform", "bricard", "triple_pendulum"}) {
     SimulationOptions options = tight(GetParam(), "rkf78", 1, 1e-13);
@@ -123,7 +123,7 @@ TEST_P(InEveryFormulation, LambdaAlongAMotionIsThatOfROmega) {
   }
 }
 
-// a micrometre long, it moves as one of a metre: rows of angles are not judged by lengths
+// A micrometre-sized mechanism moves like one of a metre: tolerances of angles must not depend on lengths.
 TEST_P(InEveryFormulation, TheSizeOfAMechanismChangesNothing) {
   const auto scaled = [](double size) {
     scenes::Scene scene = scenes::two_bars();

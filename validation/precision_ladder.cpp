@@ -1,6 +1,7 @@
-/// Does the difference between the formulations fall with the precision? The same states in float, double,
-/// long double, quad and 50 digits: the largest difference of lambda between any two formulations, and its
-/// ratio to u kappa.
+/// Question: does the difference between the formulations decrease with the unit roundoff u? The same states
+/// are solved in float, double, long double, quad and 50 digits. The table shows the largest difference of
+/// lambda between any two formulations and its ratio to u kappa. The program fails if a solver fails, or if a
+/// difference exceeds 100 u kappa.
 
 #include <fmt/format.h>
 
@@ -23,23 +24,24 @@ namespace trivium {
 
 namespace {
 
-/// Scenes beyond this many bodies are left to the long run: 50 digits on a dense matrix take minutes there.
+/// Larger scenes are only solved with --large: a dense matrix in 50 digits takes minutes.
 constexpr std::size_t quick_bodies = 30;
 
 struct PrecisionResult {
   std::string scene, scalar, error;
   int nb = 0, nc = 0, rank = 0;
   double u = 0, kappa = 0, cancellation = 1, difference = 0;
-  bool analysed = false;  ///< nc, rank, kappa and whether any multiplier is unique are known
+  bool analysed = false;  ///< nc, rank, kappa and any_unique are known
   bool any_unique = true;
 
   bool solved() const { return error.empty(); }
   bool comparable() const { return solved() && any_unique; }
   double ratio() const { return difference / (u * kappa); }
-  /// 100 u kappa; beyond 45 digits the data, which are doubles, leave 1e-45.
+  /// 100 u kappa, but at least 1e-45 for scalars with u < 1e-45.
   double bound() const { return std::max(lambda_bound(u, kappa), u < 1e-45 ? 1e-45 : 0.0); }
   bool passed() const { return solved() && (!any_unique || difference <= bound()); }
-  /// Beyond the bound by no more than what could cause lambda cancels.
+  /// Whether the difference exceeds the bound by at most the factor by which the terms that determine lambda
+  /// cancel.
   bool cancels() const { return difference <= bound() * cancellation; }
   std::string verdict() const {
     return !solved()               ? "ERROR"
@@ -50,7 +52,7 @@ struct PrecisionResult {
   }
 };
 
-/// Decided once for all precisions.
+/// The analysis of the rows is made once, in double, and is used in all precisions.
 struct RowsOrError {
   std::optional<RowAnalysis> analysis;
   std::string error;
@@ -121,7 +123,7 @@ std::vector<std::string> fields(const PrecisionResult& r) {
           r.verdict()};
 }
 
-/// One line a scene: the difference in each precision, and in brackets its ratio to u kappa.
+/// One line for each scene: the difference in each precision, and in brackets its ratio to u kappa.
 std::string text(const std::vector<PrecisionResult>& rungs, std::size_t rungs_per_scene) {
   std::vector<std::string> header{"scene", "nb", "kappa"};
   for (std::size_t k = 0; k < rungs_per_scene && k < rungs.size(); ++k)
@@ -132,8 +134,7 @@ std::string text(const std::vector<PrecisionResult>& rungs, std::size_t rungs_pe
   for (std::size_t first = 0; first < rungs.size(); first += rungs_per_scene) {
     std::vector<std::string> row{rungs[first].scene, std::to_string(rungs[first].nb),
                                  rungs[first].analysed ? fmt::format("{:.1e}", rungs[first].kappa) : "none"};
-    // the worst rung's: a solver that failed counts more than a difference that is too large, and that more
-    // than one that causes which cancel account for
+    // The worst verdict of all precisions: ERROR is worse than EXCEEDS, and EXCEEDS is worse than cancels.
     std::string verdict = rungs[first].any_unique ? "ok" : "none";
     for (std::size_t k = first; k < first + rungs_per_scene; ++k) {
       const PrecisionResult& r = rungs[k];

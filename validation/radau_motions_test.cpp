@@ -1,4 +1,4 @@
-/// Motions by the Radau IIA methods, which choose long steps where motions are stiff.
+/// Simulations by the Radau IIA methods, which choose long steps in stiff motions.
 
 #include <array>
 #include <cmath>
@@ -12,8 +12,8 @@ namespace {
 using test::apart, test::catalogue_scene, test::in_quad, test::Implicit, test::Motion, test::stepping,
     test::tight;
 
-// steps of its own choice, too: few beside those of an explicit method, though its springs turn by a third of
-// a radian in one
+// The step sizes are chosen by the method: there must be few steps compared with an explicit method, although
+// the springs turn by a third of a radian in one step.
 TEST_P(Implicit, RadauChoosesLongStepsInAStiffMotion) {
   static const Motion exact(catalogue_scene("flyball_governor"), tight("r-omega", "rkf78", 1, 1e-11));
   const Motion motion(catalogue_scene("flyball_governor"), tight(GetParam(), "radau5", 1, 1e-6));
@@ -25,8 +25,8 @@ TEST_P(Implicit, RadauChoosesLongStepsInAStiffMotion) {
   EXPECT_LE(motion.report.counters.iterations, 8 * motion.report.counters.steps);
 }
 
-// errors are weighed by what turns and by where it is, each for itself; steps are those of the same motion
-// about the origin
+// Tolerance weights must not grow with the distance from the origin: the steps are those of the same pendulum
+// at the origin.
 TEST_P(Implicit, RadauIsAsAccurateFarFromTheOrigin) {
   const auto pendulum_at = [](double x) {
     scenes::Scene scene;
@@ -56,7 +56,7 @@ TEST_P(Implicit, RadauIsAsAccurateFarFromTheOrigin) {
   }
 }
 
-// bodies without rows of their own, too
+// This must also hold for bodies without constraint rows.
 TEST_P(Implicit, RadauKeepsEulerParametersUnit) {
   for (const char* method : {"radau5", "radau9"}) {
     const Motion motion(catalogue_scene("dzhanibekov"), tight(GetParam(), method, 5, 1e-2));
@@ -64,7 +64,8 @@ TEST_P(Implicit, RadauKeepsEulerParametersUnit) {
   }
 }
 
-// the shift is least in M alone where the stages' matrices have one share of dampers
+// The platform's dampers enter the matrices of the stages, from which the shifts are computed. The order must
+// be kept.
 TEST_P(Implicit, RadauIsOfItsOrderWhereDampersAre) {
   const scenes::Scene scene = catalogue_scene("stewart_platform");
   const auto errors = [&](const Motion& motion, const Motion& exact) {
@@ -108,7 +109,8 @@ TEST_P(Implicit, RadauMeetsRowsAtTheEndsOfStepsToRounding) {
   }
 }
 
-// the more, the tighter: five stages a step, but longer steps
+// radau9 has five stages in a step but much longer steps, so that it needs fewer evaluations at tight
+// tolerances.
 TEST_P(Implicit, ToTightErrorsTheHigherOrderOfRadauAsksForLess) {
   static const Motion exact(catalogue_scene("flyball_governor"), tight("r-omega", "rkf78", 1, 1e-13));
   const scenes::Scene scene = catalogue_scene("flyball_governor");
@@ -119,7 +121,8 @@ TEST_P(Implicit, ToTightErrorsTheHigherOrderOfRadauAsksForLess) {
   EXPECT_LE(by_nine.report.counters.right_sides, by_five.report.counters.right_sides / 2);
 }
 
-// stages that are reached by another way are no others, also where the method's error is not small
+// Modified and full Newton iteration must converge to the same stages, even if the error of the method is
+// large.
 TEST_P(Implicit, FullNewtonFindsTheSameMotionOfRadauAtLongSteps) {
   SimulationOptions options = stepping(GetParam(), "radau9", 1, 0.025);
   const Motion modified(catalogue_scene("spatial_four_bar"), options);
@@ -127,7 +130,8 @@ TEST_P(Implicit, FullNewtonFindsTheSameMotionOfRadauAtLongSteps) {
   EXPECT_LE(apart(Motion(catalogue_scene("spatial_four_bar"), options), modified), 1e-6);
 }
 
-// what iterations leave of a step is less in a shorter one: a thousand steps are no worse than a dozen
+// The Newton iteration's remaining error must decrease with the step size: a thousand steps are as accurate
+// as a dozen.
 TEST_P(Implicit, OutputsThatCutStepsDoNotAddUpToErrorsOfRadau) {
   static const Motion exact(catalogue_scene("stewart_platform"), tight("r-omega", "rkf78", 1, 1e-12));
   for (const char* method : {"radau5", "radau9"}) {

@@ -1,4 +1,4 @@
-/// Motions by the symplectic methods: their energy, their order over events, and where they are refused.
+/// Simulations by the symplectic methods: energy, order over events, and cases where the methods are refused.
 
 #include <cmath>
 
@@ -9,7 +9,7 @@ namespace {
 
 using test::catalogue_scene, test::Motion, test::stepping, test::tight, test::wellformed_scene;
 
-// order 4 has parts that go back: none may see what is beyond an event
+// rattle4 has substeps that go back in time. None of them may see the functions beyond the event.
 TEST(Rattle, KeepsItsOrderOverEvents) {
   const scenes::Scene scene = wellformed_scene("jerked_trolley");
   const Motion exact(scene, tight("r-omega", "rkf78", 1, 1e-13));

@@ -1,6 +1,7 @@
-/// simbody_reference: are our accelerations, multipliers and reactions Simbody's? Every scene is rebuilt in
-/// Simbody as a tree of mobilizers, as free bodies with one custom constraint a row, and as free bodies with
-/// Simbody's own constraints, and compared with every formulation.
+/// Question: are the accelerations, multipliers and reactions equal to those of Simbody? Every scene is
+/// rebuilt in Simbody in three ways: as a tree of mobilizers, as free bodies with one custom constraint for
+/// each row, and as free bodies with Simbody's own constraints. Each is compared with every formulation. The
+/// program fails if a solver fails, or if a relative difference exceeds max(1e-10, 100 u kappa).
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,7 +29,7 @@ std::string way_of(const SimbodyComparison& c) {
   return std::string(name_of(c.way)) + (c.twin ? ", twin" : "");
 }
 
-/// One comparison in words, where what is not known reads "none".
+/// The fields of one comparison as text; an unknown value is "none".
 struct Fields {
   Fields(const SimbodyComparison& c, std::string (*number)(double)) {
     const SimbodyDistance d = c.worst();
@@ -63,7 +64,7 @@ std::string table(const std::vector<SimbodyComparison>& comparisons) {
   return table.text();
 }
 
-/// The scenes without a mobilizer share a line.
+/// One line that names all scenes without a mobilizer.
 std::string impossibilities(const std::vector<SimbodyComparison>& comparisons) {
   std::vector<std::string> scenes;
   for (const SimbodyComparison& c : comparisons)
@@ -73,7 +74,7 @@ std::string impossibilities(const std::vector<SimbodyComparison>& comparisons) {
                      fmt::join(scenes, ", "));
 }
 
-/// What Simbody refused, one line each.
+/// One line for each scene that Simbody refused.
 std::string refusals(const std::vector<SimbodyComparison>& comparisons) {
   std::string out;
   for (const SimbodyComparison& c : comparisons)
@@ -83,7 +84,7 @@ std::string refusals(const std::vector<SimbodyComparison>& comparisons) {
   return out.empty() ? out : "\n" + out;
 }
 
-/// Why nothing, or not everything, was compared.
+/// The reason why a comparison is missing or incomplete.
 std::string reason(const SimbodyComparison& c) {
   if (!c.error.empty()) return c.error;
   if (!c.failure.empty()) return "Simbody refuses the twin: " + c.failure;
@@ -137,7 +138,7 @@ std::string json(double t, const std::vector<SimbodyComparison>& comparisons) {
   return json.end_array().end_object().str();
 }
 
-/// One row a scene and way.
+/// The results file: one row for each scene and way.
 ResultsFile results(const std::vector<SimbodyComparison>& comparisons) {
   ResultsFile file(
       "simbody_reference",

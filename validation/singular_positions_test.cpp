@@ -1,5 +1,5 @@
-/// Motions where rows lose their rank or a chart its meaning: singular positions are passed, and drift makes
-/// none.
+/// Simulations through positions where rows lose rank or a chart is singular. Such positions are passed, and
+/// drift does not create false ones.
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ TEST_P(InEveryFormulation, FortyFourBarsPassTheirSingularPositions) {
   SimulationOptions options = tight(GetParam(), "dopri5", 10, 1e-9);
   options.output_step = 5;
   const Motion motion(catalogue_scene("n_four_bar_40"), options);
-  // the last coupler's centre is at (39.5, 0) from B0
+  // the table gives the position of B0; the centre of the last coupler is at B0 + (39.5, 0)
   for (const auto& [sample, row] : {std::pair(1, 50), {2, 100}}) {
     ASSERT_EQ(exact["t"][row], motion.samples[sample].state.t);
     const auto& r = motion.samples[sample].state.pose.back().r;
@@ -26,15 +26,17 @@ TEST_P(InEveryFormulation, FortyFourBarsPassTheirSingularPositions) {
   EXPECT_FALSE(motion.report.passages.empty());
 }
 
-// one of its loops needs one row of two, and each of these vanishes somewhere: neither place is singular
+// The loop needs one of two redundant rows. Each of these rows vanishes somewhere, but such a place is not
+// singular.
 TEST_P(InEveryFormulation, ChoicesOfRowsThatVanishAreNoSingularPositions) {
   const Motion motion(catalogue_scene("parallelogram"), tight(GetParam(), "rkf78", 2));
   EXPECT_TRUE(motion.report.passages.empty());
   EXPECT_LE(motion.report.unaccounted_energy, 1e-9);
-  EXPECT_LE(motion.report.phi, 1e-11);  // after every step, those beside the place where it lies flat too
+  EXPECT_LE(motion.report.phi, 1e-11);  // after every step, also near the flat position
 }
 
-// cos(theta) = f(t) at f = -1: the crank goes on, in all formulations, at all tolerances
+// The driver cos(theta) = f(t) reaches f = -1; the crank must continue in all formulations, at all
+// tolerances.
 TEST_P(InEveryFormulation, ACosineDriverPassesItsDeadPoint) {
   for (const double rtol : {1e-6, 1e-8, 1e-10}) {
     const Motion motion(catalogue_scene("uwsbel_four_link"), tight(GetParam(), "dopri5", 1, rtol));
@@ -43,7 +45,7 @@ TEST_P(InEveryFormulation, ACosineDriverPassesItsDeadPoint) {
   }
 }
 
-// rounding of a body far away or fast is none of the others'
+// Rounding errors of a distant or fast body must not affect the analysis of the other bodies.
 TEST_P(InEveryFormulation, AnotherBodySpoilsNoSingularPosition) {
   const TrustedNumbers exact(TRIVIUM_REFERENCE_DIR, "n_four_bar_1");
   scenes::Scene scene = catalogue_scene("n_four_bar_1");
@@ -59,7 +61,7 @@ TEST(TheRawChart, IsAnErrorThatNamesTheBodyWhereItIsSingular) {
   SimulationOptions options = tight("r-epsilon", "dopri5", 5, 1e-9);
   options.charts = {*parse_euler_sequence("313"), false};
   try {
-    const Motion motion(catalogue_scene("heavy_top"), options);  // starts upright
+    const Motion motion(catalogue_scene("heavy_top"), options);  // the motion starts upright
     FAIL() << "reached " << motion.report.reached;
   } catch (const ModelError& error) {
     EXPECT_NE(std::string(error.what()).find("body \"top\""), std::string::npos) << error.what();
@@ -83,9 +85,9 @@ TEST_P(InEveryFormulation, DriftStaysWhereProjectionIsOffAndIsReported) {
   EXPECT_LT(stabilised.report.phi, drifting.report.phi / 10);
 }
 
-// off the constraints redundant rows look independent; how many are redundant does not change
+// With drift, redundant rows look independent; the number of redundant rows must not change.
 TEST_P(InEveryFormulation, DriftMakesNoRedundantRowIndependent) {
-  // the parallelogram until shortly before it lies flat
+  // the parallelogram ends shortly before its flat position
   for (const auto& [name, end] : {std::pair("parallelogram", 1.525), {"bricard", 5}, {"four_bar", 5}}) {
     SimulationOptions options = tight(GetParam(), "dopri5", end, 1e-6);
     options.projects = false;

@@ -1,6 +1,7 @@
-/// What does accuracy cost in time? The same motions by every method in every formulation, and by Simbody's
-/// own integrators, from loose to tight: errors against one reference, and CPU seconds, taken apart from them
-/// and in turn. Ratios count, seconds are this machine's.
+/// Question: what does accuracy cost in time? The same motions are computed by every method in every
+/// formulation and by Simbody's own integrators, at tolerances from loose to tight. Errors refer to one
+/// reference solution. CPU times are measured in separate runs, in random order; only their ratios are
+/// meaningful. The program fails only if a scene has no reference.
 
 #include <fmt/format.h>
 
@@ -17,7 +18,7 @@ namespace trivium::precision {
 
 namespace {
 
-/// The lengths of the catalogue's runs [s]; 1 elsewhere. That of the four-bars ends before they lie flat.
+/// Lengths of the runs [s]; 1 s for other scenes. The run of the four-bars ends before they lie flat.
 const std::map<std::string, double> lengths{
     {"two_bars", 10}, {"a01_pendulum", 10},    {"n_four_bar_2", 0.6},  {"andrews_squeezer", 0.05},
     {"bricard", 5},   {"flyball_governor", 1}, {"stewart_platform", 2}};

@@ -1,6 +1,7 @@
 #pragma once
-/// What the pieces of C++ in README and docs/ speak of without making it: a scene's mechanism and state, one
-/// of its bodies, four of each. Used by the programs that cmake/docs_programs.cmake makes of them.
+/// Variables that the C++ blocks in README and docs/ use without defining them: a scene's mechanism and
+/// state, one of its bodies, and four copies. Used by the programs that cmake/docs_programs.cmake generates
+/// from these blocks.
 
 #include <formulations/equations_of_motion_impl.hpp>
 #include <formulations/printed/augmented_solver.hpp>

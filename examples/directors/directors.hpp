@@ -1,11 +1,13 @@
 #pragma once
-/// r-d: r'' and the second derivatives of three directors, the columns of A, nine numbers a body with six
-/// internal rows d_i . d_j = delta_ij. These are the natural coordinates of a body with one point (Garcia de
-/// Jalon and Bayo, Kinematic and Dynamic Simulation of Multibody Systems, 1994): the mass matrix is constant
-/// and no velocity appears in a force. Its lambda is that of all other formulations; lambda_internal is its
-/// own.
+/// r-d: a formulation whose rotational coordinates are three directors d_1, d_2, d_3, the columns of A. A
+/// body has nine such numbers and six internal rows d_i . d_j = delta_ij; the unknowns are r'' and the second
+/// derivatives of the directors. These are the natural coordinates of a body with one point (Garcia de Jalon
+/// and Bayo, Kinematic and Dynamic Simulation of Multibody Systems, 1994). The mass matrix is constant, and
+/// there are no velocity-dependent inertia forces. lambda is the same as in all other formulations; only this
+/// formulation has the multipliers lambda_internal of the internal rows.
 ///
-/// With E = tr(Jbar) / 2 I - Jbar, the second moments of mass: mass_block = E (x) I.
+/// The rotational mass matrix is mass_block = E (x) I with E = tr(Jbar) / 2 I - Jbar, the second moments of
+/// mass.
 
 #include <bodies/rigid_body.hpp>
 #include <bodies/rotations/so3.hpp>
@@ -28,9 +30,9 @@ struct Directors {
     Matrix3 A = Matrix3::Identity(), A_dot = Matrix3::Zero();
   };
 
-  /// The directors one after the other.
+  /// The three columns of M as one vector [9x1].
   static Unknown stack(const Matrix3& M) { return Eigen::Map<const Unknown>(M.data()); }
-  /// w of the skew part of M, tilde(w).
+  /// The vector w for which tilde(w) is the skew-symmetric part of M.
   static Vector3 axial(const Matrix3& M) {
     return Vector3(M(2, 1) - M(1, 2), M(0, 2) - M(2, 0), M(1, 0) - M(0, 1)) / 2;
   }
@@ -40,7 +42,7 @@ struct Directors {
     static constexpr int rotational_unknowns = 9;
     Matrix3 A_dot;
 
-    /// a = A abar is linear in the directors: there is no bias.
+    /// a = A abar is linear in the directors: the bias, the last member, is zero.
     trivium::BodyVector<S> vector(const Vector3& a_bar) const {
       return {a_bar, this->A * a_bar, A_dot * a_bar, Vector3::Zero()};
     }
@@ -65,12 +67,13 @@ struct Directors {
     return M;
   }
   static Unknown velocity_force(const Kinematics&, const Matrix3&) { return Unknown::Zero(); }
-  /// On director i half of n x d_i: together they do the work of the moment in any rotation.
+  /// The generalized force of a moment n: half of n x d_i on each director d_i. Their total power in any
+  /// rotation is that of the moment.
   static Unknown applied_force(const Kinematics& k, const Vector3& n_bar) {
     return stack(k.A * trivium::tilde(n_bar)) / 2;
   }
 
-  // internal rows: (d_i . d_i - 1)/2 and d_i . d_j, i <= j
+  // internal rows: (d_i . d_i - 1) / 2 for i = j, and d_i . d_j for i < j
   template <class Visit>
   static void for_each_pair(const Visit& visit) {
     for (int i = 0, row = 0; i < 3; ++i)
@@ -91,7 +94,7 @@ struct Directors {
     return gamma;
   }
 
-  // A'' = A tilde(omega_bar') + A tilde(omega_bar)^2
+  // A'' = A tilde(omega_bar') + A tilde(omega_bar)^2, of which lift holds the part linear in omega_bar'
   static trivium::Matrix<S, 9, 3> lift(const Kinematics& k) {
     trivium::Matrix<S, 9, 3> L;
     for (int n = 0; n < 3; ++n) L.col(n) = stack(k.A * trivium::tilde(Vector3(Vector3::Unit(n))));

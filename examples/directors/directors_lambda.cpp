@@ -1,4 +1,7 @@
-/// A formulation with six internal rows a body beside those of the library: its lambda, solved as printed.
+/// Example: adds the formulation r-d (directors.hpp) to those of the library and compares the multipliers
+/// lambda of the printed systems of all formulations. Fails if r-d breaks a law of the contract, or if lambda
+/// differs by more than the bound.
+///
 ///   directors_lambda SCENE...
 
 #include <fmt/format.h>

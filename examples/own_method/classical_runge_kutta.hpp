@@ -1,5 +1,5 @@
 #pragma once
-/// A method of one's own: Runge and Kutta's classical formula of order 4, at steps of a given length.
+/// A user-written integration method: the classical Runge-Kutta method of order 4 with given steps h.
 ///
 ///   k_1 = f(t, y),              k_2 = f(t + h/2, y + h/2 k_1)
 ///
@@ -25,8 +25,8 @@ class ClassicalRungeKutta {
     ++counters_.steps;
     counters_.right_sides += 4;
   }
-  void restart() { ++counters_.restarts; }  // it remembers nothing
-  bool shorten() { return false; }          // steps are given
+  void restart() { ++counters_.restarts; }  // the method keeps nothing from step to step
+  bool shorten() { return false; }          // steps are given and cannot be shortened
   const trivium::integrators::Counters& counters() const { return counters_; }
 
  private:

@@ -1,6 +1,8 @@
-/// A constraint and an effect of one's own, in mechanisms that every formulation solves and moves: bodies
-/// whose point stays in a plane that turns, with drag that grows with the square of their speed. A scene's
-/// mechanism takes both beside what it has.
+/// Example: a user-written constraint and a user-written effect, added to the mechanism of a scene. The
+/// constraint keeps a point of a body in a turning plane; the effect is drag proportional to the square of
+/// the speed. Fails if one of them breaks its laws, if lambda differs between the formulations, or if two
+/// motions differ.
+///
 ///   own_types_move SCENE...
 
 #include <fmt/format.h>
@@ -23,8 +25,8 @@ using namespace trivium;
 
 namespace {
 
-/// n(t) . d_ij = 0 with n = cos alpha(t) u_i + sin alpha(t) v_i: a point of j stays in a plane that turns by
-/// itself in body i. Its multiplier is the plane's force [N] along -n.
+/// n(t) . d_ij = 0 with n = cos alpha(t) u_i + sin alpha(t) v_i: the point s_j of body j stays in a plane
+/// that turns relative to body i as prescribed. The multiplier is the force [N] of the plane along -n.
 template <class Scalar>
 struct TurningPlane : BodyPair {
   static constexpr bool is_of_angle = false;
@@ -51,14 +53,14 @@ struct TurningPlane : BodyPair {
   }
 };
 
-/// F = -c |v| v at a body's centre of mass.
+/// The force F = -c |v| v at the centre of mass of a body.
 template <class Scalar>
 struct QuadraticDrag {
   static constexpr std::string_view type = "quadratic_drag";
 
   std::string name;
   int body = 0;
-  Scalar c{0};  ///< [kg/m]
+  Scalar c{0};  ///< drag coefficient [kg/m]
 
   static void keys(auto&& show, auto&... e) {
     show.body("body", e.body...);
@@ -80,13 +82,14 @@ struct QuadraticDrag {
 using Mine = MechanismTypes<StandardConstraints::With<TurningPlane>, StandardEffects::With<QuadraticDrag>>;
 using MyFormulations = AllFormulations::WithTypes<Mine>;
 
-/// A scene's mechanism, where drag holds every body, and a bead beside it in a plane that turns about z.
+/// The mechanism of a scene with drag on every body and one more body, a bead in a plane that turns about z.
 Model<double, Mine> with_a_bead(const Model<double>& scene) {
   Model<double, Mine> model{with_more_types<Mine>(scene.mechanism), scene.state};
   auto& m = model.mechanism;
   const int bead = add_body<double, Mine>(model, "bead", {2, Vector3<double>(0.1, 0.2, 0.3).asDiagonal()},
                                           {{0.4, 0, -0.2}, {1, 0, 0, 0}}, {{0, 1, 0}, {0, 0, 0}});
-  // n begins as e_y and turns at 2 rad/s: the bead goes with the plane, and outwards along it
+  // n(0) = e_y and the plane turns at 2 rad/s: it carries the bead along, which also moves outwards in the
+  // plane
   TurningPlane<double> plane;
   plane.i = m.ground();
   plane.j = bead;
@@ -107,7 +110,7 @@ bool both_keep_their_laws(const Model<double, Mine>& model) {
     motion[b] = {model.state.pose[b].r, model.state.twist[b].r_dot, rotation_matrix(model.state.pose[b].p),
                  model.state.twist[b].omega_bar};
   auto broken = broken_laws(m.effects.all<QuadraticDrag<double>>().back(), m.bodies, motion, model.state.t);
-  // at any motion of the two bodies
+  // the laws hold for any motion of the two bodies, so the motion is arbitrary
   const auto& plane = std::get<TurningPlane<double>>(m.rows.back());
   const PlainBody<double> i{{0, 0, 0}, {0.1, -0.2, 0.3}, axis_rotation(0, 0.4), {0.3, 0.7, -0.5}},
       j{{0.5, 0.2, -0.4}, {-0.6, 0.8, 0.1}, axis_rotation(1, 0.9), {-0.2, 0.4, 1.1}};
@@ -127,7 +130,8 @@ bool has_the_same_lambda(const Model<double, Mine>& model) {
   return difference <= all.lambda_bound();
 }
 
-/// Moves it, and says what the run leaves of the rows and of the account of energy.
+/// Simulates the model; prints and checks the constraint violation and the energy that the work does not
+/// explain.
 template <template <class> class F>
 bool moves(const Model<double, Mine>& model, const std::string& method, bool projects, Samples& samples) {
   using Typed = typename Retyped<F, Mine>::template In<double>;
@@ -145,7 +149,8 @@ bool agrees(const Model<double, Mine>& model) {
   Samples one, two;
   bool passed = both_keep_their_laws(model) && has_the_same_lambda(model);
   passed = moves<RP>(model, "radau5", true, two) && passed;
-  // left alone, rows drift only as far as nu and gamma are not the row's own derivatives
+  // Without projection, drift beyond the integration error would show that nu or gamma is not a derivative of
+  // Phi.
   passed = moves<ROmega>(model, "dopri5", false, one) && passed;
   double apart = 0;
   for (std::size_t b = 0; b < one.all.back().state.pose.size(); ++b)

@@ -1,11 +1,11 @@
 #pragma once
-/// r-phi: r'' and the second derivative phi'' of a rotation vector, A = A_0 exp(tilde(phi)). Each body has
-/// the orientation from which phi counts as its chart, A_0. With T(phi) of Bauchau and Trainelli (Nonlinear
-/// Dynamics 32, 2003), omega_bar = T phi' and omega_bar' = T phi'' + T' phi'. T is singular after a full
-/// turn.
+/// r-phi: a formulation whose rotational coordinates are a rotation vector phi, A = A_0 exp(tilde(phi)); the
+/// unknowns are r'' and phi''. The chart of a body is A_0, the orientation from which phi counts. With T(phi)
+/// of Bauchau and Trainelli (Nonlinear Dynamics 32, 2003), omega_bar = T phi' and omega_bar' = T phi'' + T'
+/// phi'. T is singular after a full turn.
 ///
-/// A formulation as printed, and no more: ReducedToRotation makes of it what the solver along the graph and
-/// simulations ask for.
+/// This class contains only the printed equations. ReducedToRotation derives from them the functions that the
+/// structured solver and simulations need.
 
 #include <bodies/rigid_body.hpp>
 #include <bodies/rotations/so3.hpp>
@@ -31,7 +31,7 @@ struct RotationVector {
     Vector3 phi = Vector3::Zero(), phi_dot = Vector3::Zero();
   };
 
-  /// sum over k of (-s)^k / (first + 2 k)!, and its derivative by s = |phi|^2.
+  /// The sum over k of (-s)^k / (first + 2 k)! with s = |phi|^2, and its derivative with respect to s.
   struct Series {
     S value{0}, slope{0};
     Series(int first, const S& s) {
@@ -45,7 +45,8 @@ struct RotationVector {
       }
     }
   };
-  // (1 - cos |phi|) / |phi|^2 and (|phi| - sin |phi|) / |phi|^3
+  // a = (1 - cos |phi|) / |phi|^2 and b = (|phi| - sin |phi|) / |phi|^3, as series without cancellation near
+  // phi = 0
   static Series a(const Vector3& phi) { return {2, phi.squaredNorm()}; }
   static Series b(const Vector3& phi) { return {3, phi.squaredNorm()}; }
 
@@ -53,7 +54,7 @@ struct RotationVector {
     const Matrix3 tilde = trivium::tilde(phi);
     return Matrix3::Identity() - a(phi).value * tilde + b(phi).value * tilde * tilde;
   }
-  /// T' phi'.
+  /// T' phi' [3x1], the bias of omega_bar'.
   static Vector3 T_dot_rates(const Vector3& phi, const Vector3& phi_dot) {
     const Vector3 turn = phi.cross(phi_dot);
     const S s_dot = 2 * phi.dot(phi_dot);
@@ -97,7 +98,7 @@ struct RotationVector {
     return k.T * x + k.T_dot_rates;
   }
 
-  /// det T = (2 - 2 cos |phi|) / |phi|^2: 1 at the chart's own orientation, 0 after a full turn.
+  /// det T = (2 - 2 cos |phi|) / |phi|^2: 1 at the orientation A_0 of the chart, 0 after a full turn.
   static S chart_distance(const Chart&, const Coordinates& q) { return 2 * a(q.phi).value; }
   static Chart choose_chart(const trivium::ChartOptions&, const Vector4& p) { return {p}; }
   static Coordinates from_pose(const Chart& chart, const Vector4& p, const Vector3& omega_bar) {

@@ -1,4 +1,5 @@
-/// The program lambda_invariance with one formulation more.
+/// Example: the validation program lambda_invariance with the formulation r-phi added.
+///
 ///   rotation_vector_lambda_invariance [SCENE...] [--random N] [--csv FILE] [--json]
 
 #include <formulations/equations_of_motion_impl.hpp>

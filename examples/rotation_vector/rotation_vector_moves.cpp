@@ -1,5 +1,7 @@
-/// A formulation from outside beside those of the library: its laws, and motions. Whether its lambda is
-/// theirs is asked by rotation_vector_lambda_invariance.
+/// Example: simulates motions in the user-written formulation r-phi (rotation_vector.hpp). Fails if r-phi
+/// breaks a law of the contract, or if a motion differs from the motion in r-omega by more than rounding. The
+/// multipliers are compared by rotation_vector_lambda_invariance.
+///
 ///   rotation_vector_moves SCENE...
 
 #include <fmt/format.h>
@@ -20,7 +22,7 @@ namespace {
 
 using Mine = RotationVector<double>;
 
-/// The largest distance between bodies [m] at the end of two motions.
+/// The largest distance [m] between corresponding centres of mass of two samples.
 double apart(const MotionSample& one, const MotionSample& other) {
   double largest = 0;
   for (std::size_t b = 0; b < one.state.pose.size(); ++b)
@@ -28,7 +30,7 @@ double apart(const MotionSample& one, const MotionSample& other) {
   return largest;
 }
 
-/// The laws of the contract, of the printed equations and of what is made of them.
+/// Checks the laws of the printed equations, and of the complete formulation that is derived from them.
 bool keeps_its_laws() {
   auto broken = broken_laws<Mine>();
   for (BrokenLaw& law : broken_laws<WholeFormulation<Mine>>()) broken.push_back(law);
@@ -48,7 +50,8 @@ bool has_the_same_motion(const Model<double>& model, const std::string& method, 
   return difference <= tolerance;
 }
 
-/// To rounding: what moves is the rotation itself, in all of them.
+/// The motions agree to rounding: in every formulation the integrators advance the rotation itself, not its
+/// coordinates.
 bool moves(const Model<double>& model) {
   return has_the_same_motion(model, "dopri5", {}, 1e-12) && has_the_same_motion(model, "radau5", {}, 1e-12) &&
          has_the_same_motion(model, "generalized-alpha", 1e-3, 1e-12);

@@ -1,4 +1,5 @@
-/// What an evaluation costs: a table over the scenes, and time per body against n for chains and ladders.
+/// The cost of one evaluation: a table over the scenes, and figures of time per body against n for chains and
+/// ladders.
 
 #include <fmt/format.h>
 
@@ -13,7 +14,7 @@ namespace trivium::paper {
 
 namespace {
 
-/// One solver of the table or the figures: the rows of results/ that are its own.
+/// One solver of the table or the figures. The three texts select its rows in the results file.
 struct Solver {
   std::string engine, formulation, refinement;
   Tex name;
@@ -24,7 +25,7 @@ const std::vector<Solver> others{{"Simbody 3.7", "none", "none", {"Simbody"}},
                                  {"DART 6.12", "none", "none", {"DART"}},
                                  {"SuiteSparse KLU", "r-omega", "none", {"KLU"}}};
 
-/// The first formulation without refinement, and every one with it.
+/// The first formulation without refinement, and every formulation with refinement.
 std::vector<Solver> ours(const ResultsTable& table) {
   std::vector<Solver> all;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
@@ -51,7 +52,7 @@ std::vector<Solver> all_solvers(const ResultsTable& table) {
   return all;
 }
 
-/// The scenes in their order, each with its rows.
+/// One scene and its rows in the results file.
 struct SceneRows {
   std::string scene;
   std::vector<std::size_t> rows;
@@ -68,7 +69,7 @@ std::vector<SceneRows> scenes_of(const ResultsTable& table) {
   return all;
 }
 
-/// The solver's row; none where it has no time.
+/// The row of a solver; empty if the solver has no time for this scene.
 std::optional<std::size_t> row_of(const ResultsTable& table, const SceneRows& scene, const Solver& solver) {
   for (const std::size_t row : scene.rows)
     if (table.text(row, "engine") == solver.engine && table.text(row, "formulation") == solver.formulation &&
@@ -77,13 +78,13 @@ std::optional<std::size_t> row_of(const ResultsTable& table, const SceneRows& sc
   return {};
 }
 
-/// Three digits without an exponent: microseconds from tenths to hundred thousands.
+/// Three digits without an exponent, for times from tenths of a microsecond to 100 000 microseconds.
 Tex microseconds(double x) {
   const int digits = x < 9.995 ? 2 : x < 99.95 ? 1 : 0;
   return {fmt::format("{:.{}f}", x, digits)};
 }
 
-/// Our formulations solid, the others dashed.
+/// A figure of time per body for one family of scenes: Trivium's formulations solid, other engines dashed.
 std::string plot(const ResultsTable& table, const std::string& family, const std::string& origin) {
   LogLogFigure figure({"$n$"}, {"microseconds per body"});
   for (const Solver& solver : all_solvers(table)) {

@@ -1,4 +1,5 @@
-/// One line a quantity of a problem: its largest error in every formulation, and what it is held to.
+/// One line for each quantity of a problem: its largest error in every formulation, and the bound on the
+/// error.
 
 #include "paper/generator/formulations.hpp"
 #include "paper/generator/statistics.hpp"
@@ -8,7 +9,7 @@ namespace trivium::paper {
 
 namespace {
 
-/// A quantity with its unit: a square is raised.
+/// A quantity with its unit; ^2 becomes a superscript.
 Tex quantity(const std::string& plain) {
   const std::size_t square = plain.find("^2");
   if (square == std::string::npos) return text(plain);

@@ -1,4 +1,5 @@
-/// One line a method: the observed orders of r, v, lambda and its own lambda, in every formulation.
+/// One line for each method: the observed orders of r, v, lambda and the method's raw lambda, in every
+/// formulation.
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ const std::vector<std::string> quantities{"r", "v", "lambda", "raw lambda"};
 
 struct Line {
   std::string published;
-  std::map<std::pair<std::string, std::string>, double> order;  ///< by formulation and quantity
+  std::map<std::pair<std::string, std::string>, double> order;  ///< key: formulation and quantity
 };
 
 Tex order_cell(const Line& line, const std::string& formulation, const std::string& quantity) {
@@ -37,11 +38,11 @@ std::string convergence_order_table(Results& results, Numbers& numbers) {
   std::map<std::string, Line> lines;
   Sample distance;
   std::size_t failed = 0, compared = 0;
-  std::optional<double> observed;  // at the finest step above rounding
+  std::optional<double> observed;  // at the shortest step whose error is above rounding
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     if (table.text(row, "order") != "none") observed = table.number(row, "order");
     const std::string& verdict = table.text(row, "verdict");
-    if (verdict == "none" || !observed) continue;  // not the finest step
+    if (verdict == "none" || !observed) continue;  // only the row of the shortest step has a verdict
     const std::string &method = table.text(row, "method"), &formulation = table.text(row, "formulation"),
                       &quantity = table.text(row, "quantity"), &published = table.text(row, "published");
     if (!lines.contains(method)) methods.push_back(method);
@@ -78,7 +79,7 @@ std::string convergence_order_table(Results& results, Numbers& numbers) {
 
 namespace {
 
-/// One method of every kind, in r-omega.
+/// A figure of error against step size in r-omega, for one method of every kind.
 std::string slopes(const ResultsTable& table, const std::string& quantity, const Tex& label) {
   LogLogFigure figure({"$h$ [\\unit{\\second}]"}, label);
   for (const char* method :

@@ -1,5 +1,5 @@
 #pragma once
-/// Figures of the paper: lines over logarithmic axes, two side by side on a page. They are written as
+/// Figures of the paper: lines over logarithmic axes, two figures side by side on a page. They are written as
 /// pgfplots source from results files.
 
 #include <string>
@@ -10,15 +10,15 @@
 
 namespace trivium::paper {
 
-/// Lines in the order of the cycle list: four solid, then four dashed.
+/// A figure with up to eight lines. The cycle list draws the first four solid and the next four dashed.
 class LogLogFigure {
  public:
   LogLogFigure(Tex x_label, Tex y_label) : x_label_(std::move(x_label)), y_label_(std::move(y_label)) {}
 
-  /// A point's coordinates as a results file has them. A line without points is left out.
+  /// The coordinates of the points, as text from a results file. A line without points is omitted.
   using Points = std::vector<std::pair<std::string, std::string>>;
   void add(const Tex& name, const Points& points);
-  /// The picture, and a comment that says where it comes from.
+  /// The LaTeX source of the figure, with a comment that names the results file.
   std::string str(const std::string& origin) const;
 
  private:

@@ -1,4 +1,5 @@
-/// One line a scene and method: microseconds a step in r-omega, and what the others take beside it.
+/// One line for each scene and method: microseconds per step in r-omega, and the ratios of the other
+/// formulations.
 
 #include <fmt/format.h>
 
@@ -21,7 +22,7 @@ std::string formulation_speed_table(Results& results, Numbers& numbers) {
   TexTable out(columns);
   out.head({fmt::format(
       "& & \\multicolumn{{{}}}{{c}}{{time of a step}} & \\multicolumn{{{}}}{{c}}{{iterations}} \\\\", n, n)});
-  Sample rp, reps, rp_first, rp_fourth;  // beside the first formulation
+  Sample rp, reps, rp_first, rp_fourth;  // ratios to the first formulation, r-omega
   std::string last;
   for (std::size_t first = 0; first < table.rows.size(); first += n) {
     const std::string &scene = table.text(first, "scene"), &method = table.text(first, "method");

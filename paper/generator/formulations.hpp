@@ -1,6 +1,7 @@
 #pragma once
-/// The formulations of a table of the paper: those that its results file has, in that order, so that whoever
-/// enters the list of formulations has a column. How the paper writes them stands here alone.
+/// The formulations of a table of the paper. They are read from the results file in its order, so that a new
+/// formulation gets a column without changes here. This file alone decides how the paper writes a
+/// formulation.
 
 #include <string>
 #include <vector>
@@ -10,17 +11,17 @@
 
 namespace trivium::paper {
 
-/// What a column of the file says, each once, in the order of the rows.
+/// The distinct values of a column, in the order of the rows.
 std::vector<std::string> distinct(const ResultsTable& table, const std::string& column);
 
-/// As distinct(table, "formulation"). Throws a ResultsError where a block of rows, one for every formulation
-/// and each of `rows_each`, does not fill the file.
+/// distinct(table, "formulation"). The file must consist of blocks with `rows_each` rows for every
+/// formulation; throws a ResultsError if the number of rows does not fit.
 std::vector<std::string> formulations_of(const ResultsTable& table, std::size_t rows_each = 1);
 
-/// As the paper writes it; by its name where paper.tex has no command for it.
+/// The LaTeX of a formulation: its command in paper.tex, or its name if paper.tex has no command for it.
 Tex heading(const std::string& formulation);
 
-/// "& & \multicolumn..." over `columns` columns each.
+/// A heading line with each formulation centred over `columns` columns, after two empty cells.
 Tex headings_over(const std::vector<std::string>& formulations, std::size_t columns);
 
 }  // namespace trivium::paper

@@ -1,4 +1,4 @@
-/// One line a mechanism: instructions per body in every formulation, unrefined and refined.
+/// One line for each mechanism: instructions per body in every formulation, without and with refinement.
 
 #include <cmath>
 
@@ -28,7 +28,7 @@ std::string instruction_counts_table(Results& results, Numbers& numbers) {
   TexTable out(columns);
   out.head(headings_over(formulations, refinements.size()));
 
-  Sample of_r_omega, refinement;  // times r-omega, times unrefined
+  Sample of_r_omega, refinement;  // ratio to r-omega, ratio to unrefined
   for (std::size_t first = 0; first < table.rows.size(); first += per_scene) {
     const std::string& scene = table.text(first, "scene");
     std::vector<Tex> cells{text(scene), text(table.text(first, "bodies"))};

@@ -1,4 +1,4 @@
-/// Every scene of the catalogue by name; the random mechanisms as median and worst.
+/// One line for each scene of the catalogue, and the median and worst values of the random mechanisms.
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace trivium::paper {
 
 namespace {
 
-/// The columns that compare two formulations.
+/// The columns that compare two formulations; their names contain a slash.
 std::vector<std::string> pairs_of(const ResultsTable& table) {
   std::vector<std::string> pairs;
   for (const std::string& column : table.columns)
@@ -26,12 +26,12 @@ Tex heading_of_pair(const std::string& pair) {
 
 bool is_random(const std::string& scene) { return scene.starts_with("random_"); }
 
-/// What one group of rows comes down to.
+/// The statistics of one group of rows.
 struct Group {
   explicit Group(const std::vector<std::string>& all_pairs) : pairs(all_pairs), difference(pairs.size()) {}
 
   const std::vector<std::string> pairs;
-  Sample kappa, worst, ratio, bodies, rows;  ///< ratio: worst in units of u kappa
+  Sample kappa, worst, ratio, bodies, rows;  ///< ratio: the largest difference divided by u kappa
   std::vector<Sample> difference;
   std::size_t count = 0, failed = 0, unconstrained = 0, ambiguous = 0, cancels = 0;
 
@@ -59,7 +59,7 @@ struct Group {
     ratio.add(bound_factor * largest / table.number(row, "bound"), scene);
   }
 
-  /// The numbers quoted of every group.
+  /// Defines the numbers that the text quotes for a group.
   void define(Numbers& numbers, const std::string& prefix) const {
     numbers.define(prefix + "Count", integer(count));
     numbers.define(prefix + "Compared", integer(worst.size()));
@@ -82,7 +82,7 @@ std::vector<Tex> summary_row(const std::string& name, const Group& g, double (Sa
   return cells;
 }
 
-/// bound / (u kappa), as the ladder states u.
+/// The factor bound / (u kappa), from a row of the precision ladder, which states u.
 double bound_factor(const ResultsTable& ladder) {
   for (std::size_t k = 0; k < ladder.rows.size(); ++k)
     if (ladder.text(k, "scalar") == "double")

@@ -1,4 +1,5 @@
-/// paper_tables: writes paper/tables from results/, or proves that what lies there is what it would write.
+/// paper_tables: writes paper/tables from results/, or checks that the existing files are equal to the
+/// generated files.
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ int write(const Files& files, const fs::path& directory) {
   return exit_done;
 }
 
-/// The first line that differs, for a message that can be acted on.
+/// The number of the first line that differs.
 std::size_t differing_line(const std::string& a, const std::string& b) {
   const auto at = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
   return 1 + static_cast<std::size_t>(std::count(a.begin(), at, '\n'));

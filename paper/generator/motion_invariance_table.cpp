@@ -1,4 +1,5 @@
-/// One line a scene: how far lambda is apart along its motion and at its states, beside the bounds.
+/// One line for each scene: the differences of lambda along the motion and at single states, and their
+/// bounds.
 
 #include "paper/generator/statistics.hpp"
 #include "paper/generator/table.hpp"

@@ -1,4 +1,5 @@
-/// One line a scene: the difference in every precision, and the largest of them in units of u kappa.
+/// One line for each scene: the difference in every precision, and the largest difference in units of u
+/// kappa.
 
 #include "paper/generator/statistics.hpp"
 #include "paper/generator/table.hpp"
@@ -16,7 +17,7 @@ constexpr Scalar scalars[] = {{"float", "float", "Float"},
                               {"quad", "quad", "Quad"},
                               {"50 digits", "50 digits", "Fifty"}};
 
-/// What a precision comes down to over all scenes.
+/// The statistics of one precision over all scenes.
 struct PrecisionResult {
   Sample difference, ratio, u, bound;
 };

@@ -1,5 +1,6 @@
-/// One line a scene: for each way of rebuilding it in Simbody, the distances of accelerations, lambda and
-/// reactions; a dagger where the physical twin is compared, none where a way is not possible.
+/// One line for each scene: the differences of accelerations, lambda and reactions, for each way of
+/// rebuilding the scene in Simbody. A dagger marks a comparison with the physical twin; "none" marks a way
+/// that is not possible.
 
 #include <map>
 #include <set>
@@ -14,7 +15,7 @@ namespace {
 const std::vector<std::string> ways{"mobilizers", "free bodies", "built-in"};
 const std::vector<std::string> quantities{"acceleration", "lambda", "reaction"};
 
-/// A column group a way, and a narrow column for its dagger.
+/// A group of columns for each way, with a narrow last column for the dagger.
 TexTable empty_table() {
   std::vector<TexColumn> columns{{"l", {"scene"}}};
   for (std::size_t k = 0; k < ways.size(); ++k) {

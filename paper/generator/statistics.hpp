@@ -1,6 +1,6 @@
 #pragma once
-/// Median, least and worst of a column of numbers. The name of the row that the worst belongs to is kept, for
-/// the text to quote.
+/// Median, smallest and largest value of a column of numbers. The name of the row with the largest value is
+/// kept, so that the text can quote it.
 
 #include <algorithm>
 #include <stdexcept>
@@ -9,7 +9,7 @@
 
 namespace trivium::paper {
 
-/// Numbers, each with what it belongs to.
+/// Numbers, each with a name, such as the name of its scene.
 class Sample {
  public:
   void add(double value, const std::string& name = "") { values_.push_back({value, name}); }

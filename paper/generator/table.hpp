@@ -1,13 +1,15 @@
 #pragma once
 /// The tables of the paper.
 ///
-/// To add one:
-///   1. results/schema.json: describe the results file that it reads, if it is a new one; ./run accept
-///   2. paper/generator/NAME_table.cpp: a function NAME_table() of the shape below, named in
-///   paper/CMakeLists.txt
-///   3. here: declare it and add a line to paper_tables
-///   4. paper.tex: \input{tables/NAME}, and the numbers that the function defined
-/// The tests of label `paper` then cover it: nothing else is to be written.
+/// To add a table:
+///   1. results/schema.json: describe the results file that the table reads, if the file is new; then ./run
+///   accept
+///   2. paper/generator/NAME_table.cpp: write a function NAME_table() of the type MakeTable, and name the
+///   file in
+///      paper/CMakeLists.txt
+///   3. this header: declare the function and add a line to paper_tables
+///   4. paper.tex: input tables/NAME, and use the numbers that the function defines
+/// The tests with the label `paper` then cover the new table.
 
 #include <filesystem>
 #include <map>
@@ -18,8 +20,8 @@
 
 namespace trivium::paper {
 
-/// The accepted results, read when asked for. A file that is not what its schema says, or that was changed
-/// since its program wrote it, is a ResultsError: nothing is printed from it.
+/// The accepted results, read on first use. Throws a ResultsError if a file violates its schema or was
+/// changed after its program wrote it.
 class Results {
  public:
   explicit Results(std::filesystem::path directory) : directory_(std::move(directory)) {}
@@ -30,7 +32,7 @@ class Results {
   std::map<std::string, ResultsTable> read_;
 };
 
-/// Returns the table's LaTeX and defines the numbers that the text around it quotes.
+/// Returns the LaTeX of a table and defines the numbers that the text around it quotes.
 using MakeTable = std::string(Results&, Numbers&);
 
 MakeTable lambda_invariance_table, motion_invariance_table, precision_ladder_table, simbody_reference_table,
@@ -59,7 +61,7 @@ inline constexpr PaperTable paper_tables[] = {{"lambda_invariance", lambda_invar
                                               {"work_on_two_bars", work_on_two_bars_figure},
                                               {"work_on_the_governor", work_on_the_governor_figure}};
 
-/// What paper/tables holds: file names and contents.
+/// The generated files of paper/tables: names and contents.
 std::map<std::string, std::string> render(const std::filesystem::path& results);
 
 }  // namespace trivium::paper

@@ -33,7 +33,7 @@ Tex number_or_text(const std::string& cell) {
 Tex in_text(double x) { return {"\\num{" + number(x).source + "}"}; }
 
 Tex ratio(double x) {
-  // as many decimals as two digits take, so that small ratios carry no exponent
+  // enough decimals for two significant digits, so that small ratios need no exponent
   const int decimals = x >= 10 || x == 0 ? 0 : 1 - static_cast<int>(std::floor(std::log10(x)));
   return {fmt::format("{:.{}f}", x, decimals)};
 }
@@ -49,7 +49,7 @@ std::string TexTable::line(const std::vector<Tex>& cells) const {
   std::string out;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const std::string& cell = cells[k].source;
-    // braces centre what is no number, and a bare zero, which has no point to align
+    // siunitx sets text in braces centred; a bare zero is set so too, as it has no decimal point to align
     const bool as_text =
         columns_[k].type.starts_with('S') && !cell.empty() && (std::isnan(to_number(cell)) || cell == "0");
     out += (k == 0 ? "" : " & ") + (as_text ? "{" + cell + "}" : cell);

@@ -1,6 +1,6 @@
 #pragma once
-/// The little LaTeX that the generated files need: booktabs tables with siunitx columns, and named numbers.
-/// What comes from a file is escaped.
+/// The parts of LaTeX that the generated files need: booktabs tables with siunitx columns, and named numbers.
+/// Text from results files is escaped.
 
 #include <map>
 #include <string>
@@ -8,23 +8,23 @@
 
 namespace trivium::paper {
 
-/// LaTeX source, as it stands.
+/// LaTeX source that is printed unchanged.
 struct Tex {
   std::string source;
 };
 
-/// Text as LaTeX prints it: underscores and their like escaped.
+/// Plain text as LaTeX source: underscores and other special characters are escaped.
 Tex text(const std::string& plain);
 Tex integer(std::size_t n);
-/// Two digits and an exponent, which siunitx typesets; inside a paragraph it needs in_text().
+/// Two digits and an exponent for an S column of siunitx. In running text use in_text() instead.
 Tex number(double x);
-/// A results file's cell: a number to two digits, or text such as "none".
+/// The cell of a results file: a number with two digits, or a text such as "none".
 Tex number_or_text(const std::string& cell);
 Tex in_text(double x);
-/// A ratio: two digits or the integer, no exponent.
+/// A ratio with two significant digits, or all digits of its integer part, without an exponent.
 Tex ratio(double x);
 Tex ratio_in_text(double x);
-/// A bound that is a power of ten, without a mantissa.
+/// A power of ten without a mantissa.
 Tex power_of_ten_in_text(double x);
 
 struct TexColumn {
@@ -32,20 +32,20 @@ struct TexColumn {
   Tex heading;
 };
 
-/// A floating number column: d.d e +-dd.
+/// The type of a column of numbers d.d e +-dd.
 inline const std::string scientific = "S[table-format=1.1e-2]";
-/// The same for numbers of at least 1 and below 10^10.
+/// The type of a column of numbers from 1 to below 10^10.
 inline const std::string condition = "S[table-format=1.1e1]";
 
 class TexTable {
  public:
   explicit TexTable(std::vector<TexColumn> columns) : columns_(std::move(columns)) {}
-  /// A line above the headings.
+  /// Adds a line above the headings.
   void head(const Tex& line) { head_ += line.source + "\n"; }
-  /// One cell a column; in S columns, what is no number is set as text.
+  /// Adds a row with one cell for each column. In S columns, a cell that is not a number is set as text.
   void add(const std::vector<Tex>& cells);
   void rule() { body_ += "\\midrule\n"; }
-  /// The tabular, and a comment that says where it comes from.
+  /// The tabular, with a comment that names the results file.
   std::string str(const std::string& origin) const;
 
  private:
@@ -55,10 +55,11 @@ class TexTable {
   std::string head_, body_;
 };
 
-/// The numbers in the running text: LaTeX commands, so that none is typed by hand.
+/// The numbers in the running text, as LaTeX commands: no number in the text is typed by hand.
 class Numbers {
  public:
-  /// \NAME; letters only, each name once.
+  /// Defines the LaTeX command called `name`. Throws std::logic_error unless the name is new and consists of
+  /// letters.
   void define(const std::string& name, const Tex& value);
   std::string str() const;
 

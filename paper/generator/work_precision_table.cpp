@@ -1,4 +1,5 @@
-/// One line a scene and error: what our cheapest run as exact as that takes, and Simbody's.
+/// One line for each scene and error: the cheapest run of Trivium and of Simbody that is at least as
+/// accurate.
 
 #include <optional>
 
@@ -11,7 +12,8 @@ namespace trivium::paper {
 
 namespace {
 
-/// The cheapest run of a scene, of ours or of the peer's, whose error of positions is at most the target.
+/// The cheapest run of a scene, by Trivium or by Simbody, whose error of positions is at most the target. The
+/// reference solution must be ten times as accurate as the target.
 std::optional<std::size_t> cheapest(const ResultsTable& table, const std::string& scene, double target,
                                     bool is_ours) {
   std::optional<std::size_t> best;
@@ -72,7 +74,7 @@ std::string work_precision_table(Results& results, Numbers& numbers) {
 
 namespace {
 
-/// Our methods in r-omega solid, Simbody's dashed.
+/// A figure of time against error: Trivium's methods in r-omega solid, Simbody's methods dashed.
 std::string costs(const ResultsTable& table, const std::string& scene, const std::vector<std::string>& ours) {
   LogLogFigure figure({"error of positions [\\unit{\\metre}]"}, {"CPU time [\\unit{\\milli\\second}]"});
   const auto add = [&](const std::string& method, const std::string& formulation, const std::string& name) {

@@ -1,5 +1,5 @@
-/// Takes regenerated results into results/: a deliberate step, since all that the paper prints follows from
-/// it.
+/// Copies regenerated results into results/. Acceptance is a deliberate step, because all numbers in the
+/// paper come from these files.
 
 #include <fmt/format.h>
 

@@ -1,13 +1,13 @@
 #pragma once
-/// The checksum by which an accepted file is known to be what a program wrote. It guards against slips of the
-/// hand, not against an attacker.
+/// The checksum that shows whether a results file is still as its program wrote it. It protects against
+/// accidental changes, not against an attacker.
 
 #include <string>
 #include <string_view>
 
 namespace trivium {
 
-/// SHA-1, 40 hexadecimal digits as `sha1sum` prints them: against slips of the hand, not against an attacker.
+/// The SHA-1 of the bytes as 40 hexadecimal digits, as `sha1sum` prints it.
 std::string sha1_of(std::string_view bytes);
 
 }  // namespace trivium

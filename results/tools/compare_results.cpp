@@ -1,4 +1,5 @@
-/// Does a results file, made again, say what the accepted one says? Compares as results/schema.json tells.
+/// Compares a regenerated results file with the accepted one by the rules of results/schema.json. Fails if
+/// they differ.
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The errors of positions that the cost of accuracy is told for. work_precision's table on the screen and
-/// the paper's are made for the same ones.
+/// The errors of positions for which the cost of accuracy is reported. The table that work_precision prints
+/// and the table of the paper both use this list.
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Decides which regenerated results may be accepted, and takes them into the folder of accepted ones. The
-/// program is accept_results.cpp.
+/// Decides which regenerated results may be accepted, and copies them into the folder of accepted results.
+/// The program is accept_results.cpp.
 
 #include <filesystem>
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace trivium {
 
-/// Why a regenerated file may not be accepted: it is not what its schema says, or it was made by sources that
-/// no commit holds, so that nobody could make it again. Empty if it may.
+/// The reasons why a regenerated file must not be accepted; empty if it may be. A reason is a violation of
+/// the schema, or a build from sources that are not committed, so that nobody could make the file again.
 std::vector<std::string> refusals_of(const std::vector<ResultsSchema>& all, const std::filesystem::path& csv);
 
 /// Copies the CSV and its manifest into the folder.

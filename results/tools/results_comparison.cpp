@@ -12,7 +12,8 @@ namespace trivium {
 
 namespace {
 
-/// What a number that does not exist reads (the difference of multipliers none of which is unique).
+/// The text of a number that does not exist, such as the difference of multipliers when no multiplier is
+/// unique.
 constexpr const char* no_number = "none";
 
 template <class... Functions>
@@ -33,7 +34,7 @@ std::string text_of(const Rule& rule) {
       rule);
 }
 
-/// A row of one file, and a column that both have.
+/// One cell of a results file.
 struct Cell {
   const ResultsTable& table;
   std::size_t row;
@@ -44,7 +45,8 @@ struct Cell {
   double number() const { return to_number(text); }
 };
 
-/// Why a value cannot stand by itself; empty if it can. Written so that what is no number fails.
+/// Why a value violates its rule on its own; empty if it does not. The comparisons are written so that NaN
+/// fails.
 std::string defect(const Rule& rule, const Cell& cell) {
   const bool is_number = !std::isnan(cell.number());
   if (std::holds_alternative<Relative>(rule))
@@ -85,7 +87,7 @@ std::map<std::string, std::size_t> rows_by_key(const ResultsSchema& schema, cons
   return rows;
 }
 
-/// Figures drawn beside a table change nothing in it.
+/// The command without --plot: drawing a figure does not change the table.
 std::string without_figures(const std::string& command) {
   static const std::regex figures(" --plot \\S+");
   return std::regex_replace(command, figures, "");

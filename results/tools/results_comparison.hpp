@@ -1,6 +1,6 @@
 #pragma once
-/// Decides whether a results file is as its schema says, and whether two of them say the same. The rules are
-/// in results_schema.hpp, one a column; here they are applied.
+/// Decides whether a results file obeys its schema, and whether two results files agree. The rules of the
+/// columns are defined in results_schema.hpp and applied here.
 
 #include <string>
 #include <vector>
@@ -10,22 +10,22 @@
 
 namespace trivium {
 
-/// One thing that is not as it should be; row and column are empty where it is the whole file.
+/// One violation. Row and column are empty if it concerns the whole file.
 struct Difference {
   std::string row, column, accepted, regenerated, rule;
 };
 
-/// One file on its own: it is what the schema's command wrote and nobody changed since, with the schema's
-/// columns, rows told apart by their keys, numbers within their bounds. `regenerated` says which side it is
-/// reported on.
+/// Checks one file on its own: the schema's command wrote it, it is unchanged since, it has the schema's
+/// columns, its row keys are unique, and its numbers are within their bounds. Violations are reported as
+/// `regenerated` or as accepted.
 std::vector<Difference> check_results(const ResultsSchema& schema, const ResultsTable& table,
                                       bool regenerated = false);
 
-/// The rows of two files with the schema's columns, matched by their keys.
+/// Compares the rows of two files that both have the schema's columns. Rows with equal keys are compared.
 std::vector<Difference> compare_rows(const ResultsSchema& schema, const ResultsTable& accepted,
                                      const ResultsTable& regenerated);
 
-/// Both files on their own; their rows, where both have the schema's columns.
+/// Checks both files on their own, and compares their rows if both have the schema's columns.
 std::vector<Difference> compare_results(const ResultsSchema& schema, const ResultsTable& accepted,
                                         const ResultsTable& regenerated);
 

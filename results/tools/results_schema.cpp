@@ -81,7 +81,7 @@ ResultsSchema expanded(ResultsSchema schema, const std::vector<std::string>& col
         all.back().name = columns[k];
       }
     }
-    if (all.size() == first) all.push_back(column);  // one that is missing is missed by its name
+    if (all.size() == first) all.push_back(column);  // keep the name with `*`: it is reported as missing
   }
   schema.columns = std::move(all);
   return schema;

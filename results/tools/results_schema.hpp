@@ -1,7 +1,6 @@
 #pragma once
-/// results/schema.json as data: the question and the columns of every results file, and the command that
-/// makes it again. Decided there: the rule, with its tolerance, by which two values of a column count as
-/// equal.
+/// results/schema.json as data: for every results file its question, its columns, and the command that makes
+/// it. Each column has a rule, with a tolerance, that decides when two values count as equal.
 
 #include <filesystem>
 #include <string>
@@ -10,26 +9,25 @@
 
 namespace trivium {
 
-/// A number, or `times` the number in another column of the same row.
+/// A plain number, or `times` the number in another column of the same row.
 struct Quantity {
   double times = 0;
-  std::string column;  ///< empty: a plain number
+  std::string column;  ///< empty for a plain number
 };
 
-/// The same text: names, integers, verdicts.
+/// The texts must be equal: names, integers, verdicts.
 struct Exact {};
 
-/// Shown but never compared: timings, other programs' wording. Only the CSV's checksum guards it.
+/// Values are not compared: timings, messages of other programs. Only the checksum of the CSV protects them.
 struct Shown {};
 
-/// |a - b| <= tolerance max(|a|, |b|).
+/// Numbers must satisfy |a - b| <= tolerance max(|a|, |b|).
 struct Relative {
   double tolerance = 0;
 };
 
-/// What rounding left, which differs from compiler to compiler and from CPU to CPU: each value is in [0,
-/// bound], and the larger is at most `factor` times the smaller, where whatever is under `floor` counts as
-/// the floor.
+/// Numbers are rounding errors, which differ between compilers and CPUs. Each must lie in [0, bound], and the
+/// larger must be at most `factor` times the smaller. A value below `floor` counts as `floor`.
 struct Rounding {
   Quantity bound, floor;
   double factor = 0;
@@ -37,8 +35,8 @@ struct Rounding {
 
 using Rule = std::variant<Exact, Shown, Relative, Rounding>;
 
-/// What one file's column is. A name with a `*` is that of one column or of several side by side: one for
-/// each pair of formulations, say.
+/// A column of a results file. A name with a `*` stands for one or more adjacent columns, for example one for
+/// each pair of formulations.
 struct ColumnSchema {
   std::string name, meaning, unit;
   Rule rule;
@@ -46,18 +44,18 @@ struct ColumnSchema {
 
 struct ResultsSchema {
   std::string name, question;
-  std::vector<std::string> command;  ///< makes the file again, with --csv FILE behind it
-  std::vector<std::string> key;      ///< the columns that tell rows apart
+  std::vector<std::string> command;  ///< command that makes the file; --csv FILE is appended
+  std::vector<std::string> key;      ///< columns that identify a row
   std::vector<ColumnSchema> columns;
 };
 
-/// All files of the schema, by name. Throws ResultsError and std::filesystem::filesystem_error.
+/// The schemas of all results files. Throws ResultsError and std::filesystem::filesystem_error.
 std::vector<ResultsSchema> read_schema(const std::filesystem::path& file);
 
-/// With a column for each that a `*` stands for in a file of these columns.
+/// The schema with each `*` column replaced by the matching ones among `columns`.
 ResultsSchema expanded(ResultsSchema schema, const std::vector<std::string>& columns);
 
-/// Throws a ResultsError where the schema does not know the name.
+/// The schema of one results file. Throws a ResultsError if there is none with this name.
 const ResultsSchema& find_schema(const std::vector<ResultsSchema>& all, const std::string& name);
 
 }  // namespace trivium

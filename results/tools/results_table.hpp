@@ -1,6 +1,6 @@
 #pragma once
-/// A results file as read back: the rows of its CSV, and what its manifest says of them. A file that was
-/// changed since a program wrote it is known by its checksum.
+/// A results file as it is read: the rows of its CSV and its manifest. The checksum in the manifest shows
+/// whether the CSV was changed after a program wrote it.
 
 #include <filesystem>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace trivium {
 
-/// A results file, its manifest or the schema cannot be understood.
+/// The error for a results file, manifest or schema that cannot be understood.
 class ResultsError : public Error {
  public:
   explicit ResultsError(const std::string& what) : Error(ErrorKind::input, what) {}
@@ -21,30 +21,30 @@ struct Manifest {
 };
 
 struct ResultsTable {
-  std::string name;  ///< of the file, without extension
+  std::string name;  ///< name of the file without extension
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
   Manifest manifest;
-  std::string csv_sha1;  ///< of the CSV as it is now
+  std::string csv_sha1;  ///< checksum of the CSV as it is now
 
   bool intact() const { return csv_sha1 == manifest.csv_sha1; }
-  /// Throws a ResultsError where there is no such column.
+  /// The index of a column. Throws a ResultsError if there is no such column.
   std::size_t column(const std::string& name) const;
   const std::string& text(std::size_t row, const std::string& column_name) const {
     return rows[row][column(column_name)];
   }
-  /// A finite number; a ResultsError where the cell is not one.
+  /// The finite number in a cell. Throws a ResultsError if the cell holds something else.
   double number(std::size_t row, const std::string& column_name) const;
 };
 
-/// The whole of `text` as a finite number, or NaN.
+/// The number that the whole of `text` states, or NaN if it is not a finite number.
 double to_number(const std::string& text);
 
-/// FILE (CSV, RFC 4180) and the manifest beside it. Throws ResultsError and
+/// Reads a CSV file (RFC 4180) and its manifest from the same folder. Throws ResultsError and
 /// std::filesystem::filesystem_error.
 ResultsTable read_results(const std::filesystem::path& csv);
 
-/// Where a CSV's manifest lies.
+/// The path of the manifest of a CSV file.
 std::filesystem::path manifest_of(std::filesystem::path csv);
 
 }  // namespace trivium

@@ -1,4 +1,5 @@
-/// Results keep what they say: every compared column is guarded by its rule, every digit by the checksum.
+/// Accepted results are protected: every compared column by its rule, and every digit by the checksum of the
+/// file.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -36,27 +37,27 @@ std::vector<Accepted> all_accepted() {
   return all;
 }
 
-/// A value that the rule must not let pass for `cell`.
+/// A value that the rule must refuse when compared with `cell`.
 std::string tampered(const Rule& rule, const std::string& cell) {
   const double x = to_number(cell);
   if (const auto* relative = std::get_if<Relative>(&rule))
     return fmt::format("{:.6e}", (1.001 + 2 * relative->tolerance) * x);
   if (std::holds_alternative<Rounding>(rule) && !std::isnan(x)) {
-    const std::size_t e = cell.find('e');  // 3.1e-16 becomes 3.1e-12
+    const std::size_t e = cell.find('e');  // the exponent grows by 4: 3.1e-16 becomes 3.1e-12
     return cell.substr(0, e) + fmt::format("e{}", std::stoi(cell.substr(e + 1)) + 4);
   }
   return std::isnan(x) ? (cell == "none" ? "1e-16" : cell + "x") : fmt::format("{}", x + 1);
 }
 
-/// One row of a file by itself.
+/// The table with one row only.
 ResultsTable only_row(const ResultsTable& table, std::size_t row) {
   ResultsTable out = table;
   out.rows = {table.rows[row]};
   return out;
 }
 
-/// Whether a value lies so far below what rounding leaves that 10^4 times as much is still rounding: its
-/// digits are the checksum's business alone.
+/// Whether a value is so small that 10^4 times the value still counts as equal to the floor. The rule does
+/// not protect such a value; only the checksum does.
 bool is_under_the_floor(const Rule& rule, const ResultsTable& row, const std::string& cell) {
   const auto* rounding = std::get_if<Rounding>(&rule);
   if (rounding == nullptr) return false;
@@ -65,7 +66,7 @@ bool is_under_the_floor(const Rule& rule, const ResultsTable& row, const std::st
   return 1e4 * to_number(cell) <= rounding->factor * least;
 }
 
-/// The file's first row of which a column is a number.
+/// The first row in which the column holds a number.
 std::size_t first_number(const ResultsTable& table, const std::string& column) {
   std::size_t row = 0;
   while (std::isnan(to_number(table.text(row, column)))) ++row;
@@ -150,7 +151,7 @@ TEST(Rules, RowsThatAreMissingAddedOrRepeatedFail) {
   }
 }
 
-/// Results of two rows, written and read back in a folder of their own.
+/// Results with two rows, written to a temporary folder and read back.
 class WrittenResults : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -37,7 +37,7 @@ void ResultsFile::write(const fs::path& file, int argc, const char* const* argv)
   std::string csv = csv_line(columns_);
   for (const auto& row : rows_) csv += csv_line(row);
 
-  std::string command = name_;  // names of files, not where they lie on this machine
+  std::string command = name_;  // file names without folders: independent of the machine
   for (int k = 1; k < argc; ++k) {
     const std::string argument = argv[k];
     command +=

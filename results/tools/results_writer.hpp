@@ -1,6 +1,6 @@
 #pragma once
-/// Writes the results of a validation: a CSV and, beside it, a manifest that says which sources, compiler and
-/// command made them. They are read back by results_table.hpp.
+/// Writes the results of a validation program: a CSV file, and a manifest that names the sources, the
+/// compiler and the command. Both are read back by results_table.hpp.
 
 #include <filesystem>
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace trivium {
 
-/// A number as results keep it: what rounding left of a difference has no more digits worth keeping.
+/// A number with seven significant digits. More digits of a rounding error would carry no information.
 std::string results_number(double x);
 
-/// The question that a validation executable answers, as data: one row an answer.
+/// The answer of a validation program to its question, as a table of texts.
 class ResultsFile {
  public:
   ResultsFile(std::string name, std::vector<std::string> columns);
 
   void add(std::vector<std::string> row);
 
-  /// Writes FILE (CSV) and FILE with the extension .manifest.json: commit, compiler, flags, versions, CPU,
-  /// command line and the CSV's checksum. Both appear whole or not at all.
+  /// Writes the CSV, and a manifest with extension .manifest.json: commit, compiler, flags, versions, CPU,
+  /// command line and the checksum of the CSV. Each file appears completely or not at all.
   void write(const std::filesystem::path& file, int argc, const char* const* argv) const;
 
  private:

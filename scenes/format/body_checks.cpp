@@ -12,7 +12,7 @@ namespace {
 
 std::string numbers(const Vector3& v) { return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v[0], v[1], v[2]); }
 
-/// Ascending. The upper triangle stands for both.
+/// The principal moments in ascending order. The upper triangle of J is used for both triangles.
 Vector3 principal_moments(const Matrix3& J) {
   Eigen::Matrix3d upper = Eigen::Matrix3d::Zero();
   for (int a = 0; a < 3; ++a)

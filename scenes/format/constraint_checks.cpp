@@ -9,7 +9,7 @@
 namespace trivium::scenes {
 namespace {
 
-/// The value of a function that evidently does not depend on time.
+/// The value of f if its form shows that it is constant: a number, or a polynomial without powers of t.
 std::optional<double> constant_value(const TimeFunction& f) {
   if (f.is_number()) return std::get<double>(f.kind());
   if (const auto* polynomial = std::get_if<TimeFunction::Polynomial>(&f.kind())) {
@@ -19,7 +19,7 @@ std::optional<double> constant_value(const TimeFunction& f) {
   return std::nullopt;
 }
 
-/// u is x made orthonormal to the axis z, which nothing is if x lies along z.
+/// The joint frame makes x orthonormal to the axis z, which is impossible if x is parallel to z.
 void check_axes(const Vector3& axis, const Vector3& x, const Path& at) {
   const double z_norm = norm(axis), x_norm = norm(x);
   Vector3 z = axis, e = x;
@@ -29,7 +29,7 @@ void check_axes(const Vector3& axis, const Vector3& x, const Path& at) {
   if (!(sine > rotation_tolerance)) fail(at / "x", "a vector along the axis", "a vector off the axis");
 }
 
-/// Exactly the vectors that the side's shape takes, and each with a direction.
+/// Checks that the side has exactly the vectors that its shape allows, and that each of them has a direction.
 void check_side(const Side& side, const Shape& shape, const Path& at) {
   const auto check = [&](std::string_view key, const std::optional<Vector3>& vector) {
     const Key* known = shape.find(key);
@@ -46,7 +46,7 @@ void check_side(const Side& side, const Shape& shape, const Path& at) {
   if (side.axis && side.x) check_axes(*side.axis, *side.x, at);
 }
 
-/// What the type does not take is not set: writing would lose it.
+/// Checks that values without meaning for the type are unset: the writer would lose them.
 void check_unused(const Constraint& constraint, const Shape& shape, const Path& at) {
   const Constraint unset;
   const auto check = [&](std::string_view key, bool is_set) {

@@ -10,7 +10,7 @@
 namespace trivium::scenes {
 namespace {
 
-/// The parts of a function are there, to a depth that its file may have.
+/// Checks that a function has all its parts and is not nested deeper than its file may be.
 class PartChecks {
  public:
   explicit PartChecks(const Path& at) : at_(at) {}
@@ -51,7 +51,7 @@ class PartChecks {
   }
 
  private:
-  /// A container at this place is one level deeper than its path is long.
+  /// A path of length n leads to a value at nesting level n, so a container at this place has level n + 1.
   static void check_depth(const Path& at) {
     if (at.depth() >= deepest_nesting)
       fail(at, "nested too deep", fmt::format("at most {} levels of objects and arrays", deepest_nesting));
@@ -83,20 +83,20 @@ void check_finite(const TimeFunction& f, double t, const Path& at) {
          "a function whose value and derivatives are finite");
 }
 
-/// A constraint's: velocities may jump, positions not.
+/// Checks a function of a constraint for jumps: positions cannot jump, velocities may.
 void check_continuous(const TimeFunction& f, const Path& at) {
   std::vector<double> times;
   f.append_kinks(times);
   for (const double t : times) {
     const double before = f(std::nextafter(t, -std::numeric_limits<double>::infinity())).f, after = f(t).f;
-    constexpr double jump_tolerance = 1e-9;  // beyond the digits of a file
+    constexpr double jump_tolerance = 1e-9;  // larger than the rounding of numbers that a file states
     if (!(std::abs(after - before) <= jump_tolerance * (1 + std::abs(before))))
       fail(at, fmt::format("a jump from {} to {} at t = {}", shortest(before), shortest(after), shortest(t)),
            "a function without jumps, as positions have none; its derivative may jump");
   }
 }
 
-/// The functions among what an effect shows.
+/// Key visitor that checks the functions of time of an effect.
 struct FunctionsOfEffect : ValueVisitor<FunctionsOfEffect> {
   double t;
   const Path& at;

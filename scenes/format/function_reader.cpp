@@ -21,14 +21,14 @@ void read_value(const Json& json, const Path& at, std::vector<TimeFunction>& out
   for (std::size_t k = 0; k < items.size(); ++k) scenes::read_value(items[k], at / k, out[k]);
 }
 
-/// The `of` of a sine or cosine.
+/// Reads the key `of`, the argument of a sine or cosine.
 std::vector<TimeFunction> read_argument(const Json& json, const Path& at) {
   std::vector<TimeFunction> of(1);
   scenes::read_value(json, at / "of", of.front());
   return of;
 }
 
-/// Reads the parts of a function of each kind.
+/// Visitor that reads the parts of a function of each kind.
 struct PartReader {
   const ObjectReader& object;
   const Path& at;
@@ -71,7 +71,7 @@ void read_value(const Json& json, const Path& at, TimeFunction& out) {
     fail_type(json, at, "a number or an object with a kind, such as {\"kind\": \"sin\", \"of\": 1}");
   const std::size_t kind = read_tag(json, at, "kind", "kind", names_of(function_shapes));
   const ObjectReader object(json, at, function_shapes[kind]);
-  // the plain number comes first among the kinds
+  // index 0 of TimeFunction::Kind is the plain number, which has no shape
   TimeFunction::Kind parts = emplaced<TimeFunction::Kind>(kind + 1);
   std::visit(PartReader{object, at}, parts);
   std::visit([&](auto& f) { out = std::move(f); }, parts);

@@ -1,6 +1,6 @@
 #pragma once
-/// From a function of time to JSON, as the scene format spells it ("Functions of time"). Its reading is in
-/// function_reader.cpp.
+/// Writes a function of time as JSON, in the spelling of the scene format ("Functions of time"). The reader
+/// of such functions is function_reader.cpp.
 
 #include "bodies/numbers/time_function.hpp"
 #include "scenes/format/json.hpp"

@@ -1,6 +1,7 @@
 #pragma once
-/// JSON (RFC 8259) as a scene needs it: members in file order with repeated keys still visible, every number
-/// a finite double. Limits on size, count and nesting keep a hostile file from taking the machine.
+/// JSON (RFC 8259) as a scene needs it: members keep the order of the file, repeated keys stay visible, and
+/// every number is a finite double. Limits on size, count and nesting protect against hostile files, which
+/// could otherwise exhaust the memory.
 
 #include <string>
 #include <string_view>
@@ -13,9 +14,9 @@
 
 namespace trivium::scenes {
 
-inline constexpr std::size_t largest_file = std::size_t{64} << 20;  ///< bytes
-inline constexpr std::size_t most_values = 10'000'000;              ///< of any kind, in one document
-inline constexpr int deepest_nesting = 64;                          ///< of objects and arrays
+inline constexpr std::size_t largest_file = std::size_t{64} << 20;  ///< size of a file [bytes]
+inline constexpr std::size_t most_values = 10'000'000;  ///< number of values of any kind in one document
+inline constexpr int deepest_nesting = 64;              ///< levels of objects and arrays
 
 struct Member;
 struct Json {
@@ -45,17 +46,17 @@ requires(!std::is_same_v<std::remove_cvref_t<T>, Json>) Json::Json(T&& v) {
     value = std::forward<T>(v);
 }
 
-/// "a number 3", "an array of 2": for messages.
+/// The value in words for messages, such as "the number 3" or "an array of 2".
 std::string describe(const Json& json);
 
-/// The document in `text`; a SceneError names line and column of what is not JSON.
+/// Parses the text. Throws a SceneError with line and column if the text is not JSON.
 Json parse_json(std::string_view text, const Path& root);
 
-/// The document as text: what fits stands on one line, numbers are the shortest that read back as the same
-/// double. Throws a SceneError if a string is not UTF-8.
+/// The document as text. A value that fits into the line stands on one line. Throws a SceneError if a string
+/// is not UTF-8.
 std::string print_json(const Json& json, const Path& root);
 
-/// The shortest decimal that reads back as the same double; keeps the sign of -0.
+/// The shortest decimal number that reads back as the same double. -0 keeps its sign.
 std::string shortest(double number);
 
 }  // namespace trivium::scenes

@@ -7,8 +7,8 @@
 namespace trivium::scenes {
 namespace {
 
-/// Builds the tree from the events of the parser. Containers under construction stand in a list, so that
-/// neither the depth nor the size of a hostile file can exhaust the stack.
+/// Builds the tree from the events of the parser. Unfinished containers are kept in the vector open_ on the
+/// heap, so that neither the depth nor the size of a hostile file can exhaust the stack.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
   explicit TreeBuilder(const Path& root) : root_(root) {}
@@ -17,12 +17,12 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   bool null() override { return add(nullptr); }
   bool boolean(bool b) override { return add(b); }
-  // JSON has no integers; -0 is a double with a sign.
+  // The parser calls this for negative integers only, so n == 0 means "-0": as a double it keeps its sign.
   bool number_integer(number_integer_t n) override { return add(n == 0 ? -0.0 : static_cast<double>(n)); }
   bool number_unsigned(number_unsigned_t n) override { return add(static_cast<double>(n)); }
   bool number_float(number_float_t d, const string_t&) override { return add(d); }
   bool string(string_t& s) override { return add(std::move(s)); }
-  bool binary(binary_t&) override { return false; }  // not in a text
+  bool binary(binary_t&) override { return false; }  // occurs only in binary formats
 
   bool start_object(std::size_t) override { return open<Json::Object>(); }
   bool start_array(std::size_t) override { return open<Json::Array>(); }
@@ -43,7 +43,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
-  /// The place of the value that comes next.
+  /// The place in the tree for the next value.
   Json& next() {
     if (++count_ > most_values)
       fail_here("too many values", fmt::format("at most {} in a file", most_values));
@@ -69,7 +69,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return add(std::move(container.value));
   }
 
-  /// Fails at the value that is being read.
+  /// Fails with the path of the value that is being read.
   [[noreturn]] void fail_here(std::string found, std::string accepted) const {
     fail_below(root_, 0, std::move(found), std::move(accepted));
   }

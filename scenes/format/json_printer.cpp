@@ -46,7 +46,7 @@ class Printer {
     text_ += right;
   }
 
-  /// Prints if it takes at most `room` characters; otherwise leaves the text as it was.
+  /// Prints the value if it takes at most `room` characters; otherwise leaves the text unchanged.
   bool print_on_one_line(const Json& json, std::size_t room) {
     const std::size_t start = text_.size();
     const bool fits = compact(json, start + room);
@@ -106,7 +106,7 @@ std::string print_json(const Json& json, const Path& root) {
 }
 
 std::string shortest(double number) {
-  if (number == 0 && std::signbit(number)) return "-0.0";  // "-0" would be an integer to most readers
+  if (number == 0 && std::signbit(number)) return "-0.0";  // many readers take "-0" for the integer 0
   char buffer[32];
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr};
 }

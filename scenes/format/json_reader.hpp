@@ -1,5 +1,6 @@
 #pragma once
-/// From JSON values to typed ones. Every function says in a SceneError what it found and what it takes.
+/// Converts JSON values to typed values. Every function throws a SceneError that states what was found and
+/// what is accepted.
 
 #include <array>
 #include <cstddef>
@@ -17,14 +18,14 @@ namespace trivium::scenes {
 
 [[noreturn]] void fail_type(const Json& json, const Path& at, std::string accepted);
 
-/// Members that are no object's business, repeated ones and missing ones are errors.
+/// Reads the members of an object. An unknown, repeated or missing key throws a SceneError.
 class ObjectReader {
  public:
   ObjectReader(const Json& json, const Path& at, const Shape& shape);
 
   const Json* find(std::string_view key) const;
 
-  /// Leaves `out` as it is if the key is absent.
+  /// Reads the value of a key. If the key is absent, `out` stays unchanged.
   template <class T, class... Context>
   void read(std::string_view key, T& out, const Context&... context) const {
     if (const Json* json = find(key)) read_value(*json, at_ / key, out, context...);
@@ -36,11 +37,11 @@ class ObjectReader {
   std::array<const Json*, most_keys> found_{};
 };
 
-/// Which of `names` the text says; `noun` is what they are names of.
+/// The index of the text in `names`. Messages call such a name a `noun`.
 std::size_t read_choice(const Json& json, const Path& at, std::string_view noun,
                         const std::vector<std::string_view>& names);
 
-/// Which of `names` the object's member `tag` says.
+/// The index of the object's member `tag` in `names`.
 std::size_t read_tag(const Json& json, const Path& at, std::string_view tag, std::string_view noun,
                      const std::vector<std::string_view>& names);
 
@@ -49,7 +50,7 @@ void read_value(const Json& json, const Path& at, double& out);
 void read_value(const Json& json, const Path& at, std::string& out);
 void read_value(const Json& json, const Path& at, TimeFunction& out);
 
-/// The array's items; exactly `size` of them if given.
+/// The items of the array. If `size` is given, the array must have exactly `size` items.
 const Json::Array& read_items(const Json& json, const Path& at, std::string_view items,
                               std::optional<std::size_t> size = {});
 

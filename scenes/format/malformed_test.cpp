@@ -1,4 +1,5 @@
-/// Every file in malformed/ is one mistake, and its message says what was found, where, and what is accepted.
+/// Every file in malformed/ contains one mistake. Its message must state what was found, where, and what is
+/// accepted.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 const fs::path folder = fs::path(TRIVIUM_TEST_SCENES_DIR) / "malformed";
 
-/// {constraint types} and {effect types} stand for the names of all.
+/// Replaces {constraint types} and {effect types} by the list of all type names.
 std::string with_types(std::string text) {
   for (const auto& [word, names] :
        {std::pair<std::string, std::string>{"{constraint types}", list_of(names_of(constraint_shapes()))},
@@ -28,7 +29,7 @@ std::string with_types(std::string text) {
   return text;
 }
 
-/// The lines `name | text` of messages.txt: what the message about each file contains.
+/// The expected messages: each line `name | text` of messages.txt is a part of the message about that file.
 std::map<std::string, std::vector<std::string>> expected_messages() {
   std::map<std::string, std::vector<std::string>> messages;
   std::ifstream file(folder / "messages.txt");

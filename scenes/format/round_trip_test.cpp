@@ -1,4 +1,4 @@
-/// What is written reads back as the same scene, and is written the same way again.
+/// A written scene reads back as the same scene, and is then written as the same text.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The catalogue, and the scenes that show every word of the format.
+/// The catalogue, and the scenes in wellformed/, which use every word of the format.
 std::vector<fs::path> scene_files() {
   std::vector<fs::path> files;
   const fs::path catalogue = TRIVIUM_SCENES_DIR;

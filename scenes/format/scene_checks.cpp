@@ -9,7 +9,7 @@
 namespace trivium::scenes {
 namespace {
 
-/// Names that are given are unique; those of bodies and constraints are given.
+/// Checks that names are unique, and that they are not empty if `required` (bodies and constraints).
 class UniqueNames {
  public:
   explicit UniqueNames(std::string_view noun, bool required) : noun_(noun), required_(required) {}
@@ -43,7 +43,7 @@ void check_two_bodies(int i, int j, const Scene& scene, const Path& at) {
     fail(at, fmt::format("both sides on {}", in_quotes(scene.body_name(i))), "two different bodies");
 }
 
-/// Checks what an effect shows: indices and functions. Numbers are finite since they were read or written.
+/// Key visitor that checks the indices and functions of an effect. Numbers are checked elsewhere.
 class EffectChecks : public ValueVisitor<EffectChecks> {
  public:
   EffectChecks(const Scene& scene, const Path& at) : scene_(scene), at_(at) {}
@@ -77,7 +77,7 @@ class EffectChecks : public ValueVisitor<EffectChecks> {
  private:
   const Scene& scene_;
   const Path& at_;
-  const BodyPoint<double>* other_ = nullptr;  ///< of an effect between two bodies
+  const BodyPoint<double>* other_ = nullptr;  ///< the first point of an effect between two bodies
 };
 
 }  // namespace

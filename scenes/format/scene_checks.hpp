@@ -1,12 +1,13 @@
 #pragma once
-/// What a scene must satisfy beyond its grammar, whoever made it. A SceneError names the first thing that
-/// does not.
+/// Checks of a scene beyond the grammar of the format, for scenes from files and scenes made in C++. A
+/// SceneError names the first violation.
 ///
-/// Magnitudes: |x| <= 1e100 for every number, and at least 1e-100 for what is divided by (masses, lengths,
-/// norms of vectors that give a direction, the duration of a step), so that products and squares of what a
-/// scene states stay finite. Tolerances: rotation matrices are orthonormal, and `x` is off `axis`, within
-/// 1e-9; inertias are symmetric, positive semidefinite and triangular within 1e-12 of their trace, and a
-/// moment below zero within that counts as zero. A negative stiffness or damping is a model, not an error.
+/// Magnitudes: every number satisfies |x| <= 1e100. Divisors (masses, lengths, norms of vectors that give a
+/// direction, the duration of a step) are at least 1e-100, so that products and squares of the scene's
+/// numbers stay finite. Tolerances: rotation matrices are orthonormal within 1e-9, and the sine of the angle
+/// between `x` and `axis` exceeds 1e-9. Inertia matrices are symmetric, positive semidefinite and obey the
+/// triangle inequality within 1e-12 of their trace; a moment that is negative within this tolerance counts as
+/// zero. A negative stiffness or damping is allowed.
 
 #include <cstddef>
 
@@ -21,19 +22,21 @@ inline constexpr double smallest_divisor = 1e-100;
 inline constexpr double rotation_tolerance = 1e-9;
 inline constexpr std::size_t most_bodies = 100'000;
 
-/// All of them, except the magnitudes.
+/// All checks of a scene except the magnitudes.
 void check_scene(const Scene& scene, const Path& root);
 
-/// No number is beyond the largest magnitude; in a document, where the place of each is known.
+/// Checks that no number exceeds the largest magnitude. The check takes a document, where every number has a
+/// path.
 void check_magnitudes(const Json& json, const Path& at);
 
 void check_body(const Body& body, const Path& at);
 void check_constraint(const Constraint& constraint, const Path& at);
-/// Its parts are complete, and f, f' and f'' are finite at t = 0.
+/// Checks that all parts of f are present, and that f, f' and f'' are finite at t = 0.
 void check_function(const TimeFunction& f, const Path& at);
-/// f, f' and f'' of every function of time are finite at t.
+/// Checks that all functions of time and their first two derivatives are finite at t [s], and that functions
+/// of constraints do not jump.
 void check_functions(const Scene& scene, double t, const Path& root);
-/// The vector has a direction.
+/// Checks that the vector is long enough to have a direction.
 void check_direction(const Vector3& vector, const Path& at);
 
 double norm(const Vector3& v);

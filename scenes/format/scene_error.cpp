@@ -27,8 +27,8 @@ std::string lower(std::string_view word) {
   return result;
 }
 
-/// Insertions, deletions, substitutions and swaps of neighbours that lead from a to b (optimal string
-/// alignment).
+/// The number of insertions, deletions, substitutions and swaps of neighbouring letters that lead from a to b
+/// (optimal string alignment distance).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), previous(b.size() + 1), row(b.size() + 1);
   for (std::size_t k = 0; k <= b.size(); ++k) row[k] = k;
@@ -95,7 +95,7 @@ std::string list_of(const std::vector<std::string_view>& words) {
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string_view>& candidates) {
-  constexpr std::size_t longest = 64;  // no slip is recognisable beyond
+  constexpr std::size_t longest = 64;  // longer words are not typing errors of a known word
   if (word.size() > longest) return {};
   const std::string slip = lower(word);
   std::size_t best = std::max<std::size_t>(1, word.size() / 3) + 1;

@@ -1,6 +1,6 @@
 #pragma once
-/// What a reader says when a file is not a scene, and the place in the document that it speaks of. A message
-/// names the file, the place, what was found and what is accepted.
+/// The error for a file that is not a valid scene, and the path of the faulty place in the document. A
+/// message names the file, the place, what was found and what is accepted.
 
 #include <cstddef>
 #include <string>
@@ -11,9 +11,9 @@
 
 namespace trivium::scenes {
 
-/// Names the file, the place (a JSON pointer such as `/bodies/0/mass`; empty for the document as a whole),
-/// what was found there and what is accepted: `x.json: /bodies/0/mas: unknown key "mas"; accepted: name,
-/// mass, inertia (did you mean "mass"?)`.
+/// An error in a scene. The place is a JSON pointer such as `/bodies/0/mass`, empty for the document as a
+/// whole. Example of a message: `x.json: /bodies/0/mas: unknown key "mas"; accepted: name, mass, inertia (did
+/// you mean "mass"?)`.
 class SceneError : public Error {
  public:
   SceneError(std::string file, std::string path, std::string found, std::string accepted,
@@ -23,15 +23,15 @@ class SceneError : public Error {
   const std::string& path() const { return path_; }
   const std::string& found() const { return found_; }
   const std::string& accepted() const { return accepted_; }
-  const std::string& suggestion() const { return suggestion_; }  ///< the nearest accepted word; may be empty
+  const std::string& suggestion() const { return suggestion_; }  ///< nearest accepted word; may be empty
 
  private:
   std::string file_, path_, found_, accepted_, suggestion_;
 };
 
-/// A place in a document: a chain of keys and indices kept on the stack, so that no text is made until an
-/// error needs it. A path points at its parent, which must outlive it; that is why a temporary has no
-/// children.
+/// A place in a document: a chain of keys and indices on the stack. No text is made until an error needs it.
+/// A path points to its parent, which must outlive it. Temporary paths therefore cannot have children
+/// (deleted overloads).
 class Path {
  public:
   explicit Path(std::string_view file) : key_(file) {}
@@ -44,7 +44,7 @@ class Path {
   Path operator/(std::size_t) const&& = delete;
 
   std::string file() const;
-  std::string pointer() const;  ///< RFC 6901
+  std::string pointer() const;  ///< JSON pointer (RFC 6901)
   int depth() const { return depth_; }
 
  private:
@@ -59,13 +59,14 @@ class Path {
 
 [[noreturn]] void fail(const Path& at, std::string found, std::string accepted, std::string suggestion = {});
 
-/// Text from outside made safe to print: escaped as JSON escapes, cut to a readable length.
+/// Text from outside made safe to print: escaped as in JSON, and shortened to `longest` characters.
 std::string printable(std::string_view text, std::size_t longest = 60);
-/// The same in quotation marks.
+/// printable() in quotation marks.
 std::string in_quotes(std::string_view text);
-/// "a, b, c"; a long list is cut and counted.
+/// "a, b, c"; a long list is shortened and ends with its number of words.
 std::string list_of(const std::vector<std::string_view>& words);
-/// The candidate that a typing slip would turn into `word`; empty if none is near.
+/// The candidate that is closest to `word` in edit distance, if `word` can be a typing error of it; else
+/// empty.
 std::string nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
 }  // namespace trivium::scenes

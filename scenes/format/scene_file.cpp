@@ -28,7 +28,7 @@ std::string read_text(const fs::path& path) {
   char block[1 << 16];
   while (file.read(block, sizeof block) || file.gcount() > 0) {
     text.append(block, static_cast<std::size_t>(file.gcount()));
-    if (text.size() > largest_file) break;  // the parser says so
+    if (text.size() > largest_file) break;  // parse_json then reports that the file is too large
   }
   if (file.bad()) fail(root, "cannot be read to its end", "a scene file");
   return text;

@@ -1,4 +1,4 @@
-/// What the reader makes of a file: meanings, defaults, suggestions, limits.
+/// The reader's results: meanings of keys, defaults, suggestions, limits.
 
 #include "scenes/format/scene_file.hpp"
 
@@ -28,7 +28,7 @@ Scene with_two_bodies(std::string_view constraints, std::string_view effects = "
       "test");
 }
 
-/// The inertia that the text states; further keys of the body may follow it.
+/// Reads a body with the inertia in `text`, which may contain further keys of the body.
 std::variant<Vector3, Matrix3> with_inertia(std::string_view text) {
   return parse_scene(
              fmt::format(
@@ -125,7 +125,8 @@ TEST(Reader, ResolvesNamesToIndices) {
   EXPECT_EQ(std::get<Force<double>>(scene.effects.at(1)).body, 1);
 }
 
-/// A user copies the sides of the revolute, point and all; the driver's row has no use for the point.
+/// Users copy the sides of the revolute as they are. The point has no meaning for the driver's row and is
+/// accepted.
 TEST(Reader, TakesForADriverTheSidesOfItsRevolute) {
   constexpr std::string_view sides =
       R"("i": {"body": "a", "point": [0, 0, 1], "axis": [0, 0, 1], "x": [1, 0, 0]}, "j": {"body": "b", "point": [0, 0, 2], "axis": [0, 0, 1], "x": [1, 0, 0]})";
@@ -181,12 +182,12 @@ TEST(SceneError, NamesFilePlaceFindingAndChoice) {
 
 TEST(Suggestion, IsTheWordOneSlipAway) {
   const std::vector<std::string_view> words{"gravity", "force", "torque", "spring_damper"};
-  EXPECT_EQ(nearest("gravty", words), "gravity");  // left out
-  EXPECT_EQ(nearest("forrce", words), "force");    // put in
-  EXPECT_EQ(nearest("torqve", words), "torque");   // replaced
-  EXPECT_EQ(nearest("ofrce", words), "force");     // swapped
-  EXPECT_EQ(nearest("Force", words), "force");     // in capitals
-  EXPECT_EQ(nearest("friction", words), "");       // no slip
+  EXPECT_EQ(nearest("gravty", words), "gravity");  // a letter is missing
+  EXPECT_EQ(nearest("forrce", words), "force");    // a letter is added
+  EXPECT_EQ(nearest("torqve", words), "torque");   // a letter is replaced
+  EXPECT_EQ(nearest("ofrce", words), "force");     // letters are swapped
+  EXPECT_EQ(nearest("Force", words), "force");     // capital letter
+  EXPECT_EQ(nearest("friction", words), "");       // not a typing error
   EXPECT_EQ(nearest(std::string(1000, 'x'), words), "");
 }
 

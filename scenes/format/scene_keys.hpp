@@ -1,6 +1,6 @@
 #pragma once
-/// The words of the scene format: which keys each object takes. Reader, checks and writer go by these tables,
-/// and scene.schema.json says the same to editors (a test compares them).
+/// The vocabulary of the scene format: the keys of each kind of object. Reader, checks and writer use these
+/// tables. scene.schema.json states the same keys for editors (schema_test.cpp compares the two).
 
 #include <array>
 #include <cstddef>
@@ -23,7 +23,7 @@ struct Key {
   bool required = false;
 };
 constexpr Key need(std::string_view name) { return {name, true}; }
-inline constexpr std::size_t most_keys = 16;  ///< of one object
+inline constexpr std::size_t most_keys = 16;  ///< largest number of keys of one object
 constexpr Key may(std::string_view name) { return {name, false}; }
 
 /// The keys of one kind of object, in the order in which they are written.
@@ -33,7 +33,7 @@ class Shape {
     std::size_t k = 0;
     for (const Key& key : keys) keys_.at(k++) = key;
   }
-  /// Behind those there are. Throws a std::out_of_range where an object has no more room for keys.
+  /// Appends a key. Throws std::out_of_range if the shape has most_keys keys already.
   constexpr void add(const Key& key) { keys_.at(size_++) = key; }
   constexpr std::string_view name() const { return name_; }
   constexpr std::span<const Key> keys() const { return {keys_.data(), size_}; }
@@ -60,13 +60,13 @@ inline constexpr Shape body_shape{
     "body",
     {need("name"), need("mass"), need("inertia"), may("unphysical_inertia"), need("position"),
      may("orientation"), may("velocity"), may("angular_velocity")}};
-/// One of four ways; `sequence` goes with `euler_angles`.
+/// An orientation has exactly one of four forms; `sequence` belongs to `euler_angles`.
 inline constexpr Shape orientation_shape{
     "orientation",
     {may("euler_parameters"), may("euler_angles"), may("sequence"), may("axis_angle"), may("matrix")}};
 inline constexpr Shape axis_angle_shape{"axis_angle", {need("axis"), need("angle")}};
 
-/// In the order of TimeFunction::Kind after the plain number.
+/// In the order of TimeFunction::Kind, whose first alternative, the plain number, has no shape.
 inline constexpr std::array function_shapes{
     Shape{"polynomial", {need("kind"), need("coefficients")}},
     Shape{"harmonic",
@@ -79,8 +79,8 @@ inline constexpr std::array function_shapes{
     Shape{"piecewise", {need("kind"), need("times"), need("pieces")}},
 };
 
-// Sides. Every side may name a point (of a dp1 it says where reactions are taken), and every side of a joint
-// an axis with an x, whether or not a row of the type looks along it.
+// Sides. Every side may have a point (for a dp1 the point where reactions are taken). Every side of a joint
+// may have an axis with an x, even if no row of the joint type uses it.
 inline constexpr Shape vector_point_side{"vector_point_side", {need("body"), need("vector"), may("point")}};
 inline constexpr Shape point_side{"point_side", {need("body"), may("point")}};
 inline constexpr Shape joint_side{"joint_side", {need("body"), may("point"), may("axis"), may("x")}};
@@ -97,10 +97,10 @@ struct ConstraintShape {
 };
 
 namespace detail {
-/// Lists the keys that a basic constraint shows.
+/// Key visitor that lists the keys of a basic constraint.
 struct ConstraintKeyList {
   ConstraintShape& out;
-  bool has_point_i = false, has_point_j = false;  // every side may name one
+  bool has_point_i = false, has_point_j = false;  // a side has at most one point
 
   void vector_i(auto&) { take_vector(out.i); }
   void vector_j(auto&) { take_vector(out.j); }
@@ -132,7 +132,7 @@ struct ConstraintKeyList {
   }
 };
 
-/// Lists the keys that an effect shows.
+/// Key visitor that lists the keys of an effect.
 struct EffectKeyList {
   Shape& shape;
 
@@ -146,7 +146,7 @@ struct EffectKeyList {
   void turns(std::string_view key, auto&) const { shape.add(scenes::may(key)); }
 };
 
-/// None behind the last type of joint.
+/// The shape of a joint type. Empty for JointType::basic and for a value after the last type.
 inline std::optional<ConstraintShape> joint_shape(JointType type) {
   const auto joint = [&](std::string_view name, const Shape& i, const Shape& j,
                          std::initializer_list<Key> more = {}) {
@@ -156,7 +156,7 @@ inline std::optional<ConstraintShape> joint_shape(JointType type) {
   };
   switch (type) {
     case JointType::basic:
-      break;  // from their own list
+      break;  // see append_basic_shapes
     case JointType::spherical:
       return joint("spherical", joint_side, joint_side);
     case JointType::universal:
@@ -183,7 +183,7 @@ inline std::optional<ConstraintShape> joint_shape(JointType type) {
   return {};
 }
 
-/// Adds those of the basic constraints that files name.
+/// Appends the shapes of those basic constraints that have a name in scene files.
 inline void append_basic_shapes(std::vector<ConstraintShape>& shapes) {
   using Any = BasicConstraint<double>;
   for (int place = 0; place < static_cast<int>(std::variant_size_v<Any>); ++place) {
@@ -200,7 +200,7 @@ inline void append_basic_shapes(std::vector<ConstraintShape>& shapes) {
 }
 }  // namespace detail
 
-/// Of every type that files name: basic constraints in the order of their list, then joints.
+/// The shapes of all constraint types that have a name in scene files: basic constraints first, then joints.
 inline const std::vector<ConstraintShape>& constraint_shapes() {
   static const std::vector<ConstraintShape> all = [] {
     std::vector<ConstraintShape> shapes;
@@ -213,14 +213,14 @@ inline const std::vector<ConstraintShape>& constraint_shapes() {
   }();
   return all;
 }
-/// Throws a std::logic_error for a type that has no name in files.
+/// The shape of a constraint type. Throws std::logic_error if the type has no name in scene files.
 inline const ConstraintShape& shape_of(ConstraintType type) {
   for (const ConstraintShape& known : constraint_shapes())
     if (known.type == type) return known;
   throw std::logic_error("a type of constraint that scene files have no name for");
 }
 
-/// Of every effect, in the order of the list.
+/// The shapes of all effects, in the order of the variant Effect.
 inline const std::vector<Shape>& effect_shapes() {
   static const std::vector<Shape> all = [] {
     std::vector<Shape> shapes;
@@ -236,7 +236,7 @@ inline const std::vector<Shape>& effect_shapes() {
 }
 static_assert(function_shapes.size() + 1 == std::variant_size_v<TimeFunction::Kind>);
 
-/// Of all in a table above.
+/// The names of all shapes in one of the tables above.
 template <class Shapes>
 std::vector<std::string_view> names_of(const Shapes& shapes) {
   std::vector<std::string_view> names;
@@ -244,6 +244,7 @@ std::vector<std::string_view> names_of(const Shapes& shapes) {
   return names;
 }
 
-inline constexpr std::array<std::string_view, 2> frame_names{"global", "body"};  ///< of ComponentFrame
+/// In the order of ComponentFrame.
+inline constexpr std::array<std::string_view, 2> frame_names{"global", "body"};
 
 }  // namespace trivium::scenes

@@ -12,7 +12,7 @@
 namespace trivium::scenes {
 namespace {
 
-/// Where a name stands in its list.
+/// A list of names of one kind, and the index of each name.
 struct Names {
   std::string_view noun;
   std::vector<std::string_view> list;
@@ -131,7 +131,7 @@ void read_value(const Json& json, const Path& at, Constraint& out, const Names& 
 
 constexpr int most_turns = 1'000'000;
 
-/// Reads what an effect shows.
+/// Key visitor that reads an effect.
 struct EffectReader : ValueVisitor<EffectReader> {
   const ObjectReader& object;
   const Path& at;

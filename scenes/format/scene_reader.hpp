@@ -1,6 +1,6 @@
 #pragma once
-/// From a JSON document to a scene. Words, types, lengths and names are right afterwards; whether the numbers
-/// make sense is for scene_checks.hpp.
+/// Turns a JSON document into a scene. The result has valid keys, types, array lengths and names; whether its
+/// numbers make sense is checked by scene_checks.hpp.
 
 #include "scenes/format/json.hpp"
 #include "scenes/scene.hpp"

@@ -9,7 +9,7 @@
 namespace trivium::scenes {
 namespace {
 
-using scenes::to_json;  // of a function of time
+using scenes::to_json;  // the overload for functions of time (function_writer.hpp)
 
 template <class T, std::size_t n>
 Json to_json(const std::array<T, n>& items);
@@ -48,7 +48,7 @@ struct OrientationWriter {
   }
 };
 
-// A default is left out only if the very bits come back: -0 is not the default 0.
+// A default is omitted only if reading gives back the same bits: -0 is not the default 0.
 bool is_default(double number) { return number == 0 && !std::signbit(number); }
 bool is_default(const Vector3& v) { return is_default(v[0]) && is_default(v[1]) && is_default(v[2]); }
 bool is_default(const trivium::Vector3<double>& v) {
@@ -70,7 +70,7 @@ class ObjectWriter {
     object_.push_back({std::string(key), std::move(value)});
     return *this;
   }
-  /// Unless the key is optional and the value its default, or the object has no such key.
+  /// Adds the key, unless the object has no such key, or the key is optional and the value is its default.
   template <class T>
   ObjectWriter& add(std::string_view key, const T& value) {
     const Key* known = shape_.find(key);
@@ -114,7 +114,7 @@ Json to_json(const Constraint& constraint, const Scene& scene) {
   return object.add("distance", constraint.distance).add("angle", constraint.angle).done();
 }
 
-/// Writes what an effect shows.
+/// Key visitor that writes an effect.
 struct EffectWriter : ValueVisitor<EffectWriter> {
   const Scene& scene;
   ObjectWriter& object;

@@ -1,4 +1,4 @@
-/// scene.schema.json and the reader know the same keys.
+/// scene.schema.json and the tables of the reader contain the same keys.
 
 #include <gtest/gtest.h>
 
@@ -74,7 +74,7 @@ TEST(Schema, HasTheTypesOfTheReader) {
   EXPECT_EQ(references(definitions["function"]["oneOf"]), functions);
   EXPECT_EQ(references(definitions["constraint"]["oneOf"]), constraints);
   EXPECT_EQ(references(definitions["effect"]["oneOf"]), effects);
-  functions.erase("number");  // the one that is no object
+  functions.erase("number");  // the only kind that is not an object
   for (const std::string& name : functions) EXPECT_EQ(definitions[name]["properties"]["kind"]["const"], name);
   for (const auto& names : {constraints, effects})
     for (const std::string& name : names) EXPECT_EQ(definitions[name]["properties"]["type"]["const"], name);

@@ -16,7 +16,7 @@
 namespace trivium::scenes {
 namespace {
 
-/// Every choice is one of rapidcheck's.
+/// Random numbers from rapidcheck's generators, so that rapidcheck can shrink a failing scene.
 class Random {
  public:
   int below(int n) { return *rc::gen::inRange(0, n); }
@@ -25,7 +25,7 @@ class Random {
     constexpr std::int64_t one = std::int64_t{1} << 53;
     return static_cast<double>(*rc::gen::inRange<std::int64_t>(-one, one + 1)) / static_cast<double>(one);
   }
-  /// Plain decimals, integers, signed zeros, and every size from 1e-20 to 1e20.
+  /// Signed zeros, integers, decimals with two digits, and numbers of every magnitude from 1e-20 to 1e20.
   double number() {
     switch (below(5)) {
       case 0:
@@ -77,10 +77,10 @@ Body arbitrary_body(Random& random, int index) {
   Body body;
   body.name = fmt::format("body {}", index) + (random.flip() ? " \"ä/~\\\n" : "");
   body.mass = random.positive();
-  const double x = random.positive(), y = random.positive(), z = random.positive();  // of a mass distribution
+  const double x = random.positive(), y = random.positive(), z = random.positive();  // second moments
   if (random.flip()) {
     body.inertia = Vector3{y + z, z + x, x + y};
-  } else {  // diagonally dominant and within the triangle
+  } else {  // diagonally dominant, and the moments obey the triangle inequality
     const double off = 0.1 * random.uniform() * x;
     body.inertia = Matrix3{{{2 * x, off, 0}, {off, 2 * x, off}, {0, off, 2 * x}}};
   }
@@ -117,7 +117,7 @@ TimeFunction arbitrary_function(Random& random, int depth = 0) {
       return TimeFunction::Cos{{arbitrary_function(random, 3)}};
     case 6:
       return TimeFunction::Sum{parts()};
-    case 7: {  // of one function, as drivers must not jump
+    case 7: {  // both pieces are the same function, since a driver must not jump
       const TimeFunction f = arbitrary_function(random, depth + 1);
       return TimeFunction::Piecewise{{random.number()}, {f, f}};
     }
@@ -158,11 +158,11 @@ Constraint arbitrary_constraint(Random& random, int index, int bodies) {
   return constraint;
 }
 
-/// Draws what an effect shows.
+/// Key visitor that draws the values of an effect.
 struct ArbitraryEffect : ValueVisitor<ArbitraryEffect> {
   Random& random;
   const Scene& scene;
-  bool is_first = true;  ///< of two points
+  bool is_first = true;  ///< the next point is the first of two
 
   ArbitraryEffect(Random& from, const Scene& of) : random(from), scene(of) {}
 
@@ -191,7 +191,7 @@ struct ArbitraryEffect : ValueVisitor<ArbitraryEffect> {
   }
 };
 
-/// Whether an effect needs a joint with an angle.
+/// Key visitor that finds out whether an effect needs a joint with an angle.
 struct NeedsAJoint : KeyVisitor {
   bool& found;
   explicit NeedsAJoint(bool& out) : found(out) {}

@@ -1,5 +1,5 @@
 #pragma once
-/// The catalogue's scenes by name, from the source tree. A support of the tests.
+/// Scenes of the catalogue by name, from the source tree. For tests only.
 
 #include <fmt/format.h>
 

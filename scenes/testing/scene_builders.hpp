@@ -1,5 +1,5 @@
 #pragma once
-/// Short spellings for scenes built in code. A support of the tests.
+/// Short functions that build scenes in C++. For tests only.
 
 #include <optional>
 #include <string>
@@ -23,7 +23,7 @@ inline scenes::Side side(int body, std::optional<scenes::Vector3> point = {},
                          std::optional<scenes::Vector3> axis = {}, std::optional<scenes::Vector3> x = {}) {
   return {body, point, {}, axis, x};
 }
-/// A side of dp1 or dp2: a vector instead of an axis.
+/// A side of a dp1 or dp2, which has a vector instead of an axis.
 inline scenes::Side vector_side(int body, const scenes::Vector3& vector) {
   return {body, {}, vector, {}, {}};
 }
@@ -37,8 +37,8 @@ inline scenes::Constraint joint(ConstraintType type, std::string name, scenes::S
   return c;
 }
 
-/// A body, 0, that turns about its own z axis, which is the ground's, beside a torsional spring with a
-/// damper.
+/// One body, number 0, that turns about its z axis on a revolute to the ground, against a torsional spring
+/// with a damper.
 inline scenes::Scene sprung_wheel(double inertia, double speed, double stiffness, double damping) {
   scenes::Scene scene;
   scene.name = "sprung wheel";

@@ -1,5 +1,5 @@
-/// Fuzz target: whatever the text, the reader either says what is wrong with it, or the scene is finite and
-/// physical (shown here by other means than the reader's) and round trips.
+/// Fuzz target. For any text the reader must either throw a SceneError, or return a finite and physical scene
+/// that round-trips. The checks here use other formulas than the reader.
 
 #include <cmath>
 #include <cstdint>
@@ -46,7 +46,7 @@ double determinant(const Matrix3& A) {
   return sum;
 }
 
-/// All principal minors are >= 0, for entries of size 1.
+/// Whether the principal minors of order 1 to 3 are >= 0 up to rounding, for a matrix with entries of size 1.
 bool is_semidefinite(const Matrix3& J) {
   constexpr double tolerance = 1e-10;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -56,7 +56,7 @@ bool is_semidefinite(const Matrix3& J) {
   return determinant(J) >= -tolerance;
 }
 
-/// A mass distribution has the second moment matrix (tr J / 2) I - J, which is semidefinite as J is.
+/// A mass distribution has the second moment matrix (tr J / 2) I - J, which must be semidefinite, as must J.
 void require_physical(const Body& body) {
   Matrix3 J = full(body.inertia);
   double size = 0;
@@ -102,7 +102,7 @@ void require_sound(const Side& i, const Side& j, const Scene& scene) {
   require(i.body != j.body, "two bodies");
 }
 
-/// What an effect shows is sound.
+/// Key visitor that checks the values of an effect.
 struct EffectLaws : ValueVisitor<EffectLaws> {
   const Scene& scene;
   const BodyPoint<double>* other = nullptr;

@@ -8,9 +8,10 @@
 
 namespace trivium::analytic {
 
-/// Position, velocity, acceleration, orientation, angular velocity and acceleration, and the joint's force
-/// and torque on the ground, as MSC ADAMS has them: to about 5e-6 m, on the universal joint to 1e-3 m, as the
-/// exact motions of the same pendulums show. `looser`: how much more is granted there.
+/// Compares poses, velocities, accelerations, and the force and torque of the joint on the ground with curves
+/// of MSC ADAMS. These curves are accurate to about 5e-6 m, on the universal joint to 1e-3 m, as the exact
+/// solutions of the same pendulums show. `looser` is the factor by which the bounds are widened for a less
+/// accurate curve.
 void adams(const std::string& name, double looser, const std::string& formulation, Errors& errors) {
   const TrustedNumbers file(reference_directory(), name);
   const scenes::Scene scene = catalogue_scene(name);

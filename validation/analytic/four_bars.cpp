@@ -6,8 +6,8 @@
 
 namespace trivium::analytic {
 
-/// All rods of the four-bars turn by one angle, which is that of a pendulum that goes round: psi / 2 =
-/// am(...).
+/// All rods of the four-bars turn by the same angle. This angle moves like that of a pendulum that rotates
+/// full turns: psi / 2 = am(rate t - K).
 void four_bars(const std::string& formulation, Errors& errors) {
   const int loops = 2;
   const double inertia = (loops + 1) / 3.0 + loops, weight = 9.81 * ((loops + 1) / 2.0 + loops),
@@ -16,7 +16,7 @@ void four_bars(const std::string& formulation, Errors& errors) {
   for (const MotionSample& s : motion(catalogue_scene("n_four_bar_2"), formulation, 10, 0.25)) {
     double cn, dn;
     const double sn = boost::math::jacobi_elliptic(k, rate * s.state.t - K, &cn, &dn);
-    // psi from the lowest position; the rods' angle from the upright one is psi + pi
+    // psi is the angle from the lowest position; the angle of the rods from the upright position is psi + pi
     const double sin_psi = 2 * sn * cn, cos_psi = 1 - 2 * sn * sn;
     const Vector exact(loops - 0.5 - sin_psi, -cos_psi, 0);
     errors.raise("position [m]", (s.state.pose.back().r - exact).norm(), 1e-6);

@@ -14,8 +14,9 @@ Vector vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 
-/// Euler's equations without moments: omega_bar = (s1 a1 cn, s2 a2 sn, s3 a3 dn) of p t + u0 (Landau and
-/// Lifshitz, Mechanics, paragraph 37), or with 1 and 3 changed where the energy is that of the other kind.
+/// Euler's equations without moments: omega_bar = (s1 a1 cn, s2 a2 sn, s3 a3 dn) with argument p t + u0
+/// (Landau and Lifshitz, Mechanics, paragraph 37). This form holds for L^2 >= 2 T J_2; otherwise axes 1 and 3
+/// are exchanged.
 void free_body(const std::string& name, const std::string& formulation, Errors& errors) {
   const scenes::Scene scene = catalogue_scene(name);
   const auto& diagonal = std::get<scenes::Vector3>(scene.bodies[0].inertia);
@@ -26,7 +27,7 @@ void free_body(const std::string& name, const std::string& formulation, Errors& 
     std::swap(J[0], J[2]);
     std::swap(w[0], w[2]);
   }
-  const double sign = is_other ? -1 : 1;  // of the differences of moments
+  const double sign = is_other ? -1 : 1;  // sign of the differences of moments, which the exchange reverses
   const double a1 = std::sqrt((twice_T * J[2] - L2) / (J[0] * (J[2] - J[0]))),
                a2 = std::sqrt((twice_T * J[2] - L2) / (J[1] * (J[2] - J[1]))),
                a3 = std::sqrt((L2 - twice_T * J[0]) / (J[2] * (J[2] - J[0]))),

@@ -7,8 +7,8 @@ namespace trivium::analytic {
 
 namespace {
 
-/// The angle from the vertical of a pendulum released from the horizontal: sin(theta / 2) = k cd(omega t),
-/// k^2 = 1/2.
+/// The angle [rad] from the vertical of a pendulum released from rest at the horizontal: sin(theta / 2) = k
+/// cd(omega t) with k^2 = 1/2.
 double released_angle(double omega, double t) {
   const double k = std::sqrt(0.5);
   double cn, dn;

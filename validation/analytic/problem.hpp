@@ -1,6 +1,6 @@
 #pragma once
-/// A problem whose solution is known: the largest error of each quantity over its motion, and the bound that
-/// the error is held to. The bounds stand where the quantities are compared.
+/// A problem with a known solution: the largest error of each compared quantity over the motion, and its
+/// bound. The bounds are stated in the code that compares the quantities.
 
 #include <functional>
 #include <string>
@@ -20,7 +20,7 @@ struct Check {
   bool passed() const { return error <= bound; }
 };
 
-/// What a problem is compared in, one after the other.
+/// The errors of all quantities of one problem, in the order of their first comparison.
 struct Errors {
   void raise(const std::string& quantity, double error, double bound) {
     for (Check& c : checks)
@@ -33,13 +33,14 @@ struct Errors {
   std::vector<Check> checks;
 };
 
-/// Compares the motion of one formulation with the known solution.
+/// A problem; `compare` compares the motion in one formulation with the known solution.
 struct Problem {
   std::string name;
   std::function<void(const std::string&, Errors&)> compare;
 };
 
-/// The motion by Fehlberg's method at a relative tolerance of 1e-12, from the scene's state at time 0.
+/// The motion from the scene's state at time 0, by Fehlberg's method (rkf78) with a relative tolerance of
+/// 1e-12.
 std::vector<MotionSample> motion(const scenes::Scene& scene, const std::string& formulation, double end,
                                  double output_step);
 

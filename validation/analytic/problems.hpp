@@ -1,6 +1,6 @@
 #pragma once
-/// The problems with known solutions: a file each. Closed forms, most of them by Jacobi's elliptic functions,
-/// and curves of MSC ADAMS.
+/// The list of the problems with known solutions; each source file holds one kind. Most solutions are closed
+/// forms with Jacobi's elliptic functions; the others are curves of MSC ADAMS.
 
 #include "validation/analytic/problem.hpp"
 
@@ -8,8 +8,8 @@ namespace trivium::analytic {
 
 // pendulums.cpp
 void pendulum(const std::string& formulation, Errors& errors);
-/// A body on a revolute, or on a universal joint that it turns in about one axis, released from the
-/// horizontal; `side` is where its centre was then.
+/// A body on a revolute, or on a universal joint that turns about one axis only, released from rest at the
+/// horizontal. `side` is the direction from the joint to the centre of mass at the release.
 void physical_pendulum(const std::string& name, const Vector& side, const std::string& formulation,
                        Errors& errors);
 
@@ -17,19 +17,20 @@ void physical_pendulum(const std::string& name, const Vector& side, const std::s
 void free_body(const std::string& name, const std::string& formulation, Errors& errors);
 
 // heavy_top.cpp
-/// The axis nutates with the period of its elliptic functions.
+/// The height of the centre of mass is periodic with the nutation period given by elliptic functions; the
+/// spin is constant.
 void heavy_top(const std::string& formulation, Errors& errors);
-/// The same top where it precesses evenly: horizontal, Omega = m g l / (J n).
+/// The same top in steady precession: its axis is horizontal and precesses at Omega = m g l / (J n).
 void steady_precession(const std::string& formulation, Errors& errors);
 
 // four_bars.cpp
 void four_bars(const std::string& formulation, Errors& errors);
 
 // adams_curves.cpp
-/// Against the curves of MSC ADAMS; `looser`: how much more is granted than to most of them.
+/// Compares with curves of MSC ADAMS; the bounds of most quantities are widened by the factor `looser`.
 void adams(const std::string& name, double looser, const std::string& formulation, Errors& errors);
 
-/// All of them, in the order in which they are reported.
+/// All problems, in the order in which they are reported.
 std::vector<Problem> problems();
 
 }  // namespace trivium::analytic

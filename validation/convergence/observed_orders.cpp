@@ -12,7 +12,7 @@ namespace trivium::convergence {
 
 namespace {
 
-/// The floor of errors in double (see Case).
+/// Like Case::floor, for methods that compute in double.
 constexpr double floor_in_double = 1e-14;
 
 Errors floors_of(const std::vector<MotionSample>& exact, double share) {
@@ -27,7 +27,8 @@ Errors floors_of(const std::vector<MotionSample>& exact, double share) {
   return size;
 }
 
-/// The largest of the outputs, with what doubles leave of each.
+/// The largest error of each quantity over the outputs. Both samples are doubles plus a rest (state_rest,
+/// lambda_rest), which keeps the digits of a run in quad.
 Errors errors_of(const std::vector<MotionSample>& found, const std::vector<MotionSample>& exact) {
   Errors e{};
   const auto raise = [&](int quantity, double error) { trivium::raise(e[quantity], error); };
@@ -35,7 +36,7 @@ Errors errors_of(const std::vector<MotionSample>& found, const std::vector<Motio
     return sample.state_rest ? part(*sample.state_rest) : decltype(part(*sample.state_rest))::Zero().eval();
   };
   for (std::size_t k = 0; k < exact.size(); ++k) {
-    // p and -p are one orientation
+    // p and -p are the same orientation
     const auto apart = [&](const auto& part, double sign = 1) {
       return ((part(found[k].state) - sign * part(exact[k].state)) +
               (rest(found[k], part) - sign * rest(exact[k], part)))
@@ -64,7 +65,8 @@ Errors errors_of(const std::vector<MotionSample>& found, const std::vector<Motio
 
 TwoModels::TwoModels(const NamedScene& of) : named(of), in_quad(make_model<Quad>(of.scene, Quad(of.t))) {}
 
-/// At the middle and at the end: where an error happens to pass zero at the one it does not at the other.
+/// The outputs at half time and at the end: an error that passes through zero at one of them does not at the
+/// other.
 std::vector<MotionSample> outputs_of(const TwoModels& models, SimulationOptions options, bool is_double) {
   options.output_step = options.end / 2;
   Samples samples;

@@ -1,5 +1,5 @@
-/// A run that shows no order passes for none: neither rounding, nor NaN, nor a lambda that is not reported,
-/// nor errors that stand still.
+/// A run without an observable order must not pass: neither with rounding errors only, nor with NaN, nor with
+/// a lambda that is not reported, nor with errors that do not decrease.
 
 #include "validation/convergence/observed_orders.hpp"
 
@@ -11,7 +11,7 @@
 namespace trivium::convergence {
 namespace {
 
-/// Errors of order 2 of all four quantities, at 0.1, 0.05 and 0.025, of a method of order 2.
+/// The result of a method of order 2 whose errors are exactly h^2 at h = 0.1, 0.05 and 0.025.
 OrderResult second_order(const std::string& formulation = "r-omega", bool needs_constant_mass = false) {
   OrderResult row{"scene", formulation, "", {"method", "method", {}, 2, 2, 1, needs_constant_mass},
                   {},      {},          {}};
@@ -53,7 +53,8 @@ TEST(ObservedOrders, AnErrorThatIsNoNumberFailsAtEveryLevel) {
       }
 }
 
-/// Where the mass matrix depends on positions: r of order 1 or 2, or in between; but it falls with v.
+/// If the mass matrix depends on positions, r may show any order from 1 to 2, or stand still once, but must
+/// stay below t v.
 TEST(ObservedOrders, PositionsFallWithVelocities) {
   const auto row_of = [](double last) {
     OrderResult row = second_order("r-p", true);

@@ -14,7 +14,7 @@ void plot(const std::vector<OrderResult>& rows, const std::string& scene, const 
           const std::string& file) {
   std::string data;
   std::array<std::vector<std::string>, 4> curves;
-  std::array<std::map<int, std::array<double, 2>>, 4> lowest;  // by order: where its lowest line begins
+  std::array<std::map<int, std::array<double, 2>>, 4> lowest;  // by order: end of its lowest curve
   for (const OrderResult& row : rows) {
     if (row.scene != scene || row.formulation != formulation || !row.solved()) continue;
     const std::size_t n = curves[0].size() + 1;
@@ -41,7 +41,7 @@ void plot(const std::vector<OrderResult>& rows, const std::string& scene, const 
     panels += "unset object\nunset label\n";
     int n = 0;
     for (const auto& [order, from] : lowest[k]) {
-      // below the line: one step to the right, and up by the order
+      // a triangle below the curve: to the right by a factor 1.7 in h, upwards by 1.7^order
       const double h = from[0], wide = 1.7 * h, low = from[1] / 4, high = low * std::pow(1.7, order);
       panels += fmt::format(
           "set object {0} polygon from {1:.5g},{2:.5g} to {3:.5g},{2:.5g} to {3:.5g},{4:.5g} to "

@@ -1,6 +1,6 @@
 #pragma once
-/// Errors over steps as a figure, with triangles of the published slopes. A method has its order where its
-/// line is parallel to its triangle.
+/// Draws errors against step size, with triangles of the published slopes. A method has its published order
+/// where its curve is parallel to its triangle.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace trivium::convergence {
 
-/// Draws to an SVG file, by gnuplot: a panel a quantity and a line a method, of one scene in one formulation.
+/// Draws one scene in one formulation to an SVG file with gnuplot: one panel for each quantity, one curve for
+/// each method.
 void plot(const std::vector<OrderResult>& rows, const std::string& scene, const std::string& formulation,
           const std::string& file);
 

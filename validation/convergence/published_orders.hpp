@@ -1,6 +1,7 @@
 #pragma once
-/// The order that is published of every method, of r, v and lambda and of the method's own lambda. Decided
-/// here: the runs that show this order, by scene, steps, and the size down to which errors tell an order.
+/// The published order of every method, for r, v and lambda and for the method's own ("raw") lambda. This
+/// file also decides which runs show this order: the scene, the number of steps, and the smallest error that
+/// is not rounding.
 
 #include <string>
 #include <vector>
@@ -12,19 +13,21 @@ namespace trivium::convergence {
 struct Case {
   std::string label, method;
   integrators::MethodParameters parameters;
-  int order, raw_order;  ///< of the method's own lambda; 0: it has none
-  int steps;             ///< of the coarsest run
-  /// Where the mass matrix depends on the position the order falls, to between 1 and what it is elsewhere.
+  int order, raw_order;  ///< order of the method's raw lambda; 0 if the method has no lambda of its own
+  int steps;             ///< number of steps of the coarsest run
+  /// The order is lower if the mass matrix depends on the position: between 1 and the published order.
   bool needs_constant_mass = false;
-  bool is_double = false;  ///< of a library that computes in double alone: errors stay above its rounding
-  /// Where it is measured unless scenes are named: on the slider-crank some errors first fall faster.
+  bool is_double = false;  ///< the method belongs to a library that computes in double only
+  /// The scene that is used if the command line names none. On the slider-crank some errors first decrease
+  /// too fast.
   std::string scene = "spatial_slider_crank";
-  /// An error tells an order where it is above this share of what it is an error of: in quad, starts differ
-  /// as projections of a scene's doubles do.
+  /// Errors below this fraction of their quantity show no order [-]. In quad the limit is the difference
+  /// between initial states: the scene's positions are doubles, and projections onto the constraints differ
+  /// by their rounding.
   double floor = 1e-16;
 };
 
-/// All methods that take given steps, at every order that is theirs to choose.
+/// All methods with given steps; methods with a choice of orders at each of these orders.
 std::vector<Case> cases();
 
 }  // namespace trivium::convergence

@@ -1,7 +1,8 @@
-/// DART, in a module of its own: it exchanges Eigen objects with a library that was built for plain x86-64,
-/// and where the rest of the program is built for this processor, Eigen's objects are aligned otherwise
-/// there. No inline function of Eigen may be shared between the two, so the module is loaded privately, at
-/// run time, and shows one function, which names no type of either.
+/// The engine DART, in a separate module. It exchanges Eigen objects with the DART library, which was built
+/// for plain x86-64. If the rest of the program is built for the native processor, Eigen aligns its objects
+/// differently there, so that no inline function of Eigen may be shared between the two. The module is
+/// therefore loaded privately at run time, and exports one function whose signature contains no type of Eigen
+/// or DART.
 
 #include <dart/dynamics/BallJoint.hpp>
 #include <dart/dynamics/BodyNode.hpp>
@@ -54,7 +55,8 @@ class Dart : public Engine {
       body_[b]->setExtForce(vector(scene.loads[b].force), Eigen::Vector3d::Zero(), false, true);
       body_[b]->setExtTorque(vector(scene.loads[b].torque), false);
     }
-    // DART keeps what belongs to coordinates that do not change, so they change in a digit without weight
+    // DART caches quantities that depend on the positions. Two positions that differ by a negligible 1e-18
+    // force it to compute them again in every evaluation.
     for (const double step : {1e-18, 2e-18})
       positions_.push_back(Eigen::VectorXd::Constant(static_cast<int>(skeleton_->getNumDofs()), step));
   }

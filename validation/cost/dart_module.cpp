@@ -1,4 +1,4 @@
-/// Loads the module that DART lives in.
+/// Loads the module dart_engine.cpp at run time.
 
 #include <dlfcn.h>
 

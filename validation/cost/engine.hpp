@@ -1,6 +1,7 @@
 #pragma once
-/// An engine at one state of one scene: evaluates the accelerations as often as it is asked to, all of it
-/// anew every time. C++17 and standard types only, because some engines cannot live beside our headers.
+/// The interface of an engine at one state of one scene. Every call of evaluate() computes the accelerations
+/// anew. The file uses C++17 and standard types only, because some engines cannot be compiled together with
+/// Trivium's headers.
 
 #include <array>
 #include <stdexcept>
@@ -10,7 +11,8 @@ namespace trivium::cost {
 
 using Vector3 = std::array<double, 3>;
 
-/// The engine does not take the scene, or would take too long or too much memory: why, in words.
+/// The error of an engine that does not accept the scene, or would need too much time or memory. The message
+/// says why.
 class NotTaken : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -20,12 +22,12 @@ class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// What is timed.
+  /// Evaluates the accelerations; this call is timed.
   virtual void evaluate() = 0;
 
-  /// Of the centres of mass, global, as last evaluated.
+  /// The accelerations r'' [m/s^2] of the centres of mass of the last evaluation, global frame.
   virtual std::vector<Vector3> r_ddot() = 0;
-  /// One multiplier per row of the scene, as last evaluated; empty where the engine has none.
+  /// The multipliers of the last evaluation, one for each row of the scene; empty if the engine has none.
   virtual std::vector<double> lambda() { return {}; }
 };
 

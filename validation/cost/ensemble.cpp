@@ -43,13 +43,13 @@ Matrix3<double> axes_of(const JointFrame<double>& frame) {
   return axes;
 }
 
-/// An open arm: each joint turns its body j against i, which comes before.
+/// An open chain. Each joint turns its body j relative to body i, which comes earlier in the list.
 class Arm {
  public:
   explicit Arm(const scenes::Scene& scene)
       : mechanism(make_mechanism<double>(scene)), at_rest_(make_state<double>(scene, 0.0)) {}
 
-  /// The angle of joint k in the scene's own state.
+  /// The angle [rad] of joint k in the state that the scene file states.
   double own_angle(std::size_t k) const {
     const Joint<double>& joint = mechanism.joints[k];
     const Matrix3<double> A_i = joint.i == mechanism.ground() ? Matrix3<double>(Matrix3<double>::Identity())
@@ -88,7 +88,7 @@ class Arm {
   MechanismState<double> at_rest_;
 };
 
-/// Random states in every engine's coordinates.
+/// Random states, in the coordinates of all engines: joint angles and rates, and Trivium's states.
 struct Portion {
   std::vector<std::vector<double>> angles, rates;
   States states;
@@ -125,13 +125,13 @@ class Ensemble {
   std::mt19937_64 engine_{7};
 };
 
-/// One engine over the states of a portion.
+/// One engine, which solves all states of a portion.
 struct Sweep {
   Measurement row;
   std::function<void(const Portion&)> take;
   std::function<void()> all;
   std::function<std::vector<Vector3>(int)> r_ddot;
-  std::vector<double> seconds;  ///< of each portion
+  std::vector<double> seconds;  ///< CPU time of each portion [s]
 };
 
 Sweep our_sweep(const Measurement& row, const StateSweep& sweep) {
@@ -218,7 +218,7 @@ std::vector<Measurement> measure_ensemble(int states) {
         const QuadSolution exact = ensemble.exact(portion.states[static_cast<std::size_t>(n)]);
         for (Sweep& sweep : all) {
           const double error = exact.error_of(sweep.r_ddot(n)), worst = sweep.row.error.value_or(0);
-          sweep.row.error = error <= worst || std::isnan(worst) ? worst : error;  // a NaN goes in and stays
+          sweep.row.error = error <= worst || std::isnan(worst) ? worst : error;  // once NaN, always NaN
         }
       }
     std::shuffle(order.begin(), order.end(), engine);

@@ -1,6 +1,6 @@
 #pragma once
-/// One mechanism at many states: how many a second on one core. This is how controllers and optimisers call a
-/// solver, so engines that take many states at once may.
+/// Solves one mechanism at many states and measures the time per state on one core. Controllers and
+/// optimisers call a solver in this way; engines may therefore solve several states at once.
 
 #include <vector>
 
@@ -8,9 +8,9 @@
 
 namespace trivium::cost {
 
-/// The catalogue's arm of seven joints under gravity alone, at so many random angles and rates, rounded up to
-/// whole portions. Every engine goes through a portion, then the next is drawn; microseconds are the median
-/// over the portions, of one state; errors the largest over some of the states.
+/// The catalogue's arm of seven joints under gravity, at `states` random angles and rates, rounded up to
+/// whole portions. Every engine solves one portion before the next is drawn. The time in microseconds is per
+/// state, and the median over the portions; errors are the largest over some of the states.
 std::vector<Measurement> measure_ensemble(int states);
 
 }  // namespace trivium::cost

@@ -17,13 +17,13 @@ namespace trivium::cost {
 
 namespace {
 
-/// A solver of the exact equations that is further off has failed; soft constraints are.
+/// An engine with a larger relative error has failed [-]. Engines with soft constraints are not judged.
 constexpr double largest_error = 1e-3;
 
 struct Entrant {
   Measurement row;
   std::function<std::unique_ptr<Engine>()> make;
-  bool is_exact = true;  ///< solves the equations, and not softer ones
+  bool is_exact = true;  ///< the engine solves the exact equations, without softening of the constraints
 };
 
 std::vector<Entrant> entrants(const TimedScene& timed, const PeerScene& peer_scene) {
@@ -56,11 +56,13 @@ double kilobytes_on_heap() {
   return static_cast<double>(info.uordblks + info.hblkhd) / 1024;
 }
 
-/// The engine at work, once; nothing where it cannot, and then the row says why.
+/// Creates the engine and evaluates once. If the engine cannot, the result is null and the row's note says
+/// why.
 std::unique_ptr<Engine> try_out(Entrant& entrant, const QuadSolution& exact) {
   Measurement& row = entrant.row;
   try {
-    entrant.make();  // an engine may keep what it read last: the heap is compared from the second on
+    entrant.make();  // the first engine may fill caches that stay; the heap is therefore measured with the
+                     // second one
     const double before = kilobytes_on_heap();
     auto engine = entrant.make();
     engine->evaluate();

@@ -1,6 +1,6 @@
 #pragma once
-/// All engines on one scene: what each takes, and how exact it is. Engines are timed in turn, in random order
-/// (timing.hpp); errors are distances from the solution in quad.
+/// Measures all engines on one scene: computing time and accuracy. Engines are timed in random order
+/// (timing.hpp); errors are differences from the solution in quad.
 
 #include <optional>
 #include <string>
@@ -15,13 +15,14 @@ namespace trivium::cost {
 struct Measurement {
   std::string scene, family;
   int n = 0, bodies = 0;
-  std::string engine, formulation, refinement;  ///< the last two empty where they are ours alone
-  std::optional<double> microseconds;           ///< none: `note` says why
-  std::optional<double> ratio;                  ///< to r-omega, refined
+  /// Only Trivium and the sparse solvers have a formulation; only Trivium has a refinement.
+  std::string engine, formulation, refinement;
+  std::optional<double> microseconds;  ///< empty if not timed; `note` says why
+  std::optional<double> ratio;         ///< ratio to r-omega refined [-]
   std::optional<double> error, lambda_error;
-  std::optional<double> kilobytes;  ///< on the heap, scene and all, after an evaluation
+  std::optional<double> kilobytes;  ///< heap memory of scene and engine after one evaluation [KiB]
   std::string note;
-  bool failed = false;  ///< the engine tried and could not
+  bool failed = false;  ///< the engine accepted the scene, but could not solve it
   bool ours = false;
 
   double microseconds_per_body() const { return *microseconds / bodies; }
@@ -29,15 +30,15 @@ struct Measurement {
 
 inline constexpr const char* our_name = "Trivium";
 
-/// The row as one of ours.
+/// The row, completed as a measurement of Trivium.
 Measurement of_ours(Measurement row, const std::string& formulation, Refined refined);
 
-/// An engine that needs more than this for one evaluation is not timed.
+/// An engine that needs more time [s] for one evaluation is not timed.
 inline constexpr double most_seconds = 2;
 
 std::vector<Measurement> measure(const TimedScene& scene, const Timing& timing);
 
-/// Sets every ratio from the time of r-omega, refined, if that is there.
+/// Sets the ratios of all rows to the time of r-omega refined. Without that row they stay empty.
 void set_ratios(std::vector<Measurement>& rows);
 
 }  // namespace trivium::cost

@@ -13,7 +13,7 @@ namespace trivium::cost {
 
 namespace {
 
-/// MuJoCo would end the program.
+/// Replaces MuJoCo's error handler, which would end the program.
 void throw_error(const char* message) { throw std::runtime_error(message); }
 void ignore_warning(const char*) {}
 
@@ -61,7 +61,7 @@ class Mujoco : public MujocoEngine {
 
   void evaluate() override { mj_forward(model_.get(), data_.get()); }
 
-  /// What the solver warned of: it goes on with a system that is not the scene's.
+  /// Throws MuJoCo's warnings: after a warning, MuJoCo continues with a modified system.
   void throw_warnings() const {
     for (int k = 0; k < mjNWARNING; ++k)
       if (data_->warning[k].number > 0)
@@ -73,7 +73,7 @@ class Mujoco : public MujocoEngine {
     mj_rnePostConstraint(model_.get(), data_.get());
     std::vector<Vector3> r_ddot;
     for (const int b : body_) {
-      mjtNum a[6];  // turning, then moving; it has gravity taken out
+      mjtNum a[6];  // angular, then linear acceleration; gravity is subtracted, and added again below
       mj_objectAcceleration(model_.get(), data_.get(), mjOBJ_BODY, b, a, 0);
       r_ddot.push_back({a[3] + gravity_[0], a[4] + gravity_[1], a[5] + gravity_[2]});
     }
@@ -89,10 +89,11 @@ class Mujoco : public MujocoEngine {
   Vector3 gravity_;
   Model model_;
   std::unique_ptr<mjData, Free> data_;
-  std::vector<int> body_;  ///< MuJoCo's index of each of ours
+  std::vector<int> body_;  ///< MuJoCo's index of each body of the scene
 };
 
-/// Entries of MuJoCo's mass matrix: every degree of freedom has one with each that it hangs on.
+/// The number of entries of MuJoCo's mass matrix: each degree of freedom has one entry with each of its
+/// ancestors.
 double mass_matrix_entries(const PeerScene& scene) {
   std::vector<double> freedoms(scene.tree.size());
   double entries = 0;

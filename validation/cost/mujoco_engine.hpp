@@ -1,6 +1,6 @@
 #pragma once
-/// MuJoCo at one state, or at many of the same scene. Its model is read from text (mujoco_text.hpp), before
-/// anything is timed.
+/// The engine MuJoCo at one state, or at many states of the same scene. The model is read from text
+/// (mujoco_text.hpp) before any timing.
 
 #include <span>
 
@@ -16,7 +16,7 @@ class MujocoEngine : public Engine {
   virtual void set_state(std::span<const double> qpos, std::span<const double> qvel) = 0;
 };
 
-/// Throws like mujoco_engine.
+/// Throws as mujoco_engine does (peers.hpp).
 std::unique_ptr<MujocoEngine> mujoco_engine_with_states(const PeerScene& scene);
 
 }  // namespace trivium::cost

@@ -10,7 +10,7 @@ namespace trivium::cost {
 
 namespace {
 
-/// Its parser, tinyxml2, nests 100 deep.
+/// MuJoCo's parser, tinyxml2, accepts at most 100 nested elements.
 constexpr int most_nested = 80;
 
 template <class Numbers>
@@ -18,8 +18,8 @@ std::string list(const Numbers& numbers) {
   return fmt::format("{}", fmt::join(numbers, " "));
 }
 
-/// The tree depth first, as MuJoCo numbers it: `enter` and `leave` see each body and its depth. Chains are
-/// too deep to recurse.
+/// Visits the tree depth first, the order in which MuJoCo numbers the bodies. `enter` and `leave` get each
+/// body and its depth. The walk uses an explicit stack, because long chains are too deep for recursion.
 class DepthFirst {
  public:
   explicit DepthFirst(const PeerScene& scene) : scene_(scene), children_(scene.tree.size() + 1) {
@@ -54,7 +54,7 @@ class DepthFirst {
 
  private:
   const PeerScene& scene_;
-  std::vector<std::vector<std::size_t>> children_;  ///< of each branch; the ground's last
+  std::vector<std::vector<std::size_t>> children_;  ///< of each branch; the last entry is the ground's
 };
 
 std::string inertial(const simbody::Body& body) {
@@ -77,7 +77,8 @@ std::string joints(const TreeJoint& branch) {
   return out;
 }
 
-/// A point of the first body, by default of the joint, that the second body holds.
+/// A point of the first body that is fixed to the second body: the joint's point, or with `beside` a point 1
+/// m along the joint's axis.
 std::string connect(const simbody::Joint& joint, bool beside) {
   const bool turned = joint.i == ground;
   const int first = turned ? joint.j : joint.i, second = turned ? joint.i : joint.j;
@@ -99,7 +100,7 @@ std::string closing(const PeerScene& scene, const simbody::Joint& joint) {
 }  // namespace
 
 std::vector<TextFile> mujoco_files(const PeerScene& scene) {
-  // a body whose depth is a multiple of the limit goes to a file of its own
+  // a body whose depth is a multiple of most_nested starts a new file
   std::vector<TextFile> done, open{{"model.xml", ""}};
   int included = 0;
   DepthFirst(scene).walk(

@@ -1,6 +1,7 @@
 #pragma once
-/// A scene in MuJoCo's language, MJCF: bodies nested by joints, and what closes loops as equality
-/// constraints. MuJoCo reads it as text, so numbers have all their digits.
+/// Writes a scene in MuJoCo's language MJCF: bodies nested by the joints of the tree, and equality
+/// constraints for the closing joints. MuJoCo reads the model as text, so numbers are written with all
+/// digits.
 
 #include <string>
 #include <vector>
@@ -13,12 +14,12 @@ struct TextFile {
   std::string name, text;
 };
 
-/// MJCF whose reference pose is the scene's: all joint coordinates are zero there. Bodies `b<index>`, joints
-/// in the order of the tree, depth first. The first file is the model; what nests deeper than MuJoCo's parser
-/// goes is in files that it includes. Throws NotTaken.
+/// The MJCF of a scene. Its reference pose is the scene's state, so that all joint coordinates are zero
+/// there. Bodies are called `b<index>`; joints are in depth-first order. The first file is the model; it
+/// includes the other files, which hold bodies that nest too deeply for MuJoCo's parser. Throws NotTaken.
 std::vector<TextFile> mujoco_files(const PeerScene& scene);
 
-/// The velocities of all joints in the order of that text.
+/// The velocities of all joints, in the order of that text.
 std::vector<double> mujoco_velocities(const PeerScene& scene);
 
 }  // namespace trivium::cost

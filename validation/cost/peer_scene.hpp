@@ -1,6 +1,6 @@
 #pragma once
-/// A scene as other engines are told of it: a spanning tree of joints in relative coordinates that all vanish
-/// at the scene's state, and what closes its loops. Plain C++17 data.
+/// A scene in the form that other engines get: a spanning tree of joints with relative coordinates that
+/// vanish at the scene's state, and the closing joints. Plain C++17 data.
 
 #include <string>
 #include <vector>
@@ -11,13 +11,13 @@
 namespace trivium::cost {
 
 using simbody::ground;
-using Quaternion = std::array<double, 4>;  ///< unit, e0 first
+using Quaternion = std::array<double, 4>;  ///< unit quaternion; e0 first
 
-/// How a body hangs in the tree.
+/// The joint by which a body is attached to its parent in the tree.
 struct TreeJoint {
   enum class Kind { axes, ball, free };
-  /// A hinge or a slide, in the frame of the child at the scene's state; several act one after the other, the
-  /// parent's first.
+  /// One axis of rotation or translation, in the child's frame at the scene's state. If a joint has several
+  /// axes, they act in order, starting at the parent.
   struct Axis {
     bool slides = false;
     Vector3 direction{};
@@ -25,18 +25,18 @@ struct TreeJoint {
   };
 
   int body = 0, parent = ground;
-  int joint = -1;         ///< of the model, -1: none, the body is free
-  bool reversed = false;  ///< the parent is the joint's body j
-  Vector3 position{};     ///< of the child's frame in the parent's, at the scene's state
+  int joint = -1;         ///< index of the joint in the model; -1: no joint, the body is free
+  bool reversed = false;  ///< whether the parent is body j of the joint
+  Vector3 position{};     ///< origin of the child's frame, in the parent's frame, at the scene's state
   Quaternion orientation{1, 0, 0, 0};
-  Vector3 point{};  ///< of the joint, in the child's frame
+  Vector3 point{};  ///< point of the joint, in the child's frame
   Kind kind = Kind::axes;
-  std::vector<Axis> axes;      ///< none: welded
-  Vector3 angular_velocity{};  ///< ball, free: relative, in the child's frame
-  Vector3 velocity{};          ///< free: of the child's origin, global
+  std::vector<Axis> axes;      ///< empty: welded
+  Vector3 angular_velocity{};  ///< for ball and free: relative to the parent, in the child's frame
+  Vector3 velocity{};          ///< for free: velocity of the child's origin, global frame
 };
 
-/// Global, at the centre of mass.
+/// A force and a torque on a body, global frame, at the centre of mass.
 struct Load {
   Vector3 force{}, torque{};
 };
@@ -44,10 +44,10 @@ struct Load {
 struct PeerScene {
   simbody::Model model;
   Vector3 gravity{};
-  std::vector<Load> loads;  ///< what effects other than gravity do to each body at this state; empty: none
+  std::vector<Load> loads;      ///< per body, by effects other than gravity; empty if all are zero
   std::vector<TreeJoint> tree;  ///< parents before children
   std::vector<int> closings;    ///< joints of the model that are not in the tree
-  /// All joints are revolutes about one direction: where one closes a loop, its point is all that it adds.
+  /// All joints are revolutes with parallel axes: a closing joint then only needs to fix its point.
   bool is_planar = false;
 };
 

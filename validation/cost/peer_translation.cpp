@@ -31,7 +31,7 @@ void raise_moments(simbody::Matrix3& inertia) {
   for (std::size_t k = 0; k < 3; ++k) inertia[k] = plain(J.row(static_cast<int>(k)));
 }
 
-/// A body's pose and velocity; the ground's are zero.
+/// Pose and velocity of a body, global frame. The ground rests at the origin.
 struct Motion {
   V r = V::Zero(), r_dot = V::Zero(), omega = V::Zero();
   V4 p = V4::Unit(0);
@@ -50,10 +50,11 @@ Motion motion_of(const simbody::Model& model, int body) {
   return motion;
 }
 
-/// Breadth first from the ground, joints in file order; Simbody's side grows the same tree.
+/// The spanning tree, breadth first from the ground, joints in file order. Simbody's translation builds the
+/// same tree.
 std::vector<TreeJoint> spanning_tree(const simbody::Model& model) {
   const std::size_t nb = model.bodies.size();
-  std::vector<std::vector<int>> joints_of(nb + 1);  // the ground's last
+  std::vector<std::vector<int>> joints_of(nb + 1);  // the last entry is the ground's
   const auto node = [nb](int body) { return body == ground ? nb : static_cast<std::size_t>(body); };
   for (std::size_t k = 0; k < model.joints.size(); ++k)
     for (const int end : {model.joints[k].i, model.joints[k].j})
@@ -91,7 +92,7 @@ std::vector<TreeJoint> spanning_tree(const simbody::Model& model) {
   return tree;
 }
 
-/// The axes that a joint leaves free, in the child's frame.
+/// The axes of a joint's free motions, in the child's frame.
 std::vector<TreeJoint::Axis> free_axes(const simbody::Joint& joint, bool reversed, const M& A_parent,
                                        const M& A_child) {
   const simbody::JointFrame& on_parent = reversed ? joint.frame_j : joint.frame_i;
@@ -122,7 +123,7 @@ std::vector<TreeJoint::Axis> free_axes(const simbody::Joint& joint, bool reverse
   return {};
 }
 
-/// Relative coordinates that vanish at this state, and their rates.
+/// Sets the pose of the child relative to the parent, and the rates of the relative coordinates.
 void place(TreeJoint& branch, const simbody::Model& model) {
   const Motion parent = motion_of(model, branch.parent), child = motion_of(model, branch.body);
   branch.position = plain(parent.A.transpose() * (child.r - parent.r));
@@ -145,7 +146,7 @@ void place(TreeJoint& branch, const simbody::Model& model) {
     return;
   }
   branch.axes = free_axes(joint, branch.reversed, parent.A, child.A);
-  // the velocity of the child's point less that of the parent's point that is there
+  // velocity of the joint's point on the child, minus the velocity of the parent's point at the same place
   const V arm = child.A * vector(branch.point);
   const V velocity = child.A.transpose() * (child.r_dot + child.omega.cross(arm) - parent.r_dot -
                                             parent.omega.cross(child.r + arm - parent.r));
@@ -162,7 +163,7 @@ void place(TreeJoint& branch, const simbody::Model& model) {
   for (std::size_t k = 0; k < branch.axes.size(); ++k) branch.axes[k].rate = rates[static_cast<int>(k)];
 }
 
-/// The wrenches of all effects but gravity; empty where there are none.
+/// The loads of all effects except gravity; empty if all are zero.
 std::vector<Load> loads_of(const scenes::Scene& scene) {
   const auto mechanism = make_mechanism<double>(scene);
   const auto state = make_state<double>(scene, 0.0);

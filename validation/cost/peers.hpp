@@ -1,6 +1,6 @@
 #pragma once
-/// The engines of others, as far as they were installed when this was built. Each function throws NotTaken
-/// for what its engine does not take, and std::runtime_error for what it cannot do.
+/// Engines of other projects, if they were installed when the program was built. Each function throws
+/// NotTaken if the engine does not accept the scene, and std::runtime_error if the engine fails on it.
 
 #include <memory>
 #include <string>
@@ -15,19 +15,20 @@ struct Peer {
   std::unique_ptr<Engine> (*make)(const PeerScene&);
 };
 
-/// Those that are there.
+/// The engines that are available.
 std::vector<Peer> peers();
-/// The packages of those that are not.
+/// The packages of the engines that are not available.
 std::vector<std::string> missing_peers();
 
-/// A tree of mobilizers, realised to Stage::Acceleration; closing joints by Simbody's own constraints, those
-/// that the tree satisfies by itself disabled.
+/// Simbody: a tree of mobilizers, realised to Stage::Acceleration. Closing joints become Simbody's own
+/// constraints; rows that the tree satisfies identically are disabled.
 std::unique_ptr<Engine> simbody_engine(const PeerScene& scene);
-/// mj_forward, contacts and all that costs and is not asked for switched off; closing joints by soft
-/// `connect` equalities, as stiff as they go. Of a closing's acceleration MuJoCo leaves out what stems from
-/// velocities: an error of the size of those terms where the scene moves (ring_12: 0.2 moving, 8e-6 at rest).
+/// MuJoCo: mj_forward, with contacts and other unneeded features switched off. Closing joints become
+/// `connect` equalities, which are soft, with the highest stiffness possible. MuJoCo omits the
+/// velocity-dependent terms of their accelerations: the error is of the size of these terms if the scene
+/// moves (ring_12: 0.2 moving, 8e-6 at rest).
 std::unique_ptr<Engine> mujoco_engine(const PeerScene& scene);
-/// Skeleton::computeForwardDynamics, of trees.
+/// DART: Skeleton::computeForwardDynamics; trees only.
 std::unique_ptr<Engine> dart_engine(const PeerScene& scene);
 
 }  // namespace trivium::cost

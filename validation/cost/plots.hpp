@@ -1,5 +1,6 @@
 #pragma once
-/// Time per body against n, as SVG, by gnuplot. An engine of linear cost is a level line there.
+/// Plots the time per body against n as SVG files with gnuplot. An engine with linear cost is a horizontal
+/// line.
 
 #include <filesystem>
 #include <vector>
@@ -8,8 +9,8 @@
 
 namespace trivium::cost {
 
-/// FOLDER/chain.svg and FOLDER/ladder.svg, of those families that have several sizes. Throws
-/// std::runtime_error where gnuplot fails.
+/// Writes FOLDER/chain.svg and FOLDER/ladder.svg, if these families were measured with several sizes. Throws
+/// std::runtime_error if gnuplot fails.
 void write_plots(const std::vector<Measurement>& rows, const std::filesystem::path& folder);
 
 }  // namespace trivium::cost

@@ -54,7 +54,7 @@ QuadSolution quad_solution(const scenes::Scene& scene) {
   try {
     TriviumEngine<ROmega<Quad>> quad(scene, Refined::yes);
     quad.evaluate();
-    // which multipliers are unique does not take quad, and would take long there
+    // The analysis of unique multipliers is made in double: quad is not needed and would take long.
     return {quad.r_ddot(), quad.lambda(), unique_multipliers(scene)};
   } catch (const ModelError&) {
     return as_printed(scene);

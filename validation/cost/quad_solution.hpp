@@ -1,6 +1,6 @@
 #pragma once
-/// The solution that all engines are measured against: r-omega in quad. Here too is the distance of an
-/// engine's accelerations and multipliers from it.
+/// The reference solution for all engines: r-omega in quad. The file also defines the errors of an engine's
+/// accelerations and multipliers relative to this solution.
 
 #include <vector>
 
@@ -9,19 +9,20 @@
 
 namespace trivium::cost {
 
-/// Rounded to double.
+/// The solution, rounded to double.
 struct QuadSolution {
   std::vector<Vector3> r_ddot;
   std::vector<double> lambda;
-  std::vector<bool> unique;  ///< per row: its multiplier is determined
+  std::vector<bool> unique;  ///< per row: whether the multiplier is unique
 
-  /// The largest difference over the bodies, relative to the largest acceleration.
+  /// The largest difference of a body's r'', relative to the largest r'' [-].
   double error_of(const std::vector<Vector3>& other) const;
-  /// The norm of the difference relative to that of lambda, both over the unique rows.
+  /// The norm of the difference of lambda relative to the norm of lambda, both over the unique rows [-].
   double lambda_error_of(const std::vector<double>& other) const;
 };
 
-/// By the structured solver, or as printed where that cannot. Throws ModelError.
+/// Solves the scene with the structured solver, or with the printed system if the structured solver cannot.
+/// Throws ModelError.
 QuadSolution quad_solution(const scenes::Scene& scene);
 
 }  // namespace trivium::cost

@@ -26,7 +26,7 @@ class Simbody : public Engine {
   }
 
   void evaluate() override {
-    state_.updQ();  // invalidates Stage::Position
+    state_.updQ();  // invalidates Stage::Position, so that all is computed again
     system_.realize(state_, SimTK::Stage::Acceleration);
   }
 
@@ -53,7 +53,7 @@ class Simbody : public Engine {
   SimTK::State state_;
 };
 
-/// Simbody factors the dense matrix of all closing rows: beyond this many it takes seconds.
+/// Simbody factors a dense matrix of all closing rows; with more closing joints an evaluation takes seconds.
 constexpr std::size_t most_closings = 150;
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 using F = ROmega<double>;
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// As AugmentedSystem prints it, nothing dense on the way.
+/// The printed system of AugmentedSystem, assembled without a dense matrix.
 struct System {
   int nb = 0, nc = 0;
   Sparse K;

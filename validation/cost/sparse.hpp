@@ -1,7 +1,7 @@
 #pragma once
-/// Sparse solvers of general use on the printed augmented matrix of r-omega: the pattern is analysed once,
-/// and an evaluation is numeric factorisation and solve. The matrix is not assembled anew, which favours
-/// them.
+/// General sparse solvers applied to the printed augmented matrix of r-omega. The pattern is analysed once;
+/// an evaluation is a numeric factorisation and a solution. The matrix is not assembled again, which favours
+/// these solvers.
 
 #include <memory>
 #include <string>
@@ -12,10 +12,11 @@
 
 namespace trivium::cost {
 
-/// Eigen's, and SuiteSparse's where it is installed.
+/// The names of Eigen's solvers, and of SuiteSparse's if it is installed.
 std::vector<std::string> sparse_solvers();
 
-/// Throws std::runtime_error where the solver does, and so does evaluate(); ModelError.
+/// The engine with this solver. This function and evaluate() throw std::runtime_error if the solver fails;
+/// this function also throws ModelError.
 std::unique_ptr<Engine> sparse_engine(const scenes::Scene& scene, const std::string& solver);
 
 }  // namespace trivium::cost

@@ -16,7 +16,7 @@ namespace trivium::cost {
 
 namespace {
 
-/// How many states a Scalar holds, and how they come in and out.
+/// The number of states that a Scalar holds, and functions that pack and unpack them.
 template <class S>
 struct Lanes;
 template <>

@@ -1,6 +1,6 @@
 #pragma once
-/// Our solver over many states of one mechanism: one by one, or as many at once as a vector register holds
-/// numbers (bodies/numbers/batch.hpp). Both give the same accelerations.
+/// Trivium's solver over many states of one mechanism: one state at a time, or as many at once as a vector
+/// register holds numbers (bodies/numbers/batch.hpp). Both give the same accelerations.
 
 #include <functional>
 #include <string>
@@ -17,15 +17,15 @@ using States = std::vector<MechanismState<double>>;
 
 struct StateSweep {
   std::function<void(const States&)> take;
-  std::function<void()> all;                        ///< solves at all that were taken
-  std::function<std::vector<Vector3>(int)> r_ddot;  ///< at one of them
+  std::function<void()> all;                        ///< solves all states of the last take()
+  std::function<std::vector<Vector3>(int)> r_ddot;  ///< solution at one of these states
 };
 
 inline constexpr int register_lanes = native_lanes<double>;
 
-/// In the formulation of that name; throws a ModelError where there is none.
+/// Solves one state at a time. Throws a ModelError if there is no formulation with this name.
 StateSweep one_by_one(const Mechanism<double>& mechanism, const std::string& formulation, Refined refined);
-/// `register_lanes` at once; the states' number is a multiple of that.
+/// Solves `register_lanes` states at once. The number of states must be a multiple of register_lanes.
 StateSweep in_batches(const Mechanism<double>& mechanism, const std::string& formulation, Refined refined);
 
 }  // namespace trivium::cost

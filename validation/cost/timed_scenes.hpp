@@ -1,6 +1,6 @@
 #pragma once
-/// The scenes that engines are timed on: members of a family of any size, made by their names, and scenes of
-/// the catalogue or of files. Decides which are timed where none is named.
+/// The scenes on which engines are timed: generated scenes of any size, selected by name, and scenes from the
+/// catalogue or from files. This file also decides which scenes are timed if the command line names none.
 
 #include <string>
 #include <vector>
@@ -10,17 +10,17 @@
 namespace trivium::cost {
 
 struct TimedScene {
-  std::string name;    ///< chain_100, stewart_platform ...
-  std::string family;  ///< chain, ladder ...; the name where there is no n
-  int n = 0;           ///< bars or loops; 0: not one of a family
+  std::string name;    ///< for example chain_100, stewart_platform
+  std::string family;  ///< for example chain, ladder; the name if the scene has no size n
+  int n = 0;           ///< number of bars or loops; 0 for scenes that are not generated
   scenes::Scene scene;
 };
 
-/// By name: a kind of `trivium generate` and a number (chain_100), else a scene of the catalogue or a file.
-/// Throws InputErrors about all that fail.
+/// The scenes of these names: a kind of `trivium generate` with a number (chain_100), or a scene of the
+/// catalogue, or a file. Throws InputErrors with a message for each scene that cannot be loaded.
 std::vector<TimedScene> timed_scenes(const std::vector<std::string>& names);
 
-/// What is timed where no scene is named.
+/// The scenes that are timed if the command line names none.
 std::vector<std::string> default_scene_names(bool quick);
 
 }  // namespace trivium::cost

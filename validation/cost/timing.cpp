@@ -12,7 +12,7 @@ namespace trivium::cost {
 
 namespace {
 
-/// Keeps what each repetition took; prints nothing.
+/// Collects the times of all repetitions for each piece of work; prints nothing.
 class Collector : public benchmark::BenchmarkReporter {
  public:
   explicit Collector(std::size_t size) : nanoseconds_(size) {}

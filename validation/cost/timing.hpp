@@ -1,6 +1,6 @@
 #pragma once
-/// How long pieces of work take, all of them in turn and in random order, so that what else the machine does
-/// meets them alike. By Google Benchmark.
+/// Measures the CPU time of pieces of work with Google Benchmark. The repetitions of all pieces are mixed in
+/// random order, so that other load of the machine slows all of them alike.
 
 #include <functional>
 #include <vector>
@@ -8,14 +8,14 @@
 namespace trivium::cost {
 
 struct Timing {
-  double seconds = 0.03;  ///< at least, a repetition
+  double seconds = 0.03;  ///< shortest time of one repetition [s]
   int repetitions = 7;
 };
 
-/// The median over the repetitions of each one's CPU time in this thread, in microseconds.
+/// The CPU time [us] of each piece of work in this thread: the median over the repetitions.
 std::vector<double> median_microseconds(const std::vector<std::function<void()>>& work, const Timing& timing);
 
-/// The CPU time of one call in this thread, in seconds.
+/// The CPU time [s] of one call in this thread.
 double seconds_of(const std::function<void()>& work);
 
 }  // namespace trivium::cost

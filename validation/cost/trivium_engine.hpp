@@ -1,6 +1,6 @@
 #pragma once
-/// The structured solver of one formulation, in one Scalar, as an engine beside the peers. A template, for
-/// who needs another Scalar than trivium_engines.hpp has.
+/// Trivium's structured solver of one formulation, with the interface of an engine. The template is included
+/// directly if a Scalar is needed that trivium_engines.hpp does not offer.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-/// The structured solver as an engine, in the formulation of a name. One engine solves a scene again and
-/// again.
+/// Trivium's structured solver with the interface of an engine, selected by the name of a formulation. One
+/// engine solves the same scene repeatedly.
 
 #include <memory>
 #include <string>
@@ -13,11 +13,12 @@ namespace trivium::cost {
 
 enum class Refined { no, yes };
 
-/// Throws a ModelError, also where there is no such formulation.
+/// The engine of a formulation in double. Throws a ModelError, also if there is no formulation with this
+/// name.
 std::unique_ptr<Engine> trivium_engine(const scenes::Scene& scene, const std::string& formulation,
                                        Refined refined);
 
-/// Per row: its multiplier is determined. Throws ModelError.
+/// Per row, whether the multiplier is unique. Throws ModelError.
 std::vector<bool> unique_multipliers(const scenes::Scene& scene);
 
 }  // namespace trivium::cost

@@ -12,8 +12,8 @@
 namespace trivium {
 
 NamedScene consistent_random_scene(std::uint64_t seed, const scenes::RandomOptions& options) {
-  // A locked loop may be told to move by functions of time that contradict each other; then no velocity or no
-  // acceleration is consistent, and the next attempt is the seed's mechanism.
+  // The functions of time of a locked loop may contradict each other. Then no consistent velocity or
+  // acceleration exists, and the mechanism of the next attempt is taken.
   for (std::uint64_t attempt = 0;; ++attempt) {
     scenes::RandomScene random = scenes::random_scene(seed + (attempt << 40), options);
     random.scene.name = fmt::format("random_{}", seed);

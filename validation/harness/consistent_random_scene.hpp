@@ -1,14 +1,14 @@
 #pragma once
-/// Random mechanisms whose states are consistent, for validations: random scenes (scenes/random_scene.hpp)
-/// with their velocities projected. Here it is decided which draws are drawn again: those that contradict
-/// themselves.
+/// Random mechanisms with consistent states, for validation programs: random scenes (scenes/random_scene.hpp)
+/// with projected velocities. This file decides which random scenes are replaced: those whose constraints
+/// contradict each other.
 
 #include "scenes/random_scene.hpp"
 #include "validation/harness/named_scene.hpp"
 
 namespace trivium {
 
-/// The mechanism of a seed; the same for ever.
+/// The random mechanism of a seed. The same seed always gives the same mechanism.
 NamedScene consistent_random_scene(std::uint64_t seed, const scenes::RandomOptions& options = {});
 
 }  // namespace trivium

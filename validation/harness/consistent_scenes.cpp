@@ -12,7 +12,7 @@ InputErrors::InputErrors(const std::vector<std::string>& messages)
 
 namespace {
 
-/// What of its constraints a scene's state does not satisfy; empty where it satisfies all.
+/// A report on the constraints that the scene's state violates; empty if there are none.
 std::string inconsistency(const NamedScene& named) {
   try {
     const auto& [mechanism, state] = named.model();
@@ -23,7 +23,8 @@ std::string inconsistency(const NamedScene& named) {
     return fmt::format("{}: the state at t = {} does not satisfy its constraints:\n{}", named.source, named.t,
                        report);
   } catch (const ModelError&) {
-    return {};  // no equations at this state: the solver says so, and of this scene alone
+    return {};  // the model has no equations at this state: the solver reports this later, for this scene
+                // only
   }
 }
 

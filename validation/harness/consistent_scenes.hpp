@@ -1,6 +1,7 @@
 #pragma once
-/// The scenes that a validation works on: named, or of the catalogue. All of them are read, and their states
-/// found to satisfy the constraints, before any is computed: a run of hours does not end at its last scene.
+/// Loads the scenes that a validation program works on: the named scenes, or the catalogue. All scenes are
+/// read and their states checked before the first computation, so that a run of hours cannot fail at its last
+/// scene.
 
 #include <string>
 #include <vector>
@@ -11,8 +12,8 @@
 
 namespace trivium {
 
-/// Scenes that cannot be read, or whose states do not satisfy their constraints: a message for each, one
-/// line "error: ..." after the other where a program prints them.
+/// The error for scenes that cannot be read or whose states violate their constraints. It holds one message
+/// for each scene; programs print each message as a line "error: ...".
 class InputErrors : public Error {
  public:
   explicit InputErrors(const std::vector<std::string>& messages);
@@ -22,8 +23,8 @@ class InputErrors : public Error {
   std::vector<std::string> messages_;
 };
 
-/// All of the scenes, whose states at time t must satisfy their constraints. Nothing can be computed and
-/// lost: throws InputErrors about all that fail.
+/// Loads all scenes. Throws InputErrors with a message for every scene that cannot be read, or whose state at
+/// time t violates its constraints.
 std::vector<NamedScene> load_consistent_scenes(const std::vector<std::string>& paths_or_names, double t);
 
 }  // namespace trivium

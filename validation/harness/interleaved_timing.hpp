@@ -1,6 +1,6 @@
 #pragma once
-/// The order in which pieces of work are repeated to be timed: all of them in turn and in random order, so
-/// that whatever else the machine does slows all of them alike. The median of the times is taken.
+/// Repeats pieces of work for timing: each round runs all of them once, in random order. Other load of the
+/// machine then slows all of them alike. The result is the median of the times.
 
 #include <algorithm>
 #include <numeric>
@@ -9,8 +9,8 @@
 
 namespace trivium {
 
-/// Calls work(k) for every k below n, in another order every round, the same for the same n, and
-/// after_round() behind each.
+/// Calls work(k) for every k < n in each round, in a new random order, and then after_round(). The orders are
+/// the same in every run of the program.
 template <class Work, class AfterRound>
 void interleave(std::size_t n, int rounds, const Work& work, const AfterRound& after_round) {
   std::vector<std::size_t> order(n);
@@ -23,7 +23,7 @@ void interleave(std::size_t n, int rounds, const Work& work, const AfterRound& a
   }
 }
 
-/// Of at least one number.
+/// The median of at least one number.
 inline double median_of(std::vector<double> x) {
   std::sort(x.begin(), x.end());
   return (x[(x.size() - 1) / 2] + x[x.size() / 2]) / 2;

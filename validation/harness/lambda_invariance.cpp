@@ -20,20 +20,19 @@ namespace trivium {
 namespace {
 
 struct Arguments {
-  std::optional<std::size_t> random;  ///< default 200, or none beside scenes named on the command line
+  std::optional<std::size_t> random;  ///< number of random mechanisms; default 200, or 0 if scenes are named
   std::uint64_t seed = 1;
   bool all_rows = false;
 };
 
-/// Two formulations that are compared, by index into the list.
+/// Two formulations that are compared, as indices into the list of formulations.
 struct Pair {
   std::size_t a, b;
   std::string name;
 };
 using Pairs = std::vector<Pair>;
 
-/// The first formulation with every other, and the second with the third: whoever enters the list is
-/// compared.
+/// Pairs the first formulation with every other one, and the second with the third.
 Pairs pairs_of(const std::vector<std::string>& names) {
   Pairs list;
   const auto add = [&](std::size_t a, std::size_t b) { list.push_back({a, b, names[a] + "/" + names[b]}); };
@@ -46,8 +45,8 @@ Pairs pairs_of(const std::vector<std::string>& names) {
 
 enum class Verdict {
   ok,
-  none,     ///< no multiplier is unique, nothing to compare
-  cancels,  ///< beyond the bound by no more than what could cause lambda cancels: rounding of the data
+  none,     ///< no multiplier is unique, so that nothing can be compared
+  cancels,  ///< beyond the bound by at most the factor cancellation(): rounding of the data
   exceeds,
   error
 };
@@ -99,7 +98,7 @@ void compare(const ComparedFormulations& formulations, const Pairs& pairs, const
   for (const Pair& pair : pairs)
     answer.difference.push_back(lambda_distance(result.rows, result.formulations[pair.a].solution.lambda,
                                                 result.formulations[pair.b].solution.lambda));
-  // written so that a difference that is not a number is not "ok"
+  // written so that NaN is not "ok"
   answer.verdict = !result.any_unique()                                   ? Verdict::none
                    : answer.worst() <= answer.bound                       ? Verdict::ok
                    : answer.worst() <= answer.bound * answer.cancellation ? Verdict::cancels
@@ -125,7 +124,7 @@ std::vector<std::string> columns(const Pairs& pairs) {
   return names;
 }
 
-/// `number` writes a number.
+/// The fields of one row; `number` formats a number.
 template <class Number>
 std::vector<std::string> fields(const Pairs& pairs, const Answer& a, const Number& number) {
   const auto known = [&](const std::string& text) { return a.analysed ? text : std::string("none"); };
@@ -155,7 +154,8 @@ class Survey {
   }
   const std::vector<Answer>& answers() const { return answers_; }
 
-  /// All answers; of many random ones only the worst and what failed, with a line that sums them up.
+  /// The table. Random mechanisms appear only if they did not pass, or if `all_rows`; a summary line
+  /// describes the others.
   std::string text(std::size_t scenes, bool all_rows) const {
     Table table(columns(pairs_));
     for (std::size_t k = 0; k < answers_.size(); ++k)
@@ -183,7 +183,7 @@ class Survey {
       if (a.analysed) json.number("nc", a.nc).number("rank", a.rank).number("kappa", a.kappa);
       if (!a.difference.empty()) {
         json.begin_object("difference");
-        constexpr double none = std::numeric_limits<double>::quiet_NaN();  // null, as the table says "none"
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();  // written as null
         for (std::size_t k = 0; k < pairs_.size(); ++k)
           json.number(pairs_[k].name, a.comparable() ? a.difference[k] : none);
         json.end_object();

@@ -1,6 +1,6 @@
 #pragma once
-/// A scene that a validation works on, with its model in double. The model is made once, where the scene is
-/// read; runs, formulations and comparisons take it from here.
+/// A scene that a validation program works on, with its model in double. The model is made once, when the
+/// scene is read, and is shared by all runs, formulations and comparisons.
 
 #include <optional>
 #include <string>
@@ -13,16 +13,17 @@ namespace trivium {
 
 class NamedScene {
  public:
-  /// The state is that at time t. A scene that is refused has no model, and says so when asked for it.
+  /// Makes the model of the scene at time t. If this fails, the scene has no model, and model() throws the
+  /// reason.
   NamedScene(std::string source_, scenes::Scene scene_, double t_);
   NamedScene(std::string source_, scenes::Scene scene_, Model<double> made)
       : source(std::move(source_)), scene(std::move(scene_)), t(made.state.t), model_(std::move(made)) {}
 
-  std::string source;  ///< the path or name that it was asked for by, which messages about it carry
+  std::string source;  ///< path or name on the command line, for messages
   scenes::Scene scene;
   double t;
 
-  /// Throws the ModelError with which the scene was refused.
+  /// The model. Throws the ModelError of the constructor if the scene has none.
   const Model<double>& model() const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-/// What the validation executables have in common: their command line, the scenes that it names, and how they
-/// end. Each executable is then its question alone.
+/// The common part of the validation programs: command line, loading of scenes, writing of results, exit
+/// code. Each program then contains only its question.
 
 #include <functional>
 #include <string>
@@ -13,10 +13,11 @@
 
 namespace trivium {
 
-/// One validation: SCENE..., --json, --csv and --version, and what the program adds to `options`.
+/// A validation program with the options SCENE..., --json, --csv and --version, and further ones added to
+/// `options()`.
 class Program {
  public:
-  /// `default_scenes`: what is taken where no scene is named, in words.
+  /// `default_scenes` describes, for --help, the scenes that are used if the command line names none.
   Program(const std::string& question, const std::string& name,
           const std::string& default_scenes = "the whole catalogue");
 
@@ -27,10 +28,10 @@ class Program {
   const std::vector<std::string>& names() const { return names_; }
   bool json() const { return json_; }
 
-  /// The scenes named, else the catalogue's, as load_consistent_scenes gives them.
+  /// The named scenes, or else those of the catalogue, loaded by load_consistent_scenes.
   std::vector<NamedScene> scenes(double t) const;
 
-  /// Writes the CSV and its manifest, if --csv asks for them.
+  /// Writes the CSV and its manifest if --csv is given.
   void write(const ResultsFile& results) const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-/// The formulations whose cost is measured. r-epsilon-omega-first is not among them: its equations are those
-/// of r-omega, and only its positions differ.
+/// The formulations whose computing time is measured. r-epsilon-omega-first is left out: its equations of
+/// motion are those of r-omega, and only its position coordinates differ.
 
 #include "formulations/formulation_list.hpp"
 

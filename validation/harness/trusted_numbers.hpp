@@ -1,6 +1,6 @@
 #pragma once
-/// Numbers of other codes and of publications that motions are compared with: the tables of
-/// validation/reference/*.csv. Each table says where its numbers come from.
+/// Numbers from other codes and from publications, with which motions are compared: the tables in
+/// validation/reference/*.csv. Each table states the source of its numbers.
 
 #include <array>
 #include <cmath>
@@ -14,16 +14,16 @@
 
 namespace trivium {
 
-/// The folder of trusted numbers: $TRIVIUM_REFERENCE, else `reference` beside the catalogue, else the source
-/// tree's.
+/// The folder of the tables: $TRIVIUM_REFERENCE if set, else `reference` next to the installed catalogue,
+/// else the folder in the source tree.
 std::string reference_directory();
 
-/// A table of numbers by column; a first column of names is `name`.
+/// A table of numbers with named columns. If a column is called `name`, it holds the names of the rows.
 struct TrustedNumbers {
   std::vector<std::string> names;
   std::map<std::string, std::vector<double>> columns;
 
-  /// Throws a std::runtime_error where there is no such file.
+  /// Reads DIRECTORY/NAME.csv. Throws std::runtime_error if there is no such file.
   TrustedNumbers(const std::string& directory, const std::string& name) {
     const std::string path = directory + "/" + name + ".csv";
     std::ifstream file(path);
@@ -43,7 +43,7 @@ struct TrustedNumbers {
 
   std::size_t rows() const { return columns.begin()->second.size(); }
   const std::vector<double>& operator[](const std::string& column) const { return columns.at(column); }
-  /// Of a table of names.
+  /// The value in the row with this name.
   double value(const std::string& name) const {
     for (std::size_t k = 0; k < names.size(); ++k)
       if (names[k] == name) return columns.at("value")[k];
@@ -51,14 +51,15 @@ struct TrustedNumbers {
   }
 };
 
-/// Of Andrews' squeezer at the file's only time: every body's angle [rad] about z, in the scene's order.
+/// The angles [rad] about z of the bodies of Andrews' squeezer at the only time of the table, in the scene's
+/// order.
 inline std::array<double, 7> andrews_angles(const TrustedNumbers& file) {
   const auto value = [&](const char* name) { return file.value(name); };
   return {value("beta"),  value("beta") + value("theta"),    value("gamma"),  value("phi") + value("delta"),
           value("delta"), value("omega") + value("epsilon"), value("epsilon")};
 }
 
-/// How far [rad] a body that turned by Euler parameters p about z is from an angle.
+/// The difference [rad] between an angle and the rotation about z that Euler parameters p describe.
 template <class EulerParameters>
 double apart_from_angle(const EulerParameters& p, double angle) {
   return std::abs(std::remainder(2 * std::atan2(p[3], p[0]) - angle, 2 * std::acos(-1.0)));

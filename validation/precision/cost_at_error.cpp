@@ -11,12 +11,12 @@ namespace trivium::precision {
 
 namespace {
 
-/// The cheapest of a contender's runs (or of all of ours, or all peers') that is as exact; null where none
-/// is.
+/// The cheapest run that reaches the target error, among the runs whose settings satisfy `counts`; null if
+/// there is none.
 template <class Counts>
 const RunResult* cheapest(const SceneResult& result, double target, const Counts& counts) {
   const RunResult* best = nullptr;
-  if (result.reference_error > target / 10) return best;  // not known so well
+  if (result.reference_error > target / 10) return best;  // the reference is not accurate enough to judge
   for (const RunResult& o : result.runs)
     if (o.solved() && counts(o.settings) && o.errors.position <= target &&
         (best == nullptr || o.seconds.median < best->seconds.median))

@@ -1,6 +1,6 @@
 #pragma once
-/// What an error costs: of all runs of one motion, the least CPU time that reaches an error of positions, by
-/// contender and in a table. Decides from which error on a reference is not known well enough to tell.
+/// The cost of accuracy: the least CPU time with which a method reaches a given error of positions. The
+/// reference must be ten times as accurate as this error; otherwise nothing is reported.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace trivium::precision {
 
-/// All runs of one scene's motion, and the reference that their errors are measured against.
+/// All runs of the motion of one scene, and the accuracy of the reference that their errors refer to.
 struct SceneResult {
   std::string scene;
   double t_end, reference_error;
@@ -17,13 +17,13 @@ struct SceneResult {
   std::vector<RunResult> runs;
 };
 
-/// The contender whose run it is: the method and its formulation, or the engine and its method.
+/// The name under which a run is listed: method and formulation, or engine and method for another engine.
 std::string who(const RunSettings& settings);
-/// Whether another engine ran it.
+/// Whether the run is by another engine.
 bool is_peer(const RunSettings& settings);
 
-/// For errors of positions from 1e-3 m down: the cheapest run of each contender, then ours beside the peers',
-/// then the runs that failed.
+/// The table for the errors in position_targets: the cheapest run of each method, then Trivium's best
+/// compared with Simbody's best, then the failed runs.
 std::string cost_table(const SceneResult& result);
 
 }  // namespace trivium::precision

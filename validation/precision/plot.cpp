@@ -12,11 +12,11 @@ namespace trivium::precision {
 
 namespace {
 
-/// What one method's runs look like in a figure.
+/// The runs of one method as a curve.
 struct Curve {
   std::string name, points;
   bool is_peer;
-  std::vector<std::string> failed_at;  ///< where runs that failed are marked, along the axis of errors
+  std::vector<std::string> failed_at;  ///< gnuplot positions of the crosses that mark failed runs
 
   Curve(const SceneResult& result, const RunSettings& method)
       : name(who(method)), is_peer(precision::is_peer(method)) {
@@ -32,7 +32,7 @@ struct Curve {
   }
 };
 
-/// gnuplot's numbers.
+/// Point type and dash type, as numbers of gnuplot.
 struct LineStyle {
   int points, dashes;
 };
@@ -55,12 +55,12 @@ void plot(const SceneResult& result, const std::filesystem::path& folder) {
   std::size_t peers = 0;
   for (std::size_t n = 0; n < curves.size(); ++n) {
     const Curve& curve = curves[n];
-    // eight colors; when they are used up, other lines and points
+    // eight colors; when all are used, the next point and dash types
     const std::size_t among_its_kind = curve.is_peer ? peers++ : n - peers;
     const std::size_t color = among_its_kind % 8 + 1;
     const LineStyle style = (curve.is_peer ? lines_of_peers : lines_of_ours)[among_its_kind / 8 % 3];
     if (!curve.points.empty()) data += fmt::format("$m{} << EOD\n{}EOD\n", n, curve.points);
-    // that none hides another's
+    // a separate row of crosses for each curve, so that none hides another
     if (!curve.failed_at.empty()) ++rows_of_crosses;
     for (const std::string& at : curve.failed_at)
       crosses += fmt::format("set label '' at {}, graph {:.3f} point pt 2 ps 0.6 lc {}\n", at,

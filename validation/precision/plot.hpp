@@ -1,5 +1,5 @@
 #pragma once
-/// CPU time over errors as figures, a line a method. Runs that failed are marked, not dropped.
+/// Draws CPU time against error, one curve for each method. Failed runs are marked, not omitted.
 
 #include <filesystem>
 
@@ -7,8 +7,9 @@
 
 namespace trivium::precision {
 
-/// Draws FOLDER/SCENE.svg and FOLDER/SCENE.pdf, by gnuplot: ours in r-omega and Simbody's. Runs that failed
-/// are crosses at the bottom, at the tolerance or, of given steps, at the right; the legend counts them.
+/// Draws FOLDER/SCENE.svg and FOLDER/SCENE.pdf with gnuplot: Trivium's methods in r-omega and Simbody's
+/// methods. Failed runs are crosses at the bottom, at their tolerance, or at the right margin for given
+/// steps; the legend counts them.
 void plot(const SceneResult& result, const std::filesystem::path& folder);
 
 }  // namespace trivium::precision

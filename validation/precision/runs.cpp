@@ -20,7 +20,7 @@ namespace trivium::precision {
 namespace {
 
 constexpr int outputs = 10;
-/// No run is repeated beyond this [s].
+/// A run is not repeated after this total CPU time [s].
 constexpr double enough = 1;
 
 SimulationOptions options_of(const TimedMotion& motion, const RunSettings& settings) {
@@ -171,7 +171,7 @@ std::vector<RunResult> measure_runs(const TimedMotion& motion, const ReferenceMo
 }
 
 double confidence(int repetitions) {
-  // the median lies outside where all, or all but one, fall on one side of it
+  // The interval misses the median if all repetitions, or all but one, fall on the same side of the median.
   const double n = repetitions;
   return 1 - std::pow(0.5, n - 1) * (repetitions >= 5 ? n + 1 : 1);
 }

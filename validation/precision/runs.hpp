@@ -1,7 +1,7 @@
 #pragma once
-/// What accuracy costs: a scene's motion by many methods at many tolerances or steps, ours and Simbody's.
-/// Each run has its errors against one reference and the CPU time that it takes; decided here are the
-/// tolerances and steps.
+/// Runs the motion of a scene by many methods at many tolerances or step sizes, with Trivium and with
+/// Simbody. Each run gets its errors relative to one reference, and its CPU time. This file also decides the
+/// tolerances and step sizes.
 
 #include <array>
 #include <functional>
@@ -21,34 +21,34 @@ struct TimedMotion : NamedScene {
   double t_end;
 };
 
-/// A method with one tolerance or step.
+/// A method with one tolerance or one step size.
 struct RunSettings {
-  std::string engine, formulation, method;  ///< no formulation: a peer's own coordinates
+  std::string engine, formulation, method;  ///< no formulation: another engine and its coordinates
   std::optional<double> rtol, step;
   integrators::MethodParameters parameters = {};
 
   std::string setting() const;
 };
 
-/// Largest over all bodies and outputs. Reactions, drift and energy of ours alone.
+/// The largest errors over all bodies and outputs. Reactions, drift and energy are known for Trivium only.
 struct MotionErrors {
   double position = 0;             ///< [m]
-  double orientation = 0;          ///< the angle between [rad]
-  double velocity = 0;             ///< [m/s], and [rad/s]
-  std::optional<double> reaction;  ///< [N]
-  std::optional<double> drift;     ///< of Phi [m, rad]
-  std::optional<double> energy;    ///< not accounted for [J]
+  double orientation = 0;          ///< angle between found and exact orientation [rad]
+  double velocity = 0;             ///< of r_dot [m/s] and omega_bar [rad/s]
+  std::optional<double> reaction;  ///< force of a joint [N]
+  std::optional<double> drift;     ///< constraint violation Phi [m, rad]
+  std::optional<double> energy;    ///< change of energy that work does not explain [J]
 };
 
-/// CPU seconds of this thread over repetitions.
+/// CPU times [s] of this thread over the repetitions of one run.
 struct Seconds {
   double least = 0, median = 0;
-  double low = 0, high = 0;  ///< the median's confidence interval (see confidence)
+  double low = 0, high = 0;  ///< confidence interval of the median (see confidence())
 };
 
 struct RunResult {
   RunSettings settings;
-  std::string failure;  ///< empty where it came to the end
+  std::string failure;  ///< error message; empty if the run reached its end
   MotionErrors errors;
   Seconds seconds;
   long steps = 0, evaluations = 0, factorisations = 0;
@@ -56,51 +56,52 @@ struct RunResult {
   bool solved() const { return failure.empty(); }
 };
 
-/// A motion's states (and ours' reactions) at the outputs.
+/// The reference: states at all outputs, with Trivium's reactions.
 struct ReferenceMotion {
   std::vector<MotionSample> samples;
-  /// [m], or [rad] where trusted numbers are angles: the most that another method at a tighter tolerance or
-  /// trusted numbers make of it.
+  /// Estimated error [m, or rad if trusted numbers are angles]: the largest difference from the solution of
+  /// another method or from trusted numbers.
   double own_error = 0;
-  bool is_trusted = false;  ///< whether there are any
+  bool is_trusted = false;  ///< trusted numbers exist and were compared
 };
 
-/// Every output time but the start's.
+/// All output times [s] except the start.
 std::vector<double> output_times(const TimedMotion& motion);
 
-/// By Fehlberg's method in quad, confirmed by Bulirsch and Stoer's, and by trusted numbers where there are
-/// any.
+/// The reference by Bulirsch-Stoer in quad. Its error is estimated from a solution by Fehlberg's method in
+/// quad, and from trusted numbers if there are any.
 ReferenceMotion reference_of(const TimedMotion& motion);
 
-/// How far [m, or rad of orientations] samples of a scene's motion are from trusted numbers
-/// (validation/reference/) at the times of both; nothing where there are none.
+/// The largest difference [m, or rad for orientations] between samples of a scene's motion and trusted
+/// numbers (validation/reference/) at common times; empty if there are no trusted numbers.
 std::optional<double> apart_from_trusted(const std::string& scene, const std::vector<MotionSample>& samples);
 
-/// What methods that choose their steps are run with.
+/// The tolerances of methods that choose their steps.
 std::vector<double> tolerances(bool quick);
-/// Where doubles end: of those methods alone whose order makes it affordable, and of peers.
+/// Tolerances near the accuracy of double: used only for methods whose order makes them affordable, and for
+/// peers.
 inline constexpr std::array finest_tolerances{1e-12, 1e-13};
 
-/// Ours in three formulations, and Simbody's where it is there.
+/// The settings of all runs: Trivium in the timed formulations, and Simbody if it is installed.
 std::vector<RunSettings> all_settings(bool quick);
 
-/// The errors of each, once; then how long each takes, all in turn and in random order.
+/// Computes the errors of each run once; then measures the CPU times of all runs, repeated in random order.
 std::vector<RunResult> measure_runs(const TimedMotion& motion, const ReferenceMotion& reference,
                                     const std::vector<RunSettings>& all, int repetitions,
                                     const std::function<void()>& step);
 
-/// The chance [-] that the median of endless repetitions lies between the second least and second largest of
-/// so many (the least and the largest where there are fewer than 5).
+/// The probability [-] that the true median lies between the second smallest and second largest of the
+/// repetitions (between the smallest and the largest if there are fewer than 5).
 double confidence(int repetitions);
 
-// Simbody's part; where it was not there when this was built, it has no settings
+// Simbody's runs; without Simbody, peer_settings is empty
 std::vector<RunSettings> peer_settings(bool quick);
 struct PeerMotion {
   std::vector<MechanismState<double>> states;
   double seconds = 0;
   long steps = 0, evaluations = 0;
 };
-/// Throws a std::runtime_error.
+/// Runs the motion with Simbody. Throws a std::runtime_error if the run fails.
 PeerMotion peer_motion(const TimedMotion& motion, const RunSettings& settings);
 
 }  // namespace trivium::precision

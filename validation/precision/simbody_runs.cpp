@@ -10,7 +10,7 @@ namespace trivium::precision {
 
 namespace {
 
-/// Simbody's integrators by their names there, down to accuracies that their orders make affordable.
+/// Simbody's integrators with their names, and the finest accuracy that is affordable with the order of each.
 constexpr struct Peer {
   const char* name;
   simbody::Integrator which;

@@ -12,10 +12,10 @@ namespace trivium::precision {
 
 namespace {
 
-/// What a sample's state has against the file's row, or against its only values.
+/// The difference between a sample and a row of the table.
 using Apart = std::function<double(const MotionSample&, const TrustedNumbers&, std::size_t row)>;
 
-/// In the plane, of one body's centre from a point that the file has.
+/// The distance in the x-y plane of a body's centre of mass from the point in the table, shifted by (x, y).
 Apart place_of(std::size_t body, double x, double y) {
   return [=](const MotionSample& sample, const TrustedNumbers& file, std::size_t row) {
     const auto& r = sample.state.pose[body].r;
@@ -38,7 +38,7 @@ std::optional<double> apart_from_trusted(const std::string& scene, const std::ve
     Apart apart;
     std::optional<double> only_time;
   };
-  // the last coupler's centre lies N - 1/2 in x from the first joint of the couplers
+  // in x, the centre of the last coupler is N - 1/2 from the first joint of the couplers
   static const std::map<std::string, Trusted> trusted{{"a01_pendulum", {place_of(0, 0, 0), {}}},
                                                       {"n_four_bar_1", {place_of(2, 0.5, 0), {}}},
                                                       {"n_four_bar_2", {place_of(4, 1.5, 0), {}}},

@@ -11,7 +11,7 @@ using SimTK::Transform;
 using SimTK::UnitVec3;
 using SimTK::Vec3;
 
-/// Adds the rows of one joint.
+/// Adds Simbody's constraints for the rows of one joint.
 class BuiltInRows {
  public:
   BuiltInRows(const Model& model, int joint, const BodyMap& bodies, std::vector<LinkedConstraint>& out)
@@ -70,7 +70,8 @@ class BuiltInRows {
     link(c, {{u_v, -1.0}, {v_z, -1.0}, {u_z, 1.0}});
   }
 
-  /// One row by itself: built in where its f is a number and Simbody's equation is regular there.
+  /// Adds one row: as Simbody's own constraint if f is a number and Simbody's equation is regular there, else
+  /// as a custom constraint.
   void single(int row) {
     const Row& r = model_.rows[static_cast<std::size_t>(row)];
     if (!r.f.is_number || !(add_angle(row, r) || add_plane(row, r) || add_rod(row, r)))

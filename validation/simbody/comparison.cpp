@@ -24,7 +24,7 @@ double relative_distance(const VectorX<double>& a, const VectorX<double>& b, dou
   return difference == 0 ? 0.0 : difference / std::max({a.norm(), b.norm(), cause});
 }
 
-/// Everything that one scene's comparisons share.
+/// The data that all comparisons of one scene share.
 struct Subject {
   Subject(const scenes::Scene& scene, Model<double> model_of_scene)
       : made(std::move(model_of_scene)),
@@ -39,12 +39,13 @@ struct Subject {
   const ReactionFrame frame;
 };
 
-/// Refuses in Simbody's place a mass matrix whose inverse Simbody would take from rounding.
+/// Throws Refused if the mass matrix that Simbody would invert is singular up to rounding
+/// (massless_motion.hpp).
 void refuse_massless_motion(const Subject& subject, simbody::Way way) {
   const auto mobilizers = simbody::mobilizers(subject.model, way);
   const auto body = massless_motion(subject.made.mechanism, subject.frame.Phi(), mobilizers);
   if (!body) return;
-  // an inertia that no body has Simbody refuses reliably, in its own words
+  // If an inertia is unphysical, Simbody refuses it reliably: its own message is preferred.
   const auto& bodies = subject.made.mechanism.bodies;
   if (!std::all_of(bodies.begin(), bodies.end(),
                    [](const auto& b) { return check_inertia(b.inertia).physical(); }))

@@ -7,7 +7,7 @@ namespace trivium::simbody {
 using SimTK::SpatialVec;
 using SimTK::Vec3;
 
-/// Ground is made a constrained body first, so that it is the ancestor and all motions come in its frame.
+/// Ground is added first, so that it is the ancestor body and all motions are given in its frame.
 CustomRow::CustomRow(const Row& row, const BodyMap& bodies)
     : Implementation(bodies.matter, 1, 0, 0), row_(row) {
   const SimTK::ConstrainedBodyIndex on_ground = addConstrainedBody(bodies[ground]);
@@ -15,7 +15,8 @@ CustomRow::CustomRow(const Row& row, const BodyMap& bodies)
   j_ = row.j == ground ? on_ground : addConstrainedBody(bodies[row.j]);
 }
 
-/// A vector of the body that may also move in it, seen from Ground (% is the cross product).
+/// A vector with components `in_body` that may vary with time, with its derivatives in Ground (% is the cross
+/// product).
 CustomRow::Moving CustomRow::follow(const BodyMotion& body, const Moving& in_body) {
   const SimTK::Rotation& R = body.X.R();
   const Vec3 &w = body.V[0], &b = body.A[0];
@@ -23,7 +24,7 @@ CustomRow::Moving CustomRow::follow(const BodyMotion& body, const Moving& in_bod
   return {a, w % a + a_t, b % a + w % (w % a) + 2 * (w % a_t) + a_tt};
 }
 
-/// d_ij = (r_j + A_j s_j) - (r_i + A_i s_i).
+/// The offset d_ij = (r_j + A_j s_j) - (r_i + A_i s_i).
 CustomRow::Moving CustomRow::offset(const BodyMotion& i, const BodyMotion& j) const {
   const Moving s_i = follow(i, {vec(row_.s_i)}), s_j = follow(j, {vec(row_.s_j)});
   return {(j.X.p() + s_j.value) - (i.X.p() + s_i.value), (j.V[1] + s_j.rate) - (i.V[1] + s_i.rate),
@@ -35,7 +36,7 @@ CustomRow::Factors CustomRow::factors(const BodyMotion& i, const BodyMotion& j, 
   switch (row_.type) {
     case RowType::dp1:
       return {follow(i, {vec(row_.a_i)}), follow(j, {vec(row_.a_j)}), f};
-    case RowType::turning_dp1: {  // f is alpha: w = -sin(alpha) u + cos(alpha) v, w_alpha = -x
+    case RowType::turning_dp1: {  // f is alpha; w = -sin(alpha) u + cos(alpha) v, dw/dalpha = -x
       const double s = std::sin(f[0]), c = std::cos(f[0]);
       const Vec3 w = -s * vec(row_.a_i) + c * vec(row_.v_i), x = c * vec(row_.a_i) + s * vec(row_.v_i);
       const Moving turning{w, -f[1] * x, -f[2] * x - f[1] * f[1] * w};
@@ -89,8 +90,9 @@ void CustomRow::calcPositionDotDotErrors(const SimTK::State& state,
              2 * SimTK::dot(x.rate, y.rate) - f[2];
 }
 
-/// G^T lambda. With w = lambda y, a body vector x contributes delta x . w = delta theta . (x % w), an offset
-/// x the force w at its point on j and -w at its point on i; the same with x and y exchanged.
+/// Applies G^T lambda. Let w = lambda y. If x is a body vector, delta x . w = delta theta . (x % w), a
+/// torque. If x is an offset, w acts at its point on j and -w at its point on i. The same holds with x and y
+/// exchanged.
 void CustomRow::addInPositionConstraintForces(
     const SimTK::State& state, const SimTK::Array_<SimTK::Real>& multipliers,
     SimTK::Array_<SpatialVec, SimTK::ConstrainedBodyIndex>& body_forces,

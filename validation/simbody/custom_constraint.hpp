@@ -1,13 +1,13 @@
 #pragma once
-/// A basic constraint as a Simbody Constraint::Custom whose error is Phi itself. Internal to the Simbody
-/// library.
+/// A basic constraint as a Simbody Constraint::Custom whose constraint error is Phi itself. Internal to the
+/// Simbody library.
 
 #include "validation/simbody/rows.hpp"
 
 namespace trivium::simbody {
 
-/// Phi = x . y - f for two vectors that follow the bodies; its errors, and the forces G^T lambda, from
-/// Simbody's body motions.
+/// The row Phi = x . y - f for two vectors x and y that depend on the motion of the bodies. Computes Phi, its
+/// first two time derivatives and the forces G^T lambda from Simbody's body motions.
 class CustomRow : public SimTK::Constraint::Custom::Implementation {
  public:
   CustomRow(const Row& row, const BodyMap& bodies);
@@ -32,12 +32,12 @@ class CustomRow : public SimTK::Constraint::Custom::Implementation {
       SimTK::Array_<SimTK::Real, SimTK::ConstrainedQIndex>&) const override;
 
  private:
-  /// A body's motion in Ground, as far as it is known.
+  /// A body's motion in Ground; V and A are zero where they are not needed.
   struct BodyMotion {
     SimTK::Transform X;
     SimTK::SpatialVec V{SimTK::Vec3(0), SimTK::Vec3(0)}, A{SimTK::Vec3(0), SimTK::Vec3(0)};
   };
-  /// A vector and its first two derivatives in time.
+  /// A vector and its first two time derivatives.
   struct Moving {
     SimTK::Vec3 value{0}, rate{0}, acceleration{0};
   };

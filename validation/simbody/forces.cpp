@@ -14,7 +14,7 @@ using SimTK::State;
 using SimTK::Vec3;
 using BodyForces = SimTK::Vector_<SimTK::SpatialVec>;
 
-/// Applies forces by a function of the state.
+/// A Simbody force that a function of the state applies.
 class ForceFromState : public SimTK::Force::Custom::Implementation {
  public:
   using Apply = std::function<void(const State&, BodyForces&)>;
@@ -38,13 +38,14 @@ Vec3 evaluate(const Components& f, double t) {
 
 bool is_constant(const Components& f) { return f[0].is_number && f[1].is_number && f[2].is_number; }
 
-/// The angle from u_i to u_j about z_i, its rate, and z_i in Ground.
+/// The angle from u_i to u_j about z_i, its rate, and z_i in Ground components.
 struct Twist {
   double angle, rate;
   Vec3 axis;
 };
 
-/// From the coordinate of a pin or cylinder; a reversed one turns about the other body's axis, the other way.
+/// The angle of a pin or cylinder from its coordinate. A reversed mobilizer measures the motion of i relative
+/// to j, so that the sign changes.
 Twist twist_of_mobilizer(const State& state, const MobilizedBody& child, bool reversed, const Vec3& z_i,
                          const MobilizedBody& i) {
   const double sign = reversed ? -1 : 1;

@@ -1,4 +1,4 @@
-/// The ways of rebuilding a scene, and our formulations, against each other on every joint.
+/// Compares the ways of rebuilding a scene, and Trivium's formulations, on every type of joint.
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,10 @@ namespace {
 using namespace one_body;
 using simbody::Way;
 
-/// A body that moves on one joint of any type, all its frames oblique, the ground on either side.
+/// A body that moves on one joint of any type. All frames are oblique, and the ground is body i or body j.
 struct JointCase {
   ConstraintType type;
-  scenes::Vector3 sliding, turning;  ///< along and about u, v, z of the joint
+  scenes::Vector3 sliding, turning;  ///< velocities along and about u, v, z of the joint
   bool ground_is_j;
 
   friend void PrintTo(const JointCase& joint, std::ostream* out) {

@@ -1,4 +1,4 @@
-/// Sign and scale of every mapping, on problems that are solved by hand.
+/// Sign and factor of every mapping in multiplier_signs.hpp, on problems with solutions by hand.
 
 #include <gtest/gtest.h>
 
@@ -77,7 +77,8 @@ TEST(SimbodyMapping, ConstantOrientationRowsCarryTheTorque) {
   expect_lambda(scene, {5, -3, 11, 13, -7});
 }
 
-/// On the proper branch the driver's torque on body j about z is -lambda: alpha'' J = n - lambda.
+/// The driver's torque on body j about z is -lambda, where alpha and not alpha + pi is reached: alpha'' J = n
+/// - lambda.
 TEST(SimbodyMapping, DriverTorqueIsMinusLambda) {
   scenes::Scene scene = scene_at_rest();
   scene.effects.push_back(torque(0, 0, 7));
@@ -87,8 +88,8 @@ TEST(SimbodyMapping, DriverTorqueIsMinusLambda) {
   expect_lambda(scene, {0, 0, -m * g, 0, 0, 7 - 0.5 * 4});
 }
 
-/// theta about y from straight down: r = -L (sin, 0, cos), (Jyy + m L^2) theta'' = -m g L sin; the pivot
-/// pulls with m (r'' - g).
+/// theta is the angle about y from the lowest position: r = -L (sin, 0, cos), (Jyy + m L^2) theta'' = -m g L
+/// sin. The reaction on the body is m (r'' - g).
 TEST(SimbodyMapping, PendulumReactionByHand) {
   const double L = 0.8, theta = 0.6, rate = 1.7;
   const double s = std::sin(theta), c = std::cos(theta);
@@ -119,8 +120,9 @@ TEST(SimbodyMapping, PendulumReactionByHand) {
   }
 }
 
-/// A CD acts at P_i on i and at P_j on j, along its own direction: about one point the moments differ by the
-/// offset's. With i the body, the force c lambda on it passes through its centre of mass.
+/// A CD acts at P_i on body i and at P_j on body j, along its own direction. About one point, the torques
+/// differ by the moment of the offset. If i is the body, the force c lambda on it passes through its centre
+/// of mass.
 TEST(SimbodyMapping, DirectedRowActsAtThePointOfEachBody) {
   scenes::Scene scene = scene_at_rest();
   scenes::Constraint& cd = hold(scene, basic_type<CD>, at({1, 2, 3}), {});
@@ -139,7 +141,7 @@ TEST(SimbodyMapping, DirectedRowActsAtThePointOfEachBody) {
   }
 }
 
-/// A second hinge on the same axis takes nothing from the tree and gives no acceleration.
+/// A second hinge on the same axis adds no independent row and does not change the acceleration.
 TEST(SimbodyMapping, IdleRowsAreDisabled) {
   scenes::Scene scene = scene_at_rest();
   scene.bodies[0].position = {0.4, 0, 0.1};
@@ -167,7 +169,7 @@ TEST(SimbodyModel, RefusesAnUnphysicalInertiaAndComparesTheTwin) {
   }
 }
 
-/// The bodies would be free, as in the next way.
+/// Without a mobilizer all bodies would be free, as in the way free_bodies.
 TEST(SimbodyComparison, IsNotPossibleWithMobilizersWhereNoJointBecomesOne) {
   scenes::Scene scene = scene_at_rest();
   scenes::Constraint& cd = hold(scene, basic_type<CD>, at({0, 0, 0}), {});
@@ -185,8 +187,8 @@ TEST(SimbodyComparison, IsNotPossibleWithMobilizersWhereNoJointBecomesOne) {
   }
 }
 
-/// A CD beside a weld is redundant, so that its least multiplier is not zero and shows on the body that it is
-/// fixed to, whichever end that is.
+/// A CD in addition to a weld is redundant. Its multiplier of least norm is not zero, and must appear in the
+/// reaction on the body, whichever end of the CD the body is.
 TEST(SimbodyComparison, ReactionsOfADirectedRowAgreeOnEitherEnd) {
   for (const bool swapped : {false, true}) {
     SCOPED_TRACE(swapped);

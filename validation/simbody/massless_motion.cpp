@@ -11,8 +11,9 @@ namespace trivium {
 
 namespace {
 
-/// A rotation at an angle theta to the axis without inertia has the share theta^2 of the body's, so that the
-/// tolerance of a principal moment holds for squares.
+/// Bound for squares of motions. A rotation about an axis at an angle theta to the massless axis has theta^2
+/// times the inertia of a transverse rotation. The tolerance of a principal moment therefore applies to
+/// squares.
 constexpr double tolerance = inertia_tolerance;
 
 struct MasslessRotation {
@@ -32,7 +33,8 @@ std::vector<MasslessRotation> massless_rotations(const Mechanism<double>& mechan
   return out;
 }
 
-/// Radius of gyration and reach of a body together: what makes its rotations comparable with displacements.
+/// The size of a body [m]: its radius of gyration combined with the largest lever arm of its rows. It makes
+/// rotations comparable with displacements.
 double size_of(const Mechanism<double>& mechanism, const MatrixX<double>& Phi, int body) {
   double reach = 0;
   for (Eigen::Index row = 0; row < Phi.rows(); ++row) {
@@ -50,12 +52,12 @@ std::optional<std::string> massless_motion(const Mechanism<double>& mechanism, c
   const std::vector<MasslessRotation> Z = massless_rotations(mechanism);
   if (Z.empty()) return std::nullopt;
   const Eigen::Index free = static_cast<Eigen::Index>(Z.size());
-  std::vector<double> size(mechanism.bodies.size() + 1, 0.0);  // the ground has none
+  std::vector<double> size(mechanism.bodies.size() + 1, 0.0);  // the ground has size 0
   for (const MasslessRotation& rotation : Z)
     size[static_cast<std::size_t>(rotation.body)] = size_of(mechanism, Phi, rotation.body);
 
   MatrixX<double> squares =
-      MatrixX<double>::Zero(free, free);  // of Phi_t Z, where rotations are pure numbers
+      MatrixX<double>::Zero(free, free);  // (Phi_t Z)^T Phi_t Z, with dimensionless rows
   for (const int k : mobilizers) {
     const Joint<double>& joint = mechanism.joints[static_cast<std::size_t>(k)];
     const double length =

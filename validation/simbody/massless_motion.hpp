@@ -1,6 +1,7 @@
 #pragma once
-/// Where the mass matrix that Simbody inverts is singular. Simbody notices only where it is so to the last
-/// bit; where rounding leaves it barely regular, it answers with noise. So the scene decides.
+/// Detects that the mass matrix that Simbody inverts is singular. Simbody notices this only if the matrix is
+/// exactly singular; if rounding leaves the matrix barely regular, Simbody returns noise. The test is
+/// therefore made on the scene.
 
 #include <optional>
 #include <string>
@@ -10,13 +11,13 @@
 
 namespace trivium {
 
-/// A body that turns about an axis without inertia (a principal moment within 1e-12 of the trace) while
-/// nothing with mass moves, in the tree of the joints that are mobilizers: its name; nothing where there is
-/// none.
+/// The name of a body that can rotate about an axis without inertia while nothing with mass moves; empty if
+/// there is none. An axis has no inertia if the principal moment is within 1e-12 of the trace. Only the
+/// joints in `mobilizers` restrict motions.
 ///
-/// With Z the rotations about the axes without inertia and Phi_t the rows of the tree's joints, such a motion
-/// is a w that is not 0 with Phi_t Z w = 0. What closes the tree does not count: Simbody inverts the tree's
-/// mass matrix before it looks at constraints. `Phi` is the tangent Jacobian of all rows.
+/// Let Z be the rotations about all axes without inertia, and Phi_t the rows of the mobilizers' joints. Such
+/// a motion is a vector w != 0 with Phi_t Z w = 0. Closing joints do not count, because Simbody inverts the
+/// mass matrix of the tree before it considers constraints. `Phi` is the tangent Jacobian of all rows.
 std::optional<std::string> massless_motion(const Mechanism<double>& mechanism, const MatrixX<double>& Phi,
                                            const std::vector<int>& mobilizers);
 

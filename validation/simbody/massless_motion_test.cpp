@@ -1,4 +1,4 @@
-/// Slender rods against Simbody: which motions have no mass, and what is compared then.
+/// Slender rods in Simbody: which motions have no mass, and which scene is compared in this case.
 
 #include "validation/simbody/massless_motion.hpp"
 
@@ -23,8 +23,8 @@ scenes::Vector3 global(const Vector3<double>& in_rod) {
   return {v[0], v[1], v[2]};
 }
 
-/// A slender rod along its z, turned so that rounding hides that its inertia is singular; its end on the
-/// ground's origin.
+/// A slender rod along its z axis, with one end at the origin. The rod is rotated, so that its inertia in the
+/// global frame is singular only up to rounding.
 scenes::Scene rod() {
   scenes::Scene scene = scene_at_rest();
   scenes::Body& body = scene.bodies[0];
@@ -34,7 +34,7 @@ scenes::Scene rod() {
   return scene;
 }
 
-/// The rod's end on the ground, and a row between its spin and the ground.
+/// A rod with one end fixed to the ground by a spherical joint, and a dp1 that fixes its spin.
 scenes::Scene spherical_rod_with_its_spin_held() {
   scenes::Scene scene = rod();
   hold(scene, JointType::spherical, {}, at({0, 0, -0.6}));
@@ -81,7 +81,7 @@ TEST(MasslessMotion, WhatClosesTheTreeDoesNotHoldTheSpin) {
   EXPECT_TRUE(massless_motion(spherical_rod_with_its_spin_held(), Way::mobilizers));
 }
 
-/// Its mass moves when the pin is beside the rod's axis, or at an angle to it.
+/// Mass moves if the pin is offset from the rod's axis or inclined to it.
 TEST(MasslessMotion, APinAlongTheRodLeavesItsSpin) {
   EXPECT_TRUE(massless_motion(rod_on_pin_about({0, 0, 1}, {0, 0, -0.6}), Way::mobilizers));
   EXPECT_FALSE(massless_motion(rod_on_pin_about({0, 0, 1}, {0.01, 0, -0.6}), Way::mobilizers));
@@ -106,7 +106,7 @@ TEST(MasslessMotion, ABodyOutboardOfARodResistsItsSpin) {
   }
 }
 
-/// Only together can two collinear rods spin on a hinge between them.
+/// Two collinear rods with a hinge between them can only spin together.
 TEST(MasslessMotion, RodsInLineSpinTogether) {
   scenes::Scene scene = rod();
   scenes::Body& second = scene.bodies.emplace_back(scene.bodies[0]);
@@ -134,7 +134,7 @@ TEST(MasslessMotion, LengthsAreMeasuredInBodySizes) {
   }
 }
 
-/// Asked nevertheless, Simbody returns accelerations that are none.
+/// Without the check, Simbody would return meaningless accelerations.
 TEST(MasslessMotion, ComparesTheTwinAndSaysWhy) {
   const scenes::Scene scene = spherical_rod_with_its_spin_held();
   for (const SimbodyComparison& c : compare_with_simbody({scene.name, scene, 0.0})) {

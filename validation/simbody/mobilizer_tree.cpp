@@ -28,8 +28,8 @@ Rotation columns(const Vec3& x, const Vec3& y, const Vec3& z) {
   return Rotation(SimTK::Mat33(x, y, z), true);
 }
 
-/// The mobilizer frame of a joint on one body, for the joint's axis where Simbody's mobilizer has its own: z
-/// of a pin, a cylinder and a plane, x of a slider.
+/// The mobilizer frame of a joint on one body. The joint's axis z becomes the axis of Simbody's mobilizer: z
+/// of a pin, a cylinder or a planar mobilizer, x of a slider.
 Transform frame_on_body(JointType type, const JointFrame& f) {
   const Vec3 u = vec(f.u), v = vec(f.v), z = vec(f.z), point = vec(f.point);
   if (type == JointType::spherical) return Transform(point);
@@ -37,8 +37,8 @@ Transform frame_on_body(JointType type, const JointFrame& f) {
   return {columns(u, v, z), point};
 }
 
-/// Simbody's universal joint turns about x of F, then about y of M. The remaining axes of both frames are
-/// chosen so that both angles vanish at the model's state, far from its singularity.
+/// Simbody's universal joint rotates about x of F, then about y of M. The other axes of both frames are
+/// chosen so that both angles are zero at the model's state, far from the singularity of the joint.
 std::pair<Transform, Transform> universal_frames(const Rotation& R_parent_child, const JointFrame& on_parent,
                                                  const JointFrame& on_child) {
   const auto made_normal_to = [](const Vec3& v, const Vec3& axis) {
@@ -51,7 +51,7 @@ std::pair<Transform, Transform> universal_frames(const Rotation& R_parent_child,
           Transform(columns(x_child, y_child, x_child % y_child), vec(on_child.point))};
 }
 
-/// F on the parent and M on the child.
+/// The mobilizer frames: F on the parent and M on the child.
 std::pair<Transform, Transform> mobilizer_frames(const Model& model, const Branch& branch) {
   if (branch.joint == Branch::none) return {};
   const Joint& joint = joint_of(model, branch);
@@ -159,7 +159,8 @@ void fit_mobilizer(const Model& model, const Branch& branch, const BodyMap& bodi
   const SpatialVec V_P = velocity_of(model, branch.parent), V_B = velocity_of(model, branch.body);
   const Transform X_F = X_P * child.getDefaultInboardFrame(), X_M = X_B * child.getDefaultOutboardFrame();
   child.setQToFitTransform(state, ~X_F * X_M);
-  // the velocity of M's origin, less that of the point of F that is there (% is the cross product)
+  // velocity of M's origin, minus the velocity of the parent's point at the same place (% is the cross
+  // product)
   const Vec3 w = V_B[0] - V_P[0];
   const Vec3 v = V_B[1] + V_B[0] % (X_M.p() - X_B.p()) - (V_P[1] + V_P[0] % (X_M.p() - X_P.p()));
   child.setUToFitVelocity(state, {~X_F.R() * w, ~X_F.R() * v});

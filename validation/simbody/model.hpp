@@ -1,6 +1,7 @@
 #pragma once
-/// A scene as Simbody is told of it: plain C++17 data without a SimTK type, because Simbody's headers are not
-/// C++20 and the rest of the project is. solve.hpp and motion.hpp have what Simbody answers.
+/// A scene in the form that the Simbody library gets: plain C++17 data without SimTK types. The reason is
+/// that Simbody's headers do not compile as C++20, which the rest of the project uses. The answers are in
+/// solve.hpp and motion.hpp.
 
 #include <array>
 #include <functional>
@@ -10,12 +11,12 @@
 namespace trivium::simbody {
 
 using Vector3 = std::array<double, 3>;
-using Matrix3 = std::array<Vector3, 3>;  ///< row by row
+using Matrix3 = std::array<Vector3, 3>;  ///< three rows
 
 /// The body index of the ground, in every pair of bodies.
 inline constexpr int ground = -1;
 
-/// f(t) as {f, f', f''}; `is_number` says that it does not depend on t.
+/// f(t) as {f, f', f''}. `is_number` is true if f does not depend on t.
 struct TimeFunction {
   std::function<Vector3(double)> value = [](double) { return Vector3{}; };
   bool is_number = true;
@@ -24,10 +25,10 @@ struct TimeFunction {
 struct Body {
   std::string name;
   double mass = 0;
-  Matrix3 inertia{};  ///< Jbar
+  Matrix3 inertia{};  ///< inertia matrix Jbar [kg m^2], body frame, about the centre of mass
   Vector3 position{};
   std::array<double, 4> euler_parameters{1, 0, 0, 0};
-  Vector3 velocity{}, angular_velocity{};  ///< global; body frame (omega_bar)
+  Vector3 velocity{}, angular_velocity{};  ///< r_dot [m/s], global; omega_bar [rad/s], body frame
 };
 
 struct BodyPair {
@@ -36,13 +37,13 @@ struct BodyPair {
 
 enum class RowType { dp1, turning_dp1, dp2, d, cd };
 
-/// A basic constraint of one row (constraints/basic_constraint.hpp has the equations).
+/// A row: one basic constraint (constraints/basic_constraint.hpp has the equations).
 struct Row : BodyPair {
   RowType type = RowType::dp1;
-  Vector3 a_i{}, a_j{};  ///< body vectors; a_i is u_i of a turning DP1, and c of a CD (global)
-  Vector3 v_i{};         ///< turning DP1
-  Vector3 s_i{}, s_j{};  ///< points
-  TimeFunction f;        ///< alpha(t) of a turning DP1
+  Vector3 a_i{}, a_j{};  ///< body vectors; a_i is u_i for a turning DP1, and c (global) for a CD
+  Vector3 v_i{};         ///< v_i of a turning DP1
+  Vector3 s_i{}, s_j{};  ///< points in the body frames
+  TimeFunction f;        ///< right-hand side; alpha(t) for a turning DP1
 };
 
 enum class JointType { revolute, universal, spherical, cylindrical, translational, planar, fixed, other };
@@ -51,7 +52,7 @@ struct JointFrame {
   Vector3 point{}, u{1, 0, 0}, v{0, 1, 0}, z{0, 0, 1};
 };
 
-/// A constraint of the scene and the rows that are its own; `other` is what Simbody has no mobilizer for.
+/// A constraint of the scene with its range of rows. Type `other` has no mobilizer in Simbody.
 struct Joint : BodyPair {
   std::string name;
   JointType type = JointType::other;

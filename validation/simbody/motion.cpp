@@ -17,8 +17,8 @@ using SimTK::MobilizedBody;
 using SimTK::Rotation;
 using SimTK::SpatialVec;
 
-/// Nothing reaches stderr while this lives: CPodes writes of its troubles there, thousands of lines, whose
-/// upshot is an exception or stands in the result.
+/// Redirects stderr to /dev/null during its lifetime. CPodes writes thousands of lines there; failures are
+/// reported by exceptions or by the result anyway.
 class SilentErrors {
  public:
   SilentErrors() : kept_(::dup(STDERR_FILENO)) {
@@ -84,7 +84,7 @@ Motion move(System& system, Integrator which, double accuracy, const std::vector
   const std::unique_ptr<SimTK::Integrator> integrator = make(system, which);
   integrator->setAccuracy(accuracy);
   integrator->setConstraintTolerance(accuracy);
-  // CPodes' own polynomial is as exact as its steps; that of the Runge-Kutta methods is a cubic
+  // CPodes interpolates as accurately as it steps; the Runge-Kutta methods interpolate only by a cubic.
   const bool interpolates = which == Integrator::cpodes_adams || which == Integrator::cpodes_bdf;
   integrator->setAllowInterpolation(interpolates);
   Motion out;

@@ -1,5 +1,5 @@
 #pragma once
-/// The motion of a model by Simbody's own integrators. Plain C++17, like model.hpp.
+/// Simulates a model with Simbody's own integrators. Plain C++17, like model.hpp.
 
 #include <array>
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace trivium::simbody {
 
-/// Those that control their errors: all but a semi-explicit Euler at given steps.
+/// Simbody's integrators with error control; only the semi-explicit Euler method with given steps is left
+/// out.
 enum class Integrator {
   explicit_euler,
   semi_explicit_euler_2,
@@ -21,7 +22,8 @@ enum class Integrator {
   cpodes_bdf
 };
 
-/// Where a body is and how it moves: p of e0 first, omega_bar in the body frame.
+/// Pose and velocity of a body: p with e0 first; r and r_dot in the global frame, omega_bar in the body
+/// frame.
 struct BodyState {
   Vector3 r{};
   std::array<double, 4> p{};
@@ -29,13 +31,13 @@ struct BodyState {
 };
 
 struct Motion {
-  std::vector<std::vector<BodyState>> states;  ///< of all bodies, at every time asked for
-  double seconds = 0;                          ///< of this thread's CPU, from the first state to the last
+  std::vector<std::vector<BodyState>> states;  ///< states of all bodies at every requested time
+  double seconds = 0;                          ///< CPU time of this thread for the integration [s]
   long steps = 0, realizations = 0;
 };
 
-/// Through the times, which steps end at but for those of CPodes, that interpolates; constraints to the
-/// accuracy. Throws Refused, and nothing else.
+/// The motion at the given times. Steps end at these times, except that CPodes interpolates. Constraints are
+/// satisfied to `accuracy`. Throws Refused, and no other exception.
 Motion move(const Model& model, Way way, Integrator integrator, double accuracy,
             const std::vector<double>& times);
 

@@ -12,7 +12,8 @@ namespace trivium {
 
 namespace {
 
-/// The farthest of a body's points that constraints and effects act between.
+/// Key visitor that finds the largest distance from a body's centre of mass to a point of an effect on this
+/// body.
 struct Reach : KeyVisitor {
   int of;
   double& reach;

@@ -1,18 +1,18 @@
 #pragma once
-/// A scene whose bodies any multibody code accepts. Codes refuse inertias that no body has, or that no motion
-/// about an axis resists; those bodies get more inertia, the others stay as they are.
+/// Makes a scene that any multibody code accepts. Codes refuse inertias that no body can have, or that resist
+/// no motion about an axis. Bodies with such inertias get more inertia.
 
 #include "scenes/scene.hpp"
 
 namespace trivium {
 
-/// The same scene with J + eps I in place of every inertia J that is not positive definite or breaks the
-/// triangle inequality, with its principal moments J1 <= J2 <= J3:
+/// The physical twin of a scene: J + eps I replaces every inertia J that is not positive definite or breaks
+/// the triangle inequality. With the principal moments J1 <= J2 <= J3,
 ///
 ///   eps = max(0, J3 - J1 - J2) + (trace(J) + m s^2) / 100
 ///
-/// and s the body's largest distance from its centre of mass to a point that a constraint or spring takes
-/// (1 m if there is none and J = 0). Other bodies stay as they are.
+/// where s [m] is the largest distance from the centre of mass to a point of a constraint or spring on this
+/// body; if s = 0 and J = 0, eps = m (1 m)^2 / 100. Other bodies stay unchanged.
 scenes::Scene physical_twin(scenes::Scene scene);
 
 }  // namespace trivium

@@ -1,7 +1,7 @@
 #pragma once
 /// Joint reactions as vectors that can be compared: wrenches in the metric of mass and inertia, so that
-/// forces and torques are of one unit. Decides which joint reactions are unique, by the null space of the
-/// rows.
+/// forces and torques have the same unit. This file also decides, from the null space of the rows, which
+/// joint reactions are unique.
 
 #include <vector>
 
@@ -10,27 +10,30 @@
 
 namespace trivium {
 
-/// A joint's reaction on either body; see simbody::Answer (solve.hpp).
+/// The reactions of a joint on its two bodies; see simbody::Answer (solve.hpp).
 struct JointReaction {
   Reaction<double> on_i, on_j;
 };
 
-/// What both sides' reactions are turned into for comparison.
+/// Converts the reactions of Trivium and of Simbody to the same vectors.
 class ReactionFrame {
  public:
-  /// Both must outlive the frame.
+  /// Both arguments must outlive this object.
   ReactionFrame(const Model<double>& model, const RowAnalysis& rows);
 
   const Mechanism<double>& mechanism() const { return model_.mechanism; }
   const MatrixX<double>& Phi() const { return Phi_; }
 
-  /// The metric wrenches of all unique joint reactions, then those of all joints together on every body.
+  /// The vector to compare: for every body the metric wrench of all joints together, then the metric wrenches
+  /// of all joints whose reactions are unique.
   VectorX<double> stack(const std::vector<JointReaction>& reactions) const;
 
-  /// A formulation's reactions: on body j as it gives them, on body i from the rows' gradients there.
+  /// The reactions of a formulation: on body j from its solution, on body i from the gradients of the rows
+  /// and lambda.
   std::vector<JointReaction> reactions(const FormulationResult<double>& result) const;
 
-  /// The lambda of a joint's own rows (independent among themselves) that its reaction stands for.
+  /// The lambda of a joint's rows that corresponds to its reaction. The joint's rows must be independent of
+  /// each other.
   VectorX<double> multipliers(const Joint<double>& joint, const JointReaction& reaction) const;
 
  private:
@@ -38,15 +41,15 @@ class ReactionFrame {
 
   int body_of(const Joint<double>& joint) const;
 
-  /// -Phi^T lambda on body i; nothing on the ground.
+  /// The reaction -Phi^T lambda on body i; zero on the ground.
   Reaction<double> reaction_on_i(const Joint<double>& joint, const VectorX<double>& lambda) const;
 
   Vector6 metric_wrench(const Joint<double>& joint, const JointReaction& reaction) const;
 
-  /// Force over sqrt(m) and torque about the centre of mass, body frame, over sqrt(J).
+  /// [force / sqrt(m); torque about the centre of mass, body frame, / sqrt(J)].
   Vector6 metric_wrench(int body, const Reaction<double>& reaction) const;
 
-  /// No combination of rows that vanishes has a wrench at this joint.
+  /// Whether no vector of the rows' null space has a wrench at this joint.
   bool is_unique(const Joint<double>& joint) const;
   int unique_joints() const;
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Rows as Simbody constraints: one custom constraint a row, or Simbody's own where it has one. Internal to
-/// the Simbody library; multiplier_signs.hpp documents sign and scale.
+/// Adds rows to a Simbody model: as one custom constraint for each row, or as Simbody's own constraints where
+/// they exist. Internal to the Simbody library; multiplier_signs.hpp documents signs and factors.
 
 #include <Simbody.h>
 
@@ -14,7 +14,7 @@ namespace trivium::simbody {
 inline SimTK::Vec3 vec(const Vector3& v) { return {v[0], v[1], v[2]}; }
 inline Vector3 array(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
 
-/// The mobilized bodies of the model's bodies.
+/// Maps the bodies of a model to their mobilized bodies in Simbody.
 struct BodyMap {
   SimTK::SimbodyMatterSubsystem& matter;
   std::vector<SimTK::MobilizedBodyIndex> index;
@@ -25,14 +25,14 @@ struct BodyMap {
   }
 };
 
-/// One row as a custom constraint.
+/// Adds one row as a custom constraint.
 LinkedConstraint custom_row(const Model& model, int joint, int row, const BodyMap& bodies);
 
-/// Every row of a joint as a custom constraint.
+/// Adds every row of a joint as a custom constraint.
 void add_custom_rows(const Model& model, int joint, const BodyMap& bodies,
                      std::vector<LinkedConstraint>& out);
 
-/// The same rows through Simbody's own constraints, as far as there are any.
+/// Adds the rows of a joint as Simbody's own constraints where these exist, else as custom constraints.
 void add_built_in_rows(const Model& model, int joint, const BodyMap& bodies,
                        std::vector<LinkedConstraint>& out);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Simbody's answer in our terms: accelerations, lambda of all rows and joint reactions. Signs and factors
-/// stand in multiplier_signs.hpp.
+/// Converts Simbody's answer to Trivium's quantities: accelerations, lambda of all rows and joint reactions.
+/// Signs and factors are documented in multiplier_signs.hpp.
 
 #include <vector>
 
@@ -14,7 +14,7 @@ struct SimbodySolution {
   std::vector<JointReaction> reactions;
 };
 
-/// Where a joint became a mobilizer its lambda is the one that its reaction stands for.
+/// Converts the answer. If a joint became a mobilizer, its lambda is computed from its reaction.
 SimbodySolution to_trivium_solution(const simbody::Model& model, const simbody::Answer& answer,
                                     const ReactionFrame& frame);
 

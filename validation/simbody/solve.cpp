@@ -20,7 +20,8 @@ Vec3 point_on_i(const System& system, const Joint& joint) {
   return system.bodies[joint.i].findStationLocationInGround(system.state, vec(joint.frame_i.point));
 }
 
-/// Simbody forms G^T from the forces of its constraints and G from their errors: they must be the same.
+/// The largest difference between G^T, which Simbody forms from the forces of its constraints, and G, from
+/// their errors.
 double jacobian_defect(const System& system) {
   if (system.constraints.empty()) return 0;
   SimTK::Matrix G, G_transposed;
@@ -62,7 +63,7 @@ void read_multipliers(const System& system, Answer& out) {
   }
 }
 
-/// From the child at M to body j at the joint's point on i.
+/// The reaction on body j about the joint's point on i, from Simbody's reaction on the child at M.
 SpatialVec mobilizer_reaction(const System& system, const Joint& joint, const Branch& branch,
                               const SimTK::Vector_<SpatialVec>& on_child) {
   const MobilizedBody& child = system.bodies[branch.body];
@@ -72,7 +73,8 @@ SpatialVec mobilizer_reaction(const System& system, const Joint& joint, const Br
   return branch.reversed ? SpatialVec(-moved[0], -moved[1]) : moved;
 }
 
-/// -G^T lambda on a body of the joint, which Simbody gives at the body's origin, at the joint's point on i.
+/// The reaction -G^T lambda on a body of the joint. Simbody gives it at the body's origin; the result is
+/// about the joint's point on i.
 SpatialVec constraint_reaction(const System& system, const Joint& joint, int body,
                                const SimTK::Constraint& constraint) {
   SimTK::Vector_<SpatialVec> applied;

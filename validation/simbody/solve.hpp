@@ -1,6 +1,6 @@
 #pragma once
-/// Accelerations, multipliers and joint reactions of a model at its state, as Simbody computes them; the
-/// multipliers with the sign and scale of ours (multiplier_signs.hpp). Plain C++17, like model.hpp.
+/// Solves a model at its state with Simbody: accelerations, multipliers and joint reactions. The multipliers
+/// have the sign and scale of Trivium's lambda (multiplier_signs.hpp). Plain C++17, like model.hpp.
 
 #include <vector>
 
@@ -8,27 +8,27 @@
 
 namespace trivium::simbody {
 
-/// Force, and torque about `point` (the joint's point on body i), Ground components.
+/// Force [N], and torque [N m] about `point`, the joint's point on body i; Ground components.
 struct Reaction {
   Vector3 force{}, torque{}, point{};
 };
 
 struct Answer {
-  std::vector<Vector3> r_ddot;         ///< of the centres of mass, global
-  std::vector<Vector3> omega_bar_dot;  ///< body frame
-  std::vector<double> lambda;          ///< one per row; 0 where `lambda_known` is false
-  std::vector<bool> lambda_known;      ///< false in the rows of a joint that became a mobilizer
-  /// Per joint, on either body. They are opposite but for a CD whose points are apart: it acts along its own
-  /// direction at both points, not along the line between them.
+  std::vector<Vector3> r_ddot;         ///< of the centres of mass [m/s^2], global frame
+  std::vector<Vector3> omega_bar_dot;  ///< [rad/s^2], body frame
+  std::vector<double> lambda;          ///< one for each row; 0 if `lambda_known` is false
+  std::vector<bool> lambda_known;      ///< false for the rows of a joint that became a mobilizer
+  /// The reactions of each joint on its bodies. They are opposite, except for a CD with distant points: its
+  /// force acts at both points along its own direction, not along the line between them.
   std::vector<Reaction> reactions_on_i, reactions_on_j;
-  double pose_defect = 0;      ///< the largest difference of a pose or velocity from the model's state
-  double jacobian_defect = 0;  ///< the largest entry of G (from errors) - G (from forces)
+  double pose_defect = 0;      ///< largest difference of a pose or velocity from the model's state
+  double jacobian_defect = 0;  ///< largest entry of G (from errors) - G (from forces)
   int mobilizers = 0;          ///< joints that became mobilizers
-  int idle_rows = 0;           ///< closing rows that the tree satisfies identically: disabled, lambda 0
-  int constraint_rows = 0;     ///< rows that became constraints
+  int idle_rows = 0;           ///< closing rows that the tree satisfies identically; disabled, lambda = 0
+  int constraint_rows = 0;     ///< number of rows that became constraints
 };
 
-/// Throws Refused, and nothing else; what it returns is finite.
+/// Solves the model; all numbers of the result are finite. Throws Refused, and no other exception.
 Answer solve(const Model& model, Way way);
 
 }  // namespace trivium::simbody

@@ -1,7 +1,7 @@
 #pragma once
-/// A model rebuilt in Simbody: a spanning tree of mobilizers, constraints for the rows that are left, forces,
-/// and the state that all of them share. Closing rows that the tree satisfies identically are disabled.
-/// Internal to the Simbody library.
+/// A model rebuilt in Simbody: a spanning tree of mobilizers, constraints for the remaining rows, forces, and
+/// their common state. Closing rows that the tree satisfies identically are disabled. Internal to the Simbody
+/// library.
 
 #include <Simbody.h>
 
@@ -13,7 +13,7 @@
 
 namespace trivium::simbody {
 
-/// At the model's state, realised to Stage::Acceleration.
+/// The system at the model's state, realised to Stage::Acceleration.
 struct System {
   System(const Model& of, Way way);
   System(const System&) = delete;
@@ -25,7 +25,7 @@ struct System {
   SimTK::GeneralForceSubsystem forces;
   BodyMap bodies;
   std::vector<Branch> tree;
-  std::vector<const Branch*> branch_of_joint;  ///< where the joint became a mobilizer
+  std::vector<const Branch*> branch_of_joint;  ///< null if the joint did not become a mobilizer
   std::vector<LinkedConstraint> constraints;
   std::vector<int> idle_rows;
   SimTK::State state;
@@ -34,7 +34,7 @@ struct System {
   void disable_idle_rows();
 };
 
-/// Simbody's messages run over lines and begin with the place in its source.
+/// A message of Simbody on one line, without the leading place in Simbody's source.
 std::string on_one_line(const std::string& message);
 
 }  // namespace trivium::simbody

@@ -27,7 +27,7 @@ simbody::JointFrame plain(const JointFrame<double>& f) {
   return {plain(f.point), plain(f.u), plain(f.v), plain(f.z)};
 }
 
-/// `ground` of a mechanism is its index nb.
+/// Replaces the index nb, which is the ground in a mechanism, by simbody::ground.
 simbody::BodyPair plain(const BodyPair& pair, int nb) {
   const auto index = [nb](int body) { return body == nb ? simbody::ground : body; };
   return {index(pair.i), index(pair.j)};
@@ -89,7 +89,7 @@ struct RowTranslation {
     return row;
   }
 
-  /// One that Simbody's model has no counterpart of yet.
+  /// A type of row that the Simbody model does not have.
   template <class Other>
   simbody::Row operator()(const Other&) const {
     std::string kind = "basic constraint of this type";
@@ -134,7 +134,7 @@ struct EffectTranslation {
     model.torsional_springs.push_back(
         {e.angle.joint, e.stiffness, e.damping, e.free_angle - e.angle.tracked, plain(e.actuator)});
   }
-  /// One that Simbody's model has no counterpart of yet.
+  /// A type of effect that the Simbody model does not have.
   template <class Other>
   void operator()(const Other&) const {
     throw ModelError(

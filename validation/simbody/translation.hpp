@@ -1,6 +1,6 @@
 #pragma once
-/// From a scene to the plain data that Simbody's side reads. Signs and factors of multipliers stand in
-/// multiplier_signs.hpp, the other way in simbody_solution.hpp.
+/// Translates a scene into the plain data of model.hpp. The opposite direction, with signs and factors of
+/// multipliers, is in simbody_solution.hpp and multiplier_signs.hpp.
 
 #include "mechanism/model.hpp"
 #include "scenes/scene.hpp"
@@ -8,9 +8,9 @@
 
 namespace trivium {
 
-/// The scene's state, taken as the state at time t.
+/// The model of the scene, whose state is taken as the state at time t [s].
 simbody::Model to_simbody(const scenes::Scene& scene, double t);
-/// The same where its model has been made already.
+/// The same for a scene whose Trivium model exists already.
 simbody::Model to_simbody(const scenes::Scene& scene, const Model<double>& made);
 
 }  // namespace trivium

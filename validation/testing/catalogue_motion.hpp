@@ -1,6 +1,6 @@
 #pragma once
-/// Motions of the catalogue's scenes, kept, and the suites of tests that every formulation passes. A support
-/// of the tests.
+/// Motions of the catalogue's scenes, stored for tests, and the parameterised tests that every formulation
+/// must pass. For tests only.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -20,12 +20,12 @@
 
 namespace trivium::test {
 
-/// One of the scenes that show every word of the format.
+/// A scene of the folder wellformed/, whose scenes use every word of the format.
 inline scenes::Scene wellformed_scene(const std::string& name) {
   return scenes::read_scene_file(fmt::format("{}/wellformed/{}.json", TRIVIUM_TEST_SCENES_DIR, name));
 }
 
-/// The samples of a run.
+/// The samples and the report of a run, in double, or in quad if the last argument is `in_quad`.
 inline constexpr bool in_quad = true;
 struct Motion : SimulationObserver {
   std::vector<MotionSample> samples;
@@ -62,7 +62,7 @@ inline SimulationOptions stepping(const std::string& formulation, const std::str
   return options;
 }
 
-/// Largest distance of a body between the ends of two motions.
+/// The largest distance [m] between a body's positions at the ends of two motions.
 inline double apart(const Motion& a, const Motion& b) {
   double largest = 0;
   for (std::size_t k = 0; k < a.end().state.pose.size(); ++k)
@@ -70,7 +70,8 @@ inline double apart(const Motion& a, const Motion& b) {
   return largest;
 }
 
-/// Those that take given steps and whose equations may be stiff.
+/// Methods with given steps that satisfy the position constraints by their own equations, for any mass
+/// matrix.
 inline const std::vector<std::string> implicit_methods = [] {
   std::vector<std::string> names;
   for (const integrators::MethodInfo& method : integrators::methods())
@@ -79,8 +80,8 @@ inline const std::vector<std::string> implicit_methods = [] {
   return names;
 }();
 
-/// Run in every formulation; motions_test.cpp and implicit_motions_test.cpp instantiate them, once for all
-/// files.
+/// Tests with the name of a formulation as parameter. motions_test.cpp and implicit_motions_test.cpp
+/// instantiate them for all files.
 class InEveryFormulation : public testing::TestWithParam<std::string> {};
 class Implicit : public testing::TestWithParam<std::string> {};
 

@@ -1,5 +1,5 @@
 #pragma once
-/// One body under gravity and what may hold it: what the Simbody tests are made of. A support of the tests.
+/// Scenes with one body under gravity, which may be held by constraints. For the Simbody tests only.
 
 #include <string>
 
@@ -40,7 +40,7 @@ inline scenes::Side hinge(const scenes::Vector3& point, const scenes::Vector3& a
 }
 inline const scenes::Side upright = hinge({0, 0, 0}, {0, 0, 1}, {1, 0, 0});
 
-/// A constraint between the ground (i) and the body.
+/// Adds a constraint between the ground (body i) and the body (body j).
 inline scenes::Constraint& hold(scenes::Scene& scene, ConstraintType type, const scenes::Side& on_ground,
                                 scenes::Side on_body) {
   on_body.body = 0;
