@@ -1,10 +1,11 @@
 #pragma once
 /// Comparison of one motion in several formulations, as in the program `trivium compare`. Every formulation
 /// is integrated separately. Two questions are answered. Along the motion: do the multipliers lambda of the
-/// separate runs agree within steps . tolerance . amplification, where the motion amplifies differences? At
-/// one state: does every formulation give the same lambda and the same accelerations at the same positions
-/// and velocities, within 100 u kappa? Here u is the unit roundoff of double and kappa the condition number
-/// of the equilibrated Phi M^-1 Phi^T.
+/// separate runs agree within steps . tolerance . amplification (with given steps: within the change that
+/// half the step makes)? At one state: do all formulations give the same lambda and accelerations at the same
+/// positions and velocities, within 100 u kappa? Here u is the unit roundoff of double and kappa the
+/// condition number of the equilibrated Phi M^-1 Phi^T; the bound is larger where the loads on a joint
+/// cancel.
 
 #include <optional>
 #include <string>
@@ -40,7 +41,7 @@ struct ComparedOutput {
   double lambda_difference = 0, lambda_bound = 0;  ///< between the separate runs, and its bound [-]
   double amplification = 1;        ///< largest growth so far of a relative difference of the start, in lambda
   double position_difference = 0;  ///< distance of centres of mass [m]
-  double rotation_difference = 0;  ///< angle between orientations [rad]
+  double rotation_difference = 0;  ///< angle theta between orientations, as 4 sin(theta / 4) [rad]
   /// Whether lambda_difference is held to its bound. It is not near a singular position, where lambda is not
   /// unique, nor after a neighbouring motion has diverged.
   bool is_judged = true;
