@@ -18,15 +18,14 @@ struct SimulateSettings {
   std::string integrator = "dopri5";    ///< one of integrators::method_names()
   double end = 10;                      ///< end time [s]; the start is the time of the scene
   std::optional<double> step = {};      ///< constant step size [s]; none: the method controls its step size
-  std::optional<double> output_step = {};  ///< time between outputs [s]; none: outputs at start and end
-  double rtol = 1e-8, atol = 1e-10;        ///< error of every number per step: at most atol + rtol |number|
-  std::optional<int> order = {};           ///< order of bdf, arkode-erk or arkode-dirk
-  std::optional<double> rho = {},
-                        alpha = {};  ///< rho of generalized-alpha (0 to 1), alpha of hht (-1/3 to 0)
+  std::optional<double> output_step = {};      ///< time between outputs [s]; none: outputs at start and end
+  double rtol = 1e-8, atol = 1e-10;            ///< allowed error per step of a number x of y: atol + rtol |x|
+  std::optional<int> order = {};               ///< order of bdf, arkode-erk or arkode-dirk
+  std::optional<double> rho = {}, alpha = {};  ///< of generalized-alpha (0 to 1); of hht (-1/3 to 0)
   bool full_newton = false;  ///< implicit methods: a new Newton matrix in every iteration, not every step
-  bool projects =
-      true;  ///< project onto the constraints after every step; implicit methods need no projection
-  std::optional<std::array<double, 2>> baumgarte = {};  ///< alpha, beta [1/s]: stabilisation, not projection
+  /// Explicit methods: project onto the constraints after every step. Must stay true for all other methods.
+  bool projects = true;
+  std::optional<std::array<double, 2>> baumgarte = {};  ///< alpha, beta [1/s]; replaces the projection
   std::string sequence = "313";                         ///< sequence of the Euler angles of r-epsilon
   bool reframe = true;                         ///< change a chart of Euler angles near its singularity
   std::function<bool(double t)> at_step = {};  ///< called after every step; false stops the run
@@ -62,9 +61,8 @@ struct Motion {
   double unaccounted_energy = 0;            ///< largest |change of energy - work| after any step [J]
   std::vector<double> singular_positions;   ///< times of the singular positions that the motion passed [s]
   std::vector<Jump> jumps;
-  double seconds = 0;  ///< processor time of the run [s]
-  std::vector<std::string>
-      warnings;  ///< singular positions passed, energy not accounted for, constraint drift
+  double seconds = 0;                 ///< processor time of the run [s]
+  std::vector<std::string> warnings;  ///< singular positions passed, energy lost, constraint drift
   /// The scene at the end of the motion. It can be written to a file, and simulate() continues from it.
   /// solve() needs velocities that satisfy their rows: after a method that does not enforce them (index 3),
   /// call assemble() first.

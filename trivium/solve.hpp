@@ -14,8 +14,7 @@ namespace trivium {
 /// One row of the constraints at a state.
 struct RowCheck {
   double position_residual = 0, velocity_residual = 0;  ///< Phi, and Phi_q q' - nu, in the row's own scale
-  /// |residual| / |gradient of the row|: lengths or angles, whatever the scale of the row [m or rad, m/s or
-  /// rad/s].
+  /// |residual| / |gradient of the row| [m or rad, m/s or rad/s]: independent of the scale of the row.
   double position_violation = 0, velocity_violation = 0;
   bool is_unique = true;      ///< its multiplier is unique
   bool is_redundant = false;  ///< dependent row: at this state it follows from other rows
@@ -28,13 +27,11 @@ struct Check {
   std::vector<RowCheck> rows;  ///< per row
   /// Rank of Phi_q and 6 nb - rank. None if the structured solver cannot decide: the state violates its rows.
   std::optional<int> rank, degrees_of_freedom;
-  std::optional<double>
-      condition;           ///< kappa of the equilibrated Phi M^-1 Phi^T; none from the structured solver
+  /// kappa, the condition number of the equilibrated Phi M^-1 Phi^T; none from the structured solver.
+  std::optional<double> condition;
   std::vector<double> mu;  ///< per row: if M is singular, norms use M + Phi^T diag(mu) Phi; otherwise 0
-  std::vector<std::string>
-      contradictory;  ///< dependent rows whose right side contradicts the rows before them
-  std::vector<std::string>
-      wrong_branches;  ///< joints whose rows hold, but on another branch than the joint's
+  std::vector<std::string> contradictory;       ///< dependent rows that contradict the rows before them
+  std::vector<std::string> wrong_branches;      ///< joints whose rows hold on another branch than the joint's
   std::vector<std::string> unphysical_inertia;  ///< bodies that declare an unphysical inertia
   bool is_consistent = false;                   ///< positions, velocities and branches hold
   std::string inconsistency;  ///< the violated rows and branches, one per line; empty if none
@@ -76,8 +73,7 @@ struct Solutions {
   /// Largest relative differences between two formulations: lambda in the norm |E lambda|, accelerations in
   /// the metric of the mass matrix [-]. NaN if these norms are not known.
   double lambda_difference = 0, r_ddot_difference = 0, omega_bar_dot_difference = 0;
-  std::optional<double>
-      lambda_bound;  ///< bound of lambda_difference: 100 u kappa; none if kappa is not known
+  std::optional<double> lambda_bound;  ///< of lambda_difference: 100 u kappa; none if kappa is not known
 };
 
 /// Solves in every formulation. Throws as solve() does, but a formulation without a solution is listed in
