@@ -150,7 +150,7 @@ class ConstrainedEquations {
   void inertia_force(const Factors& factors, const StateVector& x, StateVector& force) const {
     inertia_force(factors.at().body(), x, force);
   }
-  /// Generalized force of the effects, without gyroscopic terms; in the places of v.
+  /// Generalised force of the effects, without gyroscopic terms; in the places of v.
   void applied_force(const Evaluation& at, StateVector& force) {
     apply_effects(*at);
     force.resize(velocity_size());
@@ -164,12 +164,13 @@ class ConstrainedEquations {
     assemble(*at);
     return balance_.measure(*at, wrenches_, force, lambda, left);
   }
-  /// Phi, and below Phi' = Phi_q q' - nu, in the order of the mechanism's rows, with their violations.
+  /// Phi in the order of the mechanism's rows. Returns the violation of positions.
   Violation position_rows(const Evaluation& at, StateVector& phi) {
     at->assembly.positions(at->t, given_);
     matrix_.take_rows(given_, phi);
     return at->violation.measure_positions(given_);
   }
+  /// Phi' = Phi_q q' - nu in the same order. Returns the violation of velocities.
   Violation velocity_rows(const Evaluation& at, StateVector& phi_dot) {
     at->assembly.velocities(at->t, given_);
     matrix_.take_rows(given_, phi_dot);
@@ -258,8 +259,7 @@ class ConstrainedEquations {
   const MechanismOf<F>& mechanism_;
   const Layout& layout_;
   const Displacements<F> displacements_;
-  const std::shared_ptr<const EliminationPlan>
-      plan_;  ///< elimination order; shared by evaluations and factors
+  const std::shared_ptr<const EliminationPlan> plan_;  ///< shared by evaluations and factors
   const SpringRows<F> springs_;
   NewtonMatrix<F> matrix_;
   ForceBalance<F> balance_;

@@ -41,12 +41,12 @@ class ConstraintProjection {
     measure_.accept_state();
   }
 
-  /// The largest |Phi_k|, and below the largest |Phi_k'|, divided by the row's scale [m or rad, m/s or
-  /// rad/s].
+  /// The violation of positions at the current state (constraint_violation.hpp).
   integrators::Violation<S> measure_positions() {
     solver_.assembly().positions(t_, violation_);
     return measure_.measure_positions(violation_);
   }
+  /// The violation of velocities at the current state.
   integrators::Violation<S> measure_velocities() {
     solver_.assembly().velocities(t_, violation_);
     return measure_.measure_velocities(violation_);

@@ -92,7 +92,7 @@ class ConstraintViolation {
     }
   }
 
-  /// The largest violation among assembled values Phi, and below Phi'.
+  /// The largest violation among the assembled values, here Phi, in the next function Phi'.
   integrators::Violation<S> measure_positions(const GraphVector<S>& phi) const {
     return largest(phi, [](const Extent& of, bool is_turn) { return is_turn ? S(1) : of.length; });
   }
@@ -118,7 +118,7 @@ class ConstraintViolation {
   /// The size of a component: lengths [m], speeds [m/s], angular velocities [rad/s], and their largest values
   /// so far.
   struct Extent {
-    S arm{0}, reach{0};  ///< largest distance of a joint's point from its frame's origin: on bodies; on all
+    S arm{0}, reach{0};  ///< largest |joint point| in its frame: on bodies alone; on bodies and ground
     S length{0}, speed{0}, fastest{0}, spin{0}, fastest_spin{0};
   };
 
