@@ -1,6 +1,6 @@
 #pragma once
-/// Jumps of velocities. At a kink of a driver's function of time, the right side nu of its row jumps, and the
-/// velocities have to jump with it. The function below decides whether they jump, and computes the change of
+/// Jumps of velocities. At a kink of a driver's function of time the right side nu of its row can jump, and
+/// the velocities then jump with it. The function below decides whether they jump, and computes the change of
 /// velocities dv and the impulse Lambda of the rows:
 ///
 ///     M dv + Phi_q^T Lambda = 0,   Phi_q dv = jump of nu

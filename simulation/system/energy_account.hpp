@@ -4,10 +4,9 @@
 ///
 ///     T + V = (T + V at the start) + W,   W' = (power of non-conservative effects) - lambda . nu
 ///
-/// -lambda . nu is the power of drivers, which are the rows with a right side nu that is not zero. This file
-/// decides which difference between the two sides is too large for an accurate motion (energy_is_lost). A run
-/// keeps the largest difference after any step (motion_watch.hpp); trivium/motion_warnings.cpp warns about
-/// it.
+/// -lambda . nu is the power of drivers, which are rows with a function of time. This file decides which
+/// difference between the two sides is too large for an accurate motion (energy_is_lost). A run keeps the
+/// largest difference after any step (motion_watch.hpp), and trivium/motion_warnings.cpp warns about it.
 
 #include <cmath>
 #include <vector>

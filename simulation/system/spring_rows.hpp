@@ -1,12 +1,12 @@
 #pragma once
 /// The stiffness k and damping c of springs in Newton's matrix. Every spring or damper with k or c different
-/// from 0 is an extra row along its direction, in addition to the rows of the constraints, with the
-/// compliance
+/// from 0 is an extra row in addition to the rows of the constraints. With the gradient g of its length or
+/// angle, and its force f as the multiplier, the row is
 ///
-///     1 / (gamma' c + beta' k),   gamma' = dv/dv',  beta' = dq/dv'  in the step
+///     g x - f / (gamma' c + beta' k) = slack,   gamma' = dv/dv',  beta' = dq/dv'  in the step
 ///
-/// on the diagonal. Elimination of such a row adds its part of gamma' C + beta' K to M. As a row, a stiff
-/// spring worsens the condition number no more than a constraint does.
+/// 1 / (gamma' c + beta' k) is the compliance of the row. Elimination of f adds the spring's part of gamma' C
+/// + beta' K to M. As a row, a stiff spring worsens the condition number no more than a constraint does.
 
 #include <algorithm>
 #include <utility>
@@ -104,15 +104,15 @@ class SpringRows {
     });
   }
 
-  /// Sets the slack of all springs to 0: a spring resists the whole stretch that the solution x causes.
+  /// Sets the slack of all springs to 0: a spring resists the whole stretch g x by the solution.
   void clear_slack(GraphVector<S>& right_side) const {
     for (const int e : soft_) right_side.edge[e].setZero();
   }
-  /// A spring resists only the stretch by the solution x that exceeds its slack.
+  /// Sets the slack of every spring: it resists only g x - slack.
   void put_slack(const StateVector& slack, GraphVector<S>& right_side) const {
     for (std::size_t s = 0; s < soft_.size(); ++s) right_side.edge[soft_[s]][0] = slack[s];
   }
-  /// The stretch of every spring by the solution: slack + compliance . (force of the spring's row).
+  /// The stretch g x of every spring, which equals slack + compliance . f.
   void stretch_of(const GraphAssembly<F>& factored, const StateVector& slack, const GraphVector<S>& solution,
                   StateVector& stretch) const {
     stretch.resize(slack.size());
