@@ -38,9 +38,8 @@ struct MotionSample {
 /// The end of a run, from which another run can continue.
 struct RunEnd {
   MechanismState<double> state;
-  std::vector<int>
-      turns;     ///< full turns of every joint angle that effects count, in the order of the effects
-  SavedRun run;  ///< state vector and memory of the method
+  std::vector<int> turns;  ///< full turns of the joint angles that effects count, in the effects' order
+  SavedRun run;            ///< state vector and memory of the method
 };
 
 struct SimulationReport {

@@ -32,8 +32,7 @@ namespace trivium {
 struct FirstOrderOptions {
   ChartOptions charts;
   std::optional<Baumgarte> baumgarte;
-  bool is_projected =
-      true;  ///< states satisfy their rows; otherwise drift makes dependent rows look independent
+  bool is_projected = true;        ///< false: constraints drift, which makes dependent rows look independent
   const SavedRun* from = nullptr;  ///< saved run in this formulation to continue from, at the start's time
 
   /// Start time of the first of all continued runs, at which the scales of rows are taken [s].
@@ -76,8 +75,9 @@ class FirstOrderEquations {
       return;
     }
     accept_state(start.t, start_);
-    // Along a motion, rows that are nearly dependent are treated as dependent, because the motion may pass a
-    // singular position. If the start itself has such rows, only exactly dependent rows are left out instead.
+    // A projected motion may pass a singular position: nearly dependent rows are then treated as dependent.
+    // If the start itself has such rows, only exactly dependent rows are, along the whole motion. A motion
+    // that drifts keeps the number of dependent rows of its start.
     const int found = solver_.factors().dependent_row_count();
     detection_ = options.is_projected ? DependentRows::detect_near_singular : DependentRows::keep_count;
     log_.begin();
