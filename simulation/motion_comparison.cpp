@@ -153,8 +153,8 @@ class Comparer {
     }
   }
 
-  /// The bound for given steps. Halving the step removes at least half of the error, also for a method of
-  /// order 1, so twice the change is a bound of the error.
+  /// The bound for given steps. To leading order, halving the step removes at least half of the error, also
+  /// for a method of order 1; twice the change therefore bounds the error.
   void bound_by_halved_steps() {
     std::vector<std::vector<double>> error(formulations_.size());
     for (std::size_t f = 0; f < formulations_.size(); ++f) {

@@ -88,8 +88,9 @@ struct MotionComparison {
   bool complete() const { return are_complete(runs); }
   /// Whether lambda along the motion is held to its bound at this output.
   bool is_judged(const ComparedInstant& now) const;
-  /// Whether lambda is within its bound at every judged output; below, at every compared state.
+  /// Whether all runs are complete and lambda is within its bound at every judged output.
   bool holds_along() const;
+  /// The same at every compared state, for lambda and accelerations.
   bool holds_at_states() const;
 };
 

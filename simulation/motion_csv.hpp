@@ -13,9 +13,9 @@
 
 namespace trivium {
 
-/// The names of the columns, and below the numbers of one line. If not `has_raw_lambda`, the method's own
-/// lambda is left out.
+/// The names of the columns. If not `has_raw_lambda`, the method's own lambda is left out.
 std::vector<std::string> motion_columns(const Mechanism<double>& mechanism, bool has_raw_lambda);
+/// The numbers of one line, in the same order.
 std::vector<double> motion_numbers(const MotionSample& sample, bool has_raw_lambda);
 
 class MotionCsv {

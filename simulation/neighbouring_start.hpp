@@ -23,8 +23,8 @@ inline constexpr double small_difference = 0.1;
 /// The distance of a neighbour in tolerances; the resulting distance is limited to 1e-11 ... 1e-4.
 inline constexpr double distance_in_tolerances = 100;
 
-/// A random neighbour, drawn with a fixed seed, so that runs can be repeated. Throws a ModelError if three
-/// distances, each 30 times smaller, fail to be assembled.
+/// A random neighbour, drawn with a fixed seed, so that runs can be repeated. Throws a ModelError if no
+/// neighbour can be assembled at three distances, each 30 times smaller than the one before.
 NeighbouringStart neighbouring_start(const Model<double>& model, double tolerance,
                                      double in_tolerances = distance_in_tolerances);
 
