@@ -109,7 +109,8 @@ class Simulation {
     return given;
   }
 
-  /// Gives the method the memory of the saved run, such as its last step size.
+  /// Gives the method the memory of the saved run, such as an auxiliary acceleration, instead of a fresh
+  /// start.
   void recall(integrators::AnySystem<S>& system, const SavedRun& from) {
     if (from.memory.empty()) return;
     try {
