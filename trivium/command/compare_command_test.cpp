@@ -129,8 +129,8 @@ TEST(CompareAgainst, NamesOfItsOwnAreMapped) {
 }
 
 TEST(CompareAgainst, ANumberThatIsOffExceedsItsBound) {
-  const std::string file = temporary_scene(
-      "off.csv", "t,rod.x\n0,0.15\n0.25,0.15\n0.6,0.15\n");  // times that are not evenly spaced
+  const std::string file =
+      temporary_scene("off.csv", "t,rod.x\n0,0.15\n0.25,0.15\n0.6,0.15\n");  // unevenly spaced times
   const Outcome r = run("trivium compare spatial_slider_crank --against " + file);
   EXPECT_EQ(r.exit_code, 1) << r.err;
   EXPECT_NE(r.out.find("1 of 1 column EXCEED their bounds"), std::string::npos) << r.out;

@@ -11,7 +11,7 @@ namespace trivium {
 
 namespace {
 
-/// The error message if the first word is no subcommand; empty if it is one, or an option.
+/// The error message if the first word is missing or no subcommand; empty if it is a subcommand or an option.
 std::string misuse(const std::vector<Command>& commands, int argc, char** argv) {
   const std::string word = argc > 1 ? argv[1] : "";
   if (word.starts_with('-')) return {};

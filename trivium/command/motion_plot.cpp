@@ -51,8 +51,7 @@ void MotionPlot::write(const std::string& file) const {
   for (std::size_t n = 0; n < shown_joints_.size(); ++n)
     forces.push_back(curve(joints_[shown_joints_[n]], n));
   for (const char* name : {"|E - E(0)| [J]", "phi [m, rad]", "phi' [m/s, rad/s]"})
-    errors.push_back(
-        curve(name, errors.size(), 0, "${0} > 1e-20 ? ${0} : 1e-20"));  // the axis is logarithmic
+    errors.push_back(curve(name, errors.size(), 0, "${0} > 1e-20 ? ${0} : 1e-20"));  // logarithmic axis
   const auto panel = [](const std::vector<std::string>& curves, const std::string& label) {
     if (curves.empty()) return std::string("set multiplot next\n");
     return fmt::format("set ylabel {}\nplot {}\n", gnuplot_quoted(label), fmt::join(curves, ", \\\n  "));
