@@ -1,6 +1,5 @@
 #pragma once
-/// The CPU time of the calling thread, for comparisons of runs. The time of other threads and processes is
-/// not included.
+/// The CPU time of the calling thread, to compare runs. Other threads and processes do not count.
 
 #include <ctime>
 

@@ -23,8 +23,7 @@ struct MotionSample {
   std::vector<Reaction<double>> reactions;  ///< per joint, on body j: global frame, about its point on i
   VectorX<double> lambda;  ///< solved from (q, v); with dependent rows that of least |E lambda|, if it exists
   std::vector<bool> lambda_unique;  ///< per row
-  /// Relative corrections by the last refinement step, as estimates of the errors of lambda and
-  /// accelerations.
+  /// Estimated relative errors of lambda and accelerations: the corrections by the last refinement step.
   double lambda_error = 0, acceleration_error = 0;
   VectorX<double> raw_lambda;       ///< multipliers of the method itself; empty if it has none
   double energy = 0;                ///< kinetic plus potential [J]

@@ -72,8 +72,7 @@ struct ComparedRun {
 /// Whether all runs reached the end.
 bool are_complete(const std::vector<ComparedRun>& runs);
 
-/// The model moved to a state of a motion; `angles` are the counted joint angles there
-/// (MotionSample::angles).
+/// The model moved to a state of a motion; `angles` are the joint angles counted there, as in MotionSample.
 Model<double> model_at(const Model<double>& model, const MechanismState<double>& state,
                        const std::vector<double>& angles);
 

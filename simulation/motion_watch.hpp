@@ -24,8 +24,7 @@ class MotionWatch {
   using S = typename F::Scalar;
   using StateVector = VectorX<S>;
 
-  /// Later energies are compared with that at the start t of the equations. All arguments must outlive this
-  /// object.
+  /// Later energies are compared with that of the start, at time t. All arguments must outlive this object.
   MotionWatch(ConstrainedEquations<F>& equations, const integrators::AnyMethod<S>& method,
               const SimulationOptions& options, SimulationObserver& observer, SimulationReport& report,
               const S& t)
@@ -39,8 +38,7 @@ class MotionWatch {
     report_.energy_start = static_cast<double>(at_start_.total());
   }
 
-  /// The values of a state that enter both the report and a sample: energy [J], violations [m or rad, m/s or
-  /// rad/s].
+  /// The values of a state that both the report and a sample contain.
   struct Seen {
     MotionEnergy<S> energy;
     double phi, phi_dot;

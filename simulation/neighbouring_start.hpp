@@ -28,8 +28,7 @@ inline constexpr double distance_in_tolerances = 100;
 NeighbouringStart neighbouring_start(const Model<double>& model, double tolerance,
                                      double in_tolerances = distance_in_tolerances);
 
-/// 4 sin(theta / 4) of the angle theta between two orientations, which is theta for small angles [rad]. p and
-/// -p are the same orientation.
+/// 4 sin(theta / 4), for small angles theta [rad], of the angle theta between two orientations p and q.
 double turn_between(const Vector4<double>& p, const Vector4<double>& q);
 
 }  // namespace trivium

@@ -1,7 +1,6 @@
 #pragma once
 /// A motion of another code, read from a CSV file: a column of times and columns of numbers. Columns are
-/// recognised by the names of the library's own files (motion_csv.hpp), or by a map from the other names to
-/// these.
+/// recognised by the names in the library's own files (motion_csv.hpp), or by a map from other names to them.
 
 #include <map>
 #include <string>

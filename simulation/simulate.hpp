@@ -24,8 +24,7 @@ struct SimulationOptions {
   integrators::Tolerances tolerances;
   integrators::MethodParameters parameters;
   bool projects = true;  ///< project after every step, if the method does not satisfy the constraints itself
-  /// Whether drift and energy are evaluated after every step, and lambda and reactions at outputs. Timed runs
-  /// leave them out.
+  /// Evaluate drift and energy after every step, and lambda and reactions at outputs. Timed runs do not.
   bool watches = true;
   std::optional<Baumgarte> baumgarte;  ///< stabilisation of the accelerations, instead of projection
   ChartOptions charts;
@@ -34,8 +33,8 @@ struct SimulationOptions {
   std::optional<SavedRun> from;
 };
 
-/// Whether the mass matrix of a formulation is independent of positions. Throws a ModelError if there is no
-/// formulation of this name.
+/// Whether the mass matrix of a formulation is independent of positions. Throws a ModelError for an unknown
+/// name.
 bool inertia_is_constant(const std::string& formulation);
 /// Whether the method can be used with the formulation: some methods need a constant mass matrix.
 bool goes_with(const integrators::MethodInfo& method, const std::string& formulation);

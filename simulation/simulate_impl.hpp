@@ -109,8 +109,7 @@ class Simulation {
     return given;
   }
 
-  /// Gives the method the memory of the saved run, such as an auxiliary acceleration, instead of a fresh
-  /// start.
+  /// Gives the method the memory of the saved run, such as an auxiliary acceleration.
   void recall(integrators::AnySystem<S>& system, const SavedRun& from) {
     if (from.memory.empty()) return;
     try {

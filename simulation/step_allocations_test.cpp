@@ -16,8 +16,7 @@
 namespace trivium {
 namespace {
 
-/// The number of allocations in 20 steps, with their projections and the acceptance of their states, after 10
-/// steps that are not counted.
+/// The number of allocations in 20 steps, projections and accepted states, after 10 steps that do not count.
 template <class F>
 long long allocations_of(const std::string& scene, const std::string& name) {
   const auto model = make_model<double>(test::catalogue_scene(scene));

@@ -1,7 +1,6 @@
 #pragma once
 /// Checks of choices that a caller makes by name: a formulation, a sequence of Euler angles. An unknown name
-/// is an Error of kind input whose message lists the accepted names. The public interface and the program
-/// share these checks.
+/// is an Error of kind input whose message lists the accepted names.
 
 #include <string>
 #include <string_view>

@@ -4,8 +4,7 @@
 /// separate runs agree within steps . tolerance . amplification (with given steps: within the change that
 /// half the step makes)? At one state: do all formulations give the same lambda and accelerations at the same
 /// positions and velocities, within 100 u kappa? Here u is the unit roundoff of double and kappa the
-/// condition number of the equilibrated Phi M^-1 Phi^T; the bound is larger where the loads on a joint
-/// cancel.
+/// condition number of the equilibrated Phi M^-1 Phi^T; where loads cancel, the bound is larger.
 
 #include <optional>
 #include <string>

@@ -1,5 +1,4 @@
-/// The public interface: scenes built in C++, states, errors. Its numbers equal those of the templates behind
-/// it.
+/// The public interface: scenes built in C++, states, errors. Its numbers equal those of the templates.
 
 #include <gtest/gtest.h>
 

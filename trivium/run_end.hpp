@@ -1,6 +1,5 @@
 #pragma once
-/// Turns the end of a run into a scene from which another run can continue. Only the library's own sources
-/// include this header.
+/// Turns the end of a run into a scene from which another run can continue. For the library's own sources.
 
 #include "scenes/scene.hpp"
 #include "simulation/motion.hpp"

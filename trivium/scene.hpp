@@ -1,8 +1,7 @@
 #pragma once
 /// Scenes, read from files or built in C++. A scene holds bodies, constraints between them and effects
 /// (forces, springs, gravity), with the state of the bodies at one time. Keys, types and defaults are those
-/// of the scene format, scenes/format/scene.schema.json; a scene built in C++ passes the same checks as a
-/// file.
+/// of the scene format, scenes/format/scene.schema.json; scenes built in C++ pass the same checks as files.
 
 #include <array>
 #include <filesystem>
@@ -53,8 +52,7 @@ struct Key {
 /// A list whose elements are not all numbers, such as the rows of a matrix or functions of time.
 Value list(std::initializer_list<Value> values);
 
-/// A rigid body. The origin of its frame is the centre of mass. Default orientation: the identity;
-/// velocities: 0.
+/// A rigid body, whose frame has its origin at the centre of mass. Default: A = identity, velocities 0.
 struct Body {
   std::string name;               ///< unique in the scene; not "ground"
   double mass = 0;                ///< [kg]
@@ -93,8 +91,7 @@ class Scene {
   double t() const;
   std::vector<std::string> bodies() const, constraints() const;  ///< names, in the order of the scene
 
-  /// Writes a file of the scene format. The file is replaced completely or, if an Error is thrown, left as it
-  /// was.
+  /// Writes a file of the scene format. If an Error is thrown, an existing file is left as it was.
   void write(const std::filesystem::path& file) const;
 
   struct Contents;

@@ -64,8 +64,7 @@ SimulationOptions simulation_options(const SimulateSettings& s) {
 
 namespace {
 
-/// Converts every sample to a plain Output, and passes it to the user's observer or, if there is none, keeps
-/// it.
+/// Converts every sample to a plain Output, and passes it to the user's observer, or keeps it without one.
 class PlainObserver : public SimulationObserver {
  public:
   PlainObserver(const Mechanism<double>& mechanism, const SimulateSettings& settings,

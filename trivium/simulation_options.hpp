@@ -1,6 +1,5 @@
 #pragma once
-/// Conversion of the public settings of a run to the library's options. Only the library's own sources
-/// include this header.
+/// Conversion of the public settings of a run to the library's options. For the library's own sources.
 
 #include <string>
 #include <vector>

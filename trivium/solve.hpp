@@ -43,8 +43,7 @@ struct Check {
 Check check(const Scene& scene);
 
 /// A copy of the scene whose state satisfies its constraints: positions, then velocities, are projected by
-/// the least change in the metric of the mass matrix. Throws an Error that names the rows that cannot be
-/// satisfied.
+/// the least change in the metric of the mass matrix. Throws an Error that names rows that cannot be met.
 Scene assemble(const Scene& scene);
 
 struct SolveSettings {
@@ -76,8 +75,8 @@ struct Solutions {
   std::optional<double> lambda_bound;  ///< of lambda_difference: 100 u kappa; none if kappa is not known
 };
 
-/// Solves in every formulation. Throws as solve() does, but a formulation without a solution is listed in
-/// `failed`.
+/// Solves in every formulation. Throws as solve() does, except that `failed` lists formulations without
+/// solution.
 Solutions solve_in_all(const Scene& scene, const SolveSettings& settings = {});
 
 /// The names of the formulations.

@@ -16,8 +16,7 @@ namespace trivium {
 /// The analysis behind trivium::check and `trivium check`.
 Check check_state(const scenes::Scene& scene, const Model<double>& model);
 
-/// Throws an Error of kind input if the state violates its constraints. The message names the violated rows
-/// and proposes what to do.
+/// Throws an Error of kind input, with the violated rows and advice, if the state violates its constraints.
 void require_consistent(const std::string& source, const Model<double>& model,
                         const std::optional<SavedRun>& saved);
 /// The same for the start of a simulation in `formulation`. If the state is the end of a saved run in that

@@ -15,8 +15,7 @@
 /// their directions (spring_rows.hpp). Gyroscopic and geometric terms are left out of the matrix; the Newton
 /// iteration therefore converges linearly, with a rate of about the angle [rad] that bodies turn in a step.
 ///
-/// The class is a model of the concept integrators::ConstrainedSystem, whose headers in integrators/contract
-/// define every function.
+/// The class is a model of the concept integrators::ConstrainedSystem, which defines its functions.
 
 #include <algorithm>
 #include <memory>

@@ -52,8 +52,7 @@ class ConstraintProjection {
     return measure_.measure_velocities(violation_);
   }
   /// The jump of the velocity residual Phi_q q' - nu between the time `before` and the state's time, at the
-  /// same positions and velocities: it is caused by jumps of nu alone. solve() then uses this jump as its
-  /// right side.
+  /// same positions and velocities, caused by jumps of nu alone. solve() then uses it as its right side.
   integrators::Violation<S> measure_jump(const S& before) {
     solver_.assembly().velocities(before, change_);
     solver_.assembly().velocities(t_, violation_);

@@ -105,8 +105,8 @@ class ConstraintViolation {
     return row < 0 ? none : row_names_[row];
   }
 
-  /// The number of a body's component, below nb. Bodies connected by rows share it; the ground connects
-  /// nothing.
+  /// The number of a body's component, below nb. Bodies connected by rows share it, unless through the
+  /// ground.
   int component_of(int body) const { return component_[body]; }
   /// The largest distance of a joint's point from the centre of its body, in the component of a body [m].
   /// Points on the ground do not count.
@@ -115,8 +115,7 @@ class ConstraintViolation {
   const S& length_of(int body) const { return extent_[component_[body]].length; }
 
  private:
-  /// The size of a component: lengths [m], speeds [m/s], angular velocities [rad/s], and their largest values
-  /// so far.
+  /// The size of a component: lengths [m], speeds [m/s], angular velocities [rad/s], the fastest so far.
   struct Extent {
     S arm{0}, reach{0};  ///< largest |joint point| in its frame: on bodies alone; on bodies and ground
     S length{0}, speed{0}, fastest{0}, spin{0}, fastest_spin{0};

@@ -1,8 +1,8 @@
 #pragma once
 /// Displacements between states, for implicit methods. A displacement d has as many numbers as v, in the same
 /// order. The position r moves by addition. The orientation moves as the formulation defines: by a rotation
-/// vector in Lie-group formulations, by addition in the others. This file also enforces internal rows (r-p: p
-/// . p = 1) within a step, by a change of v'.
+/// vector in Lie-group formulations, by addition in the others. By a change of v', this file also enforces
+/// internal rows within a step, such as p . p = 1 in r-p.
 
 #include <vector>
 
@@ -49,8 +49,7 @@ class Displacements {
       layout_.place(rate, b) << Layout::r_of(v, b),
           F::orientation_rate(state_[b].chart, layout_.orientation(y, b), Layout::q_of(v, b));
   }
-  /// The size of what each number of a displacement moves, for tolerances: |r| [m] for the three translations
-  /// of a body, 1 for its rotations.
+  /// Sizes for tolerances, per number of a displacement: |r| [m] for translations of a body, 1 for rotations.
   void position_sizes(const StateVector& y, StateVector& sizes) const {
     sizes.setOnes(layout_.velocity_size());
     for (int b = 0; b < nb(); ++b) Layout::of(sizes, b).template head<3>().setConstant(r_at(y, b).norm());

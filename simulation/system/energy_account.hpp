@@ -1,5 +1,5 @@
 #pragma once
-/// The energy balance along a motion, with kinetic energy T, potential energy V and the work W done on the
+/// The energy balance of a motion, with kinetic energy T, potential energy V and work W done on the
 /// mechanism:
 ///
 ///     T + V = (T + V at the start) + W,   W' = (power of non-conservative effects) - lambda . nu

@@ -49,8 +49,7 @@ class FirstOrderEquations {
   using S = Scalar;
   using StateVector = VectorX<S>;
 
-  /// Throws a ModelError that names the body whose chart is singular, and an Error of kind input if the saved
-  /// run does not fit.
+  /// Throws a ModelError that names a body with a singular chart, or an Error if the saved run does not fit.
   FirstOrderEquations(const MechanismOf<F>& mechanism, const MechanismState<S>& start,
                       const FirstOrderOptions& options = {})
       : mechanism_(mechanism),
@@ -134,8 +133,7 @@ class FirstOrderEquations {
     return mechanism_.effects.longest_step(view(t));
   }
   const std::string& row_name(int row) const { return projection_.measure().row_name(row); }
-  /// One projection step of the positions. If `factor`, the matrix is factored at y; otherwise the last
-  /// factors are used.
+  /// One projection step of the positions, with the matrix factored at y if `factor`, else the last factors.
   void correct_positions(const S& t, StateVector& y, bool factor) {
     if (!is_measured(t, y, Rows::positions)) position_violation(t, y);
     projection_.correct_positions(layout_, state_, y, factor);
@@ -156,8 +154,7 @@ class FirstOrderEquations {
   }
 
   /// Accepts a state: changes the charts of bodies near their singularity, detects the dependent rows, and
-  /// lets effects count turns. Returns whether a chart changed, so that y has other coordinates. Throws a
-  /// ModelError.
+  /// lets effects count turns. Returns whether a chart changed, and so y. Throws a ModelError.
   bool accept_state(const S& t, StateVector& y) {
     accepted_t_.reset();
     const bool reframed = charts_.is_on() && reframe(t, y);
@@ -216,8 +213,7 @@ class FirstOrderEquations {
     return energy;
   }
 
-  /// A property of the model that may have made an integrator fail near (t, y), such as a singular chart;
-  /// empty if there is none.
+  /// A message if a singular chart near (t, y) may have made an integrator fail; empty if there is none.
   std::string diagnose(const S& t, const StateVector& y) {
     load(y);
     return charts_.near_singularity(mechanism_, state_, t);
@@ -250,8 +246,7 @@ class FirstOrderEquations {
       if (const std::string chart(body.chart.name()); !chart.empty()) names.push_back(chart);
     return names;
   }
-  /// The joint angles that effects count, as counted at the last accepted state [rad], in the order of the
-  /// effects.
+  /// The joint angles that effects counted at the last accepted state [rad], in the order of the effects.
   std::vector<double> counted_angles() {
     std::vector<double> angles;
     mechanism_.effects.for_each_angle(
@@ -394,8 +389,7 @@ void FirstOrderEquations<F>::go_on_from(const SavedRun& saved, const MechanismSt
       refuse(fmt::format("body \"{}\" is not where it left it", mechanism_.body_names[b]));
   }
   // The saved state may violate its rows by the error of the method, and exactly dependent rows may then look
-  // independent. Hence the first detection is detect_near_singular unless the run began at a singular
-  // position.
+  // independent. Hence this detection is detect_near_singular, unless the run began at a singular position.
   detection_ = saved.began_singular ? DependentRows::detect : DependentRows::detect_near_singular;
   log_.begin();
   accept_state(state.t, start_);

@@ -82,8 +82,7 @@ TYPED_TEST(FirstOrder, StartsFromThePoseAndTwistOfTheScene) {
   }
 }
 
-// central differences along y': the rates of poses are the twists, and those of twists r-omega's
-// accelerations
+// central differences along y': poses change by the twists, twists by the accelerations of r-omega
 TYPED_TEST(FirstOrder, MovesAlongItsTwistAndAccelerations) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const scenes::Scene scene = test::varied_scene(seed);
@@ -170,8 +169,7 @@ TYPED_TEST(FirstOrder, CorrectsByTheLeastChangeInTheMassMetric) {
   }
 }
 
-// a small constraint violation makes redundant rows look independent; the dependent rows of the start are
-// kept
+// a small violation makes redundant rows look independent; the dependent rows of the start are kept
 TYPED_TEST(FirstOrder, RedundantRowsStayRedundantWithinAStep) {
   for (const char* name : {"bricard", "parallelogram", "four_bar", "door"}) {
     auto form = form_of<TypeParam>(catalogue_scene(name));

@@ -108,8 +108,7 @@ class ForceBalance {
     }
   }
 
-  /// Largest values over the bodies of a component: sum of the magnitudes that act on a body, and its
-  /// residual.
+  /// Largest values over the bodies of a component: sum of the acting magnitudes, and residual.
   struct BalanceSize {
     S force{0}, moment{0}, force_left{0}, moment_left{0};
   };

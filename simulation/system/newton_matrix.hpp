@@ -57,7 +57,7 @@ class NewtonMatrix {
   using StateVector = VectorX<S>;
   using Layout = StateLayout<F>;
 
-  /// The mechanism must outlive this.
+  /// The mechanism must outlive this object.
   NewtonMatrix(const MechanismOf<F>&&, const EliminationPlan&) = delete;
   NewtonMatrix(const MechanismOf<F>&, const EliminationPlan&&) = delete;
   NewtonMatrix(const MechanismOf<F>& mechanism, const EliminationPlan& plan)
@@ -80,8 +80,7 @@ class NewtonMatrix {
   }
   long factorisations() const { return factorisations_; }
 
-  /// Adds the solution to x, a vector like v in the coordinates of the bodies `body`, and to mu, one
-  /// multiplier per row.
+  /// Adds the solution to x, a vector like v in the coordinates of `body`, and to mu, one number per row.
   void solve(const NewtonFactors<F>& factors, const std::vector<typename F::Reduced>& body,
              const GraphVector<S>& right_side, StateVector& x, StateVector& mu) {
     factors.solve(right_side, change_);

@@ -26,8 +26,7 @@ std::string note_of(const MotionComparison& comparison, const ComparedInstant& n
   return is_judged ? "holds" : "parted";
 }
 
-/// The instant with the largest ratio of difference and bound. Instants without a ratio do not count; null if
-/// none has one.
+/// The instant with the largest ratio of difference and bound; null if no instant has a ratio.
 template <class Ratio>
 const ComparedInstant* worst_of(const MotionComparison& comparison, const Ratio& ratio) {
   const ComparedInstant* worst = nullptr;

@@ -1,5 +1,4 @@
-/// Properties that all programs share: help, messages about misuse, exit codes, and errors of writing
-/// results.
+/// Properties that all programs share: help, messages about misuse, exit codes, errors of writing.
 
 #include "trivium/command/testing/run_program.hpp"
 

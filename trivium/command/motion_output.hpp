@@ -23,8 +23,7 @@ class MotionOutput : public SimulationObserver {
   bool sample(const MotionSample& sample) override;
   bool step(double t) override;
 
-  /// Writes the CSV file and the figure. Prints an error on stderr and returns false if one cannot be
-  /// written.
+  /// Writes the CSV file and the figure. If that fails, prints an error on stderr and returns false.
   bool keep();
   /// Prints on stderr up to which time the CSV file holds the motion.
   void say_what_is_kept() const;

@@ -15,8 +15,8 @@ class MotionPlot {
   MotionPlot(const Mechanism<double>& mechanism, std::string title);
 
   void add(const MotionSample& sample);
-  /// Writes an SVG file; nothing if there are fewer than two samples. Throws a std::runtime_error if gnuplot
-  /// is missing or fails.
+  /// Writes an SVG file, if there are two samples. Throws a std::runtime_error if gnuplot is missing or
+  /// fails.
   void write(const std::string& file) const;
 
  private:
@@ -26,8 +26,7 @@ class MotionPlot {
   std::string title_;
   std::vector<std::string> bodies_, joints_;
   std::vector<std::size_t> shown_bodies_, shown_joints_;
-  /// One line per sample: t, x y z of the shown bodies, |force| of the shown joints, |E - E(0)|, phi,
-  /// phi_dot.
+  /// One line per sample: t, r of the shown bodies, |force| of the shown joints, |E - E(0)|, phi, phi_dot.
   std::string data_;
   double first_energy_ = 0;
   int samples_ = 0;

@@ -21,8 +21,7 @@ struct MotionReport {
 
   std::string text(const SimulationReport& report) const;
   std::string json(const SimulationReport& report) const;
-  /// The summary of a run that ended with an error. `last` is the time of the last output [s]; none if there
-  /// was no output.
+  /// The summary of a run that ended with an error. `last` is the time of the last output [s], if any.
   std::string failure_json(const std::optional<double>& last, const char* error) const;
 
  private:

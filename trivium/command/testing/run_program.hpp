@@ -1,6 +1,5 @@
 #pragma once
-/// Runs the project's programs as a user does, and makes faulty scenes for them. Only tests include this
-/// header.
+/// Runs the project's programs as a user does. Also makes faulty scenes for them. Only tests include this.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
