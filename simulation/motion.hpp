@@ -48,7 +48,7 @@ struct SimulationReport {
   integrators::Counters counters;
   long factorisations = 0, jacobians = 0;  ///< of all matrices; of Newton matrices alone
   bool is_projected = true, is_implicit = false, has_own_lambda = false;
-  double lambda_gap = 0;  ///< largest |raw_lambda - lambda| of a row at an output, if the method has its own
+  double lambda_gap = 0;  ///< largest |raw_lambda - lambda of the acceleration solver| of a row at an output
   integrators::ProjectionReport<double> projection;
   int reframings = 0;
   double phi = 0, phi_dot = 0;              ///< largest violation after any step [m or rad, m/s or rad/s]

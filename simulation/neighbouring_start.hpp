@@ -20,7 +20,7 @@ struct NeighbouringStart {
 /// starts. Beyond it the motions have diverged.
 inline constexpr double small_difference = 0.1;
 
-/// The distance of a neighbour in tolerances; the resulting distance is limited to 1e-11 ... 1e-4.
+/// The default distance in tolerances; the first distance tried is at least 1e-11 and at most 1e-4.
 inline constexpr double distance_in_tolerances = 100;
 
 /// A random neighbour, drawn with a fixed seed, so that runs can be repeated. Throws a ModelError if no

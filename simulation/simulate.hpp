@@ -33,8 +33,7 @@ struct SimulationOptions {
   std::optional<SavedRun> from;
 };
 
-/// Whether the mass matrix of a formulation is independent of positions. Throws a ModelError for an unknown
-/// name.
+/// Whether a formulation's mass matrix is independent of positions. Throws a ModelError for an unknown name.
 bool inertia_is_constant(const std::string& formulation);
 /// Whether the method can be used with the formulation: some methods need a constant mass matrix.
 bool goes_with(const integrators::MethodInfo& method, const std::string& formulation);

@@ -103,8 +103,8 @@ class Scene {
   struct Parts;
   Parts& parts();
 
-  // Exactly one of the two is set. parts_: a scene under construction, parsed at its first use; contents_: a
-  // scene that was read or simulated.
+  // One of the two is set (none after a move). parts_: a scene under construction, parsed at its first use;
+  // contents_: a scene that was read or simulated.
   std::shared_ptr<const Parts> parts_;
   std::shared_ptr<const Contents> contents_;
 };

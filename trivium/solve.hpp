@@ -75,8 +75,7 @@ struct Solutions {
   std::optional<double> lambda_bound;  ///< of lambda_difference: 100 u kappa; none if kappa is not known
 };
 
-/// Solves in every formulation. Throws as solve() does, except that `failed` lists formulations without
-/// solution.
+/// Solves in every formulation. Throws as solve() does, but `failed` lists formulations without solution.
 Solutions solve_in_all(const Scene& scene, const SolveSettings& settings = {});
 
 /// The names of the formulations.

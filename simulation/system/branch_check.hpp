@@ -2,8 +2,8 @@
 /// Decides whether the projection of a step may have left the branch of the motion. Constraints can be
 /// satisfied on several branches: a four-bar, for example, closes in two ways. A correct projection is a
 /// small correction of its step. It is rejected if, in some component (set of bodies connected by rows), it
-/// changes the state by more than a tenth of the change made by the step and by more than a small share of
-/// the state itself. integrators/integrate.cpp then rejects the step and asks the method for a shorter one.
+/// changes the state by more than a tenth of the change made by the step plus a small share of the state
+/// itself. integrators/integrate.cpp then rejects the step and asks the method for a shorter one.
 
 #include <algorithm>
 #include <cmath>

@@ -105,8 +105,7 @@ class ConstraintViolation {
     return row < 0 ? none : row_names_[row];
   }
 
-  /// The number of a body's component, below nb. Bodies connected by rows share it, unless through the
-  /// ground.
+  /// The number of a body's component, below nb. Rows connect bodies, but not through the ground.
   int component_of(int body) const { return component_[body]; }
   /// The largest distance of a joint's point from the centre of its body, in the component of a body [m].
   /// Points on the ground do not count.

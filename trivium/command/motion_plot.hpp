@@ -15,8 +15,7 @@ class MotionPlot {
   MotionPlot(const Mechanism<double>& mechanism, std::string title);
 
   void add(const MotionSample& sample);
-  /// Writes an SVG file, if there are two samples. Throws a std::runtime_error if gnuplot is missing or
-  /// fails.
+  /// Writes an SVG file, if there are two samples. Throws a std::runtime_error without a working gnuplot.
   void write(const std::string& file) const;
 
  private:

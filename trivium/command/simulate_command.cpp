@@ -32,8 +32,8 @@ struct SimulateArguments : RunArguments {
 
 constexpr int outputs_of_a_figure = 500;
 
-/// Writes the scene at the end of the run to the file of --save-end. If that fails, prints why; returns
-/// false.
+/// Writes the scene at the end of the run to the file of --save-end. Returns false, with a message, on
+/// failure.
 bool save_end(const SimulateArguments& arguments, scenes::Scene& scene, const RunEnd& end) {
   set_end(scene, end);
   try {
