@@ -20,8 +20,8 @@ std::vector<double> motion_numbers(const MotionSample& sample, bool has_raw_lamb
 
 class MotionCsv {
  public:
-  /// `keep` replaces an existing file, not the constructor. Throws std::filesystem::filesystem_error if
-  /// `file` is no regular file.
+  /// Opens a temporary file; `keep` replaces `file` by it. Throws std::filesystem::filesystem_error if `file`
+  /// exists and is not a regular file.
   MotionCsv(const Mechanism<double>& mechanism, bool has_raw_lambda, const std::string& file);
 
   void add(const MotionSample& sample);

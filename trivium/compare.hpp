@@ -51,6 +51,7 @@ struct ComparedOutput {
   std::optional<OneState> one_state;  ///< only at the outputs that CompareSettings::states selects
 };
 
+/// The result of compare().
 struct ComparedMotions {
   std::vector<ComparedMotion> motions;  ///< one per formulation
   std::vector<ComparedOutput> outputs;  ///< in time order; empty unless all runs are complete

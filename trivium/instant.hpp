@@ -37,12 +37,14 @@ struct PointMotion {
   Components position{}, velocity{}, acceleration{};  ///< [m, m/s, m/s^2]
 };
 
+/// Everything that is known at one time. Vectors are in the order of `names`.
 struct Instant {
   std::shared_ptr<const Names> names;  ///< shared by all outputs of a motion
   double t = 0;                        ///< time [s]
   std::vector<BodyInstant> bodies;     ///< per body
-  /// Multiplier of every row, of M q'' + Phi_q^T lambda = Q. Where rows are dependent: the lambda with the
-  /// least |E lambda|, E^2 = diag(Phi M^-1 Phi^T); if that does not exist, one with zeros in dependent rows.
+  /// Multiplier of every row in M q'' + Phi_q^T lambda = Q [N or N m, divided by the unit of the row's
+  /// scale]. Where rows are dependent: the lambda with the least |E lambda|, E^2 = diag(Phi M^-1 Phi^T); if
+  /// that does not exist, one with zeros in dependent rows.
   std::vector<double> lambda;
   std::vector<bool> lambda_is_unique;  ///< per row: false if dependent rows leave its multiplier undetermined
   std::vector<JointReaction> reactions;  ///< per joint

@@ -73,13 +73,14 @@ struct Side {
   Value point = {}, vector = {}, axis = {}, x = {};  ///< point [m]; the others are directions [-]
 };
 
+/// A scene. Copies are cheap: they share their parts until one of them changes.
 class Scene {
  public:
   /// An empty scene. The positions and velocities of its bodies are those at time t [s].
   explicit Scene(std::string name, double t = 0);
 
-  // Added parts are checked at the first use of the scene. That use throws an Error of kind input, which
-  // names the wrong part and lists the accepted values.
+  // Functions that add a part return the scene, for further calls. Parts are checked at the first use of the
+  // scene, which throws an Error of kind input that names the wrong part and lists the accepted values.
   Scene& add_body(const Body& body);
   /// `type` is a constraint type of the scene format, such as "revolute"; `more` are its further keys.
   Scene& add_constraint(std::string_view type, std::string_view name, const Side& i, const Side& j,

@@ -13,6 +13,7 @@
 
 namespace trivium {
 
+/// Settings of a run. `step` and tolerances exclude each other; not every integrator supports both.
 struct SimulateSettings {
   std::string formulation = "r-omega";  ///< one of formulation_names()
   std::string integrator = "dopri5";    ///< one of integrators::method_names()
@@ -43,10 +44,12 @@ using Observer = std::function<bool(const Output&)>;
 
 /// A jump of velocities: a driver whose function of time has a kink demands another velocity.
 struct Jump {
-  double t = 0;                 ///< [s]
-  std::vector<double> impulse;  ///< per row: integral of its multiplier over the jump [N s, N m s]
+  double t = 0;  ///< [s]
+  std::vector<double>
+      impulse;  ///< per row: integral of its multiplier over the jump [unit of lambda times s]
 };
 
+/// The result of a run. Counters are those of the integrator.
 struct Motion {
   std::string formulation, integrator;
   double reached = 0;           ///< time reached [s]

@@ -20,6 +20,7 @@ struct RowCheck {
   bool is_redundant = false;  ///< dependent row: at this state it follows from other rows
 };
 
+/// The result of check().
 struct Check {
   std::string scene, solver;  ///< solver: "printed" (dense), or "structured" above 6000 unknowns (6 nb + nc)
   Names names;
@@ -46,6 +47,7 @@ Check check(const Scene& scene);
 /// the least change in the metric of the mass matrix. Throws an Error that names rows that cannot be met.
 Scene assemble(const Scene& scene);
 
+/// Settings of solve() and solve_in_all().
 struct SolveSettings {
   std::string formulation = "r-omega";  ///< one of formulation_names(); solve_in_all ignores it
   std::string sequence = "313";         ///< sequence of the Euler angles of r-epsilon
