@@ -13,7 +13,8 @@
 
 namespace trivium {
 
-/// Settings of a run. `step` and tolerances exclude each other; not every integrator supports both.
+/// Settings of a run. With `step` the tolerances are not used. Not every integrator supports both kinds of
+/// steps.
 struct SimulateSettings {
   std::string formulation = "r-omega";  ///< one of formulation_names()
   std::string integrator = "dopri5";    ///< one of integrators::method_names()
