@@ -1,6 +1,6 @@
 #pragma once
-/// A progress bar on stderr. It shows only where stderr is a terminal and the work exceeds a second, so that
-/// logs stay free of it.
+/// A progress bar on stderr. It appears only if stderr is a terminal and the work takes longer than one
+/// second, so that log files do not contain it.
 
 #include <chrono>
 #include <string>
@@ -11,7 +11,7 @@ class Progress {
  public:
   Progress(std::string what, std::size_t total);
   ~Progress();
-  /// One more item done.
+  /// Counts one more finished item and redraws the bar, at most ten times per second.
   void step();
 
  private:
