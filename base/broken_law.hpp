@@ -9,11 +9,10 @@
 
 namespace trivium {
 
-/// A law that does not hold at the tested state, with the measured error and its tolerance.
+/// A law that does not hold at the tested state.
 struct BrokenLaw {
-  std::string law;  ///< the law as a sentence
-  double figure;    ///< measured error, relative to the size of the terms compared [-]
-  double bound;     ///< largest error that rounding and difference quotients explain [-]
+  std::string law;       ///< the law as a sentence
+  double figure, bound;  ///< measured relative error, and its tolerance for rounding and truncation [-]
 
   std::string text() const { return fmt::format("{}: {:.1e}, bound {:.1e}", law, figure, bound); }
 };

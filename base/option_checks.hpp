@@ -9,9 +9,8 @@
 namespace trivium {
 
 struct OptionCheck {
-  std::function<std::string(const std::string&)>
-      error_of;      ///< error message for a typed value; empty: accepted
-  std::string name;  ///< label of the accepted values in the help text
+  std::function<std::string(const std::string&)> error_of;  ///< message on a typed value; empty: accepted
+  std::string name;                                         ///< kind of value shown in the help text
 };
 
 /// Accepts a finite number.
