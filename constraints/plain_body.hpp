@@ -8,8 +8,7 @@
 
 namespace trivium {
 
-/// A body with unknowns r'' and omega' (global components): a' = omega x a, bias = omega x (omega x a),
-/// B = -tilde(a).
+/// Unknowns r'' and omega' [global]: a' = omega x a, bias = omega x (omega x a), B = -tilde(a).
 template <class S>
 struct PlainBody {
   using Scalar = S;

@@ -44,7 +44,6 @@ Vector<S, N> draw_vector(int size = 1) {
   for (int k = 0; k < N; ++k) v[k] = draw_number<S>(size);
   return v;
 }
-/// Random unit Euler parameters.
 template <class S>
 Vector4<S> draw_euler_parameters() {
   Vector4<S> p = draw_vector<S, 4>();

@@ -1,6 +1,5 @@
 #pragma once
-/// A seeded generator of random numbers, vectors, directions and Euler parameters. Used by tests only: it
-/// gives the same values on every machine and in every Scalar.
+/// A seeded generator of random numbers, vectors, directions and Euler parameters. Used by tests only.
 
 #include <cstdint>
 #include <random>
@@ -9,8 +8,8 @@
 
 namespace trivium::test {
 
-/// Random numbers from a seed. The distributions of the C++ standard differ between machines, so they are not
-/// used. Numbers are drawn as doubles, so that every Scalar gets exactly the same values.
+/// Uses no distributions of the C++ standard, as these differ between machines. Draws doubles, so that every
+/// Scalar gets exactly the same values.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}

@@ -11,8 +11,7 @@ namespace trivium::test {
 template <class S>
 using MovingPlainBody = MovingBody<PlainBody<S>, PlainBody<Taylor<S>>>;
 
-/// A body on the path with the given r, A, velocity (r', omega) and acceleration (r'', omega'), all global:
-/// A' = tilde(omega) A.
+/// A body with the given r, A, velocity (r', omega) and acceleration (r'', omega') [global].
 template <class S>
 MovingPlainBody<S> moving_plain_body(const Vector3<S>& r, const Matrix3<S>& A,
                                      const typename MovingPlainBody<S>::Motion& velocity,
