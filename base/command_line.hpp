@@ -13,13 +13,11 @@
 
 namespace trivium {
 
-/// Runs `program` and returns its exit code. An Error becomes a message on stderr and the exit code of its
-/// kind: 2 for ErrorKind::input and for file system errors, 3 for the other kinds. Flushes stdout and reports
-/// lost output (run_and_flush).
+/// Runs `program` by run_and_flush and returns its exit code. An Error becomes a message on stderr and an
+/// exit code: 2 for ErrorKind::input and for file system errors, 3 for the other kinds.
 int run_guarded(const std::function<int()>& program);
 
-/// The exit code of a batch: 3 if a scene could not be solved, otherwise 1 if a criterion failed, otherwise
-/// 0.
+/// The exit code of a batch: 3 if a scene could not be solved, else 1 if a criterion failed, else 0.
 ExitCode batch_exit(bool all_solved, bool all_passed);
 
 /// The error lines below a table. Consecutive errors with the same message share one line.

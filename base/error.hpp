@@ -1,7 +1,6 @@
 #pragma once
 /// The exception type of the library. An Error has a message, a kind and, where known, the place and the time
-/// of the problem. The kind decides the exit code of a program (base/command_line.hpp): 2 for input, 3 for
-/// the others.
+/// of the problem. The kind decides the exit code (base/command_line.hpp): 2 for input, else 3.
 
 #include <optional>
 #include <stdexcept>
@@ -30,12 +29,10 @@ class Error : public std::runtime_error {
   /// Takes `what` as the complete message.
   Error(ErrorKind kind, const std::string& what, const Place& place)
       : std::runtime_error(what), kind_(kind), place_(place) {}
-  /// Puts `around` in front of the message of `inner`. Keeps the place and the time of `inner` if it has
-  /// them.
+  /// Puts `around` in front of the message of `inner`. The place and time of `inner` take precedence.
   Error(ErrorKind kind, const Place& around, const Error& inner);
 
-  /// Puts `source` (the file or name of a scene) in front of the message and of the place of `inner`, unless
-  /// they begin with it.
+  /// Puts the source of a scene in front of the message and of the place, unless they begin with it.
   Error(const std::string& source, const Error& inner);
 
   ErrorKind kind() const { return kind_; }

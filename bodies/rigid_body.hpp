@@ -9,7 +9,6 @@
 
 namespace trivium {
 
-/// The inertial properties of a rigid body.
 template <class Scalar>
 struct RigidBody {
   Scalar mass{1};                                         ///< m [kg]

@@ -167,8 +167,7 @@ template <class S>
 class Features : public testing::Test {};
 TYPED_TEST_SUITE(Features, Scalars);
 
-/// Rate and acceleration of a feature are the derivatives of its value. `now` and `along` are the same
-/// feature over S and over Taylor.
+/// Rate and acceleration are the derivatives of the value; `along` is the feature `now` over Taylor.
 template <class S, class Now, class Along, class Moving>
 void expect_derivatives(const Now& now, const Along& along, const Moving& i, const Moving& j) {
   EXPECT_LE(distance(now.rate(), test::first_derivative<S, 3, 1>(along.value())), roundings<S>(200));

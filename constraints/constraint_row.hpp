@@ -27,8 +27,7 @@ struct ConstraintRow {
   Rotational rot_i = Rotational::Zero(), rot_j = Rotational::Zero();  ///< derivative by rotational unknowns
 };
 
-/// Returns use(x, y, f) for the two features and f(t) of a basic constraint, or of a variant of constraints,
-/// between bodies i and j at time t [s].
+/// Returns use(x, y, f) with the features and f(t) of a basic constraint or of a variant of them.
 template <BodyKinematics Body, class Constraint, class Use>
 auto with_features(const Constraint& constraint, const Body& i, const Body& j, const typename Body::Scalar& t,
                    const Use& use) {

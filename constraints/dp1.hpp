@@ -22,8 +22,7 @@ struct DP1 : BodyPair {
   const TimeFunction& function() const { return f; }
   /// |a_i| |a_j|: the largest change of Phi per radian.
   Scalar scale(const Scalar&) const { return a_bar_i.norm() * a_bar_j.norm(); }
-  /// Whether the vectors are nearly parallel: the gradient, of norm |a_i x a_j|, is less than `share` times
-  /// |a_i| |a_j|.
+  /// Whether a_i and a_j are nearly parallel: gradient norm |a_i x a_j| < share |a_i| |a_j|.
   template <class Body>
   bool vanishes(const Body& on_i, const Body& on_j, const Scalar& share) const {
     const Vector3<Scalar> a_i = on_i.A * a_bar_i, a_j = on_j.A * a_bar_j;

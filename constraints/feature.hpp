@@ -15,8 +15,7 @@
 
 namespace trivium {
 
-/// Sizes of a feature: sums of the norms of its terms, so that terms which cancel each other count in full.
-/// They serve to bound rounding errors.
+/// Sizes of a feature, to bound rounding errors: sums of the norms of its terms, as if no terms cancelled.
 template <class Scalar>
 struct FeatureMagnitude {
   /// Sizes of x, x', the bias in r-omega, dx/dr of a body, and dx/d(rotation) of body i and of body j.

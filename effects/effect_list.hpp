@@ -1,7 +1,6 @@
 #pragma once
 /// The effects of a mechanism, in one vector per type, so that an unused type costs nothing, and the list of
-/// types. To add an effect, write its file and enter it in StandardEffects; a project outside the library
-/// adds it by `With`.
+/// types. To add an effect, write its file and enter it in StandardEffects; other projects add it by `With`.
 
 #include <concepts>
 #include <limits>

@@ -1,7 +1,6 @@
 #pragma once
 /// The angle theta of a joint with one axis, from u_i to u_j about z_i, for effects that act about this axis.
-/// theta is counted over full revolutions: of all angles that differ by 2 pi, the value is the one within pi
-/// of the last counted angle.
+/// theta is counted over full revolutions: its value lies within pi of the last counted angle.
 
 #include <cmath>
 #include <limits>

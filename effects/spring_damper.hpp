@@ -20,8 +20,7 @@
 
 namespace trivium {
 
-/// Its functions of the state throw a ModelError where the end points coincide, unless the tension is 0
-/// there.
+/// Functions of the state throw a ModelError where the end points coincide, unless the tension is 0.
 template <class Scalar>
 struct SpringDamper {
   static constexpr std::string_view type = "spring_damper";

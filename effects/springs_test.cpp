@@ -1,5 +1,4 @@
-/// Springs, dampers and actuators: their forces and torques, the angle counted over full revolutions, and the
-/// effects that conserve energy.
+/// Springs, dampers and actuators: forces and torques, angles over full revolutions, conservation of energy.
 
 #include <gtest/gtest.h>
 

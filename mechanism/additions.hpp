@@ -1,7 +1,6 @@
 #pragma once
-/// Adds bodies and constraints to a model in C++, in addition to those of its scene. The ground always has
-/// the last body index, so a new body takes the old index of the ground, and all references to it are
-/// updated.
+/// Adds bodies and constraints to a model in C++, in addition to those of its scene. A new body takes the
+/// index of the ground, which becomes one higher in all references to the ground.
 
 #include <string>
 #include <utility>

@@ -46,7 +46,6 @@ struct MechanismTypes {
 };
 using StandardTypes = MechanismTypes<StandardConstraints, StandardEffects>;
 
-/// Bodies, constraints and effects, without a state.
 template <class Scalar, class Types = StandardTypes>
 struct Mechanism {
   using Row = BasicConstraint<Scalar, typename Types::Constraints>;
@@ -59,8 +58,7 @@ struct Mechanism {
   std::vector<Joint<Scalar>> joints;  ///< in the order of the file; basic constraints are joints of one row
   Effects<Scalar, typename Types::Effects> effects;
 
-  /// Times [s], ascending, at which a function of time of a row or effect has a kink
-  /// (TimeFunction::append_kinks).
+  /// Times [s], ascending, of the kinks of all functions of time (TimeFunction::append_kinks).
   std::vector<double> kinks() const {
     std::vector<double> times;
     for (const Row& row : rows) function_of(row).append_kinks(times);
@@ -71,7 +69,7 @@ struct Mechanism {
 
   int nb() const { return static_cast<int>(bodies.size()); }  ///< number of bodies, without the ground
   int nc() const { return static_cast<int>(rows.size()); }    ///< number of constraint rows
-  int ground() const { return nb(); }                         ///< body index of the ground
+  int ground() const { return nb(); }
 };
 
 }  // namespace trivium

@@ -39,8 +39,7 @@ void show_parts_of_row(const Use& use, Row& row, Rows&... rows) {
 
 }  // namespace detail
 
-/// Calls use(part, parts...) for every part of `mechanism` and the corresponding parts of `others`, in a
-/// fixed order.
+/// Calls use(part, parts...) for every part of `mechanism` and the corresponding parts of `others`.
 template <class Use, class M, class... Others>
 void show_parts(const Use& use, M& mechanism, Others&... others) {
   for (std::size_t k = 0; k < mechanism.body_names.size(); ++k)

@@ -1,7 +1,6 @@
 #pragma once
-/// The saved end of a simulation, in the coordinates of its formulation and with the memory of its
-/// integrator. A simulation that starts from it continues as if it had not been interrupted. The same state
-/// as poses and twists is saved in the scene.
+/// The saved end of a run, in the coordinates of its formulation and with the memory of its integrator. A run
+/// that starts from it continues as if it had not been interrupted. A scene saves poses and twists as well.
 
 #include <string>
 #include <vector>
@@ -14,8 +13,8 @@ struct SavedRun {
   std::string formulation, integrator;
   std::vector<std::string> charts;  ///< chart of each body; empty in formulations without charts
   std::vector<double> y;            ///< state vector of the integrator: positions, velocities and work
-  std::vector<double> fastest;      ///< largest speed so far [m/s], [rad/s] of each connected part, in turn
-  std::vector<double> memory;       ///< data that a multistep or implicit method keeps between steps
+  std::vector<double> fastest;  ///< largest speeds so far, (m/s, rad/s) for each group of connected bodies
+  std::vector<double> memory;   ///< data that the integrator keeps from step to step
   double phi = 0, phi_dot = 0;  ///< constraint violation |Phi|, |Phi'| of the state [m or rad, per second]
   bool began_singular = false;  ///< first run began with nearly dependent rows, which count as independent
   std::vector<double> angles;   ///< last counted joint angles [rad], in the order of the effects

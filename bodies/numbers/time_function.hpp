@@ -115,13 +115,11 @@ class TimeFunction {
   /// Whether the function is given as a plain number, so that its derivatives are zero.
   bool is_number() const { return std::holds_alternative<double>(kind_); }
 
-  /// Whether the coefficients show that f is constant. Not every constant is recognised, e.g. not
-  /// sin^2 + cos^2.
+  /// Whether f is recognised as constant from its coefficients; sin^2 + cos^2 is not.
   bool is_constant() const {
     return std::visit([](const auto& kind) { return constant(kind); }, kind_);
   }
-  /// Appends the times where f'' has a kink or where f, f' or f'' jumps. An integrator keeps its order if its
-  /// steps end at these times.
+  /// Appends the times where f'' has a kink or f, f' or f'' jumps; steps that end there keep their order.
   void append_kinks(std::vector<double>& times) const {
     std::visit([&](const auto& kind) { add_kinks(kind, times); }, kind_);
   }

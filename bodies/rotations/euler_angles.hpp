@@ -3,9 +3,8 @@
 ///
 ///     A = R_s1(a) R_s2(b) R_s3(c),
 ///
-/// and the angles of a rotation matrix. Haug (1989), section 9.3. The second map fixes the range of the
-/// middle angle. It also chooses the first angle at a singular A, where only a sum or difference of the first
-/// and the third angle is determined.
+/// and the angles of a rotation matrix. Haug (1989), section 9.3. At a singular A only the sum or difference
+/// of the first and third angle is determined.
 
 #include <cmath>
 

@@ -15,8 +15,8 @@ namespace trivium {
 struct EulerSequence {
   std::array<int, 3> axis{2, 0, 2};  ///< body-fixed axes s1, s2, s3 (0 = x, 1 = y, 2 = z); default 3-1-3
 
-  /// Whether the first and the third axis are equal (iji). With theta the middle angle, iji is singular where
-  /// sin(theta) = 0 and ijk where cos(theta) = 0.
+  /// Whether the sequence is iji, singular where sin(theta) = 0 with theta the middle angle. The others (ijk)
+  /// are singular where cos(theta) = 0.
   constexpr bool is_symmetric() const { return axis[0] == axis[2]; }
   /// The axes as digits from 1, e.g. "313".
   std::string name() const {

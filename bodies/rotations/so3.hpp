@@ -137,8 +137,7 @@ Vector4<Scalar> conjugate_parameters(const Vector4<Scalar>& p) {
   return {p[0], -p[1], -p[2], -p[3]};
 }
 
-/// phi [rad], |phi| <= pi, with exp(tilde(phi)) = A(p): the inverse of exponential_parameters. p and -p give
-/// the same phi if |phi| < pi.
+/// phi [rad], |phi| <= pi, with exp(tilde(phi)) = A(p). p and -p give the same phi if |phi| < pi.
 template <class Scalar>
 Vector3<Scalar> rotation_vector(const Vector4<Scalar>& p) {
   using std::atan2;

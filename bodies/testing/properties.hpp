@@ -66,8 +66,7 @@ double distance(const S* a, const S* b, Eigen::Index n) {
   }
   return static_cast<double>(largest);
 }
-/// The largest entry of |a - b|. Both expressions are evaluated into matrices first, since more template
-/// instances would be expensive to compile.
+/// The largest entry of |a - b|. Evaluates both first: more template instances are expensive to compile.
 template <class A, class B>
 double distance(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
   const Eigen::Matrix<typename A::Scalar, A::RowsAtCompileTime, A::ColsAtCompileTime> value = a, other = b;
