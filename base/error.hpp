@@ -17,7 +17,7 @@ enum class ErrorKind {
 
 /// Where and when an error occurred.
 struct Place {
-  std::string where;  ///< `body "rod"`, `row "hinge.cd(x)"` or a position in a file; may be empty
+  std::string where;  ///< `body "rod"`, `row "hinge.cd(e_x)"` or a position in a file; may be empty
   std::optional<double> when = {};  ///< time of the state [s]
 };
 

@@ -7,6 +7,7 @@
 
 namespace trivium {
 
+/// The bar shows `what`, the number of finished items and their total.
 class Progress {
  public:
   Progress(std::string what, std::size_t total);

@@ -71,7 +71,6 @@ struct BasicConstraints {
   }();
 };
 
-/// The basic constraints of the library.
 using StandardConstraints = BasicConstraints<DP1, TurningDP1, DP2, D, CD>;
 
 template <class Scalar, class List = StandardConstraints>
@@ -81,9 +80,7 @@ using BasicConstraint = typename List::template In<Scalar>;
 template <template <class> class C>
 inline constexpr ConstraintType basic_type{JointType::basic, StandardConstraints::place_of<C>};
 
-// Members of a constraint, whichever type of a list it has.
-
-/// The function of time, f(t) or alpha(t).
+/// The function of time, f(t) or alpha(t), of a constraint of any type.
 template <class... C>
 const TimeFunction& function_of(const std::variant<C...>& constraint) {
   return std::visit([](const auto& c) -> const TimeFunction& { return c.function(); }, constraint);

@@ -6,6 +6,7 @@
 
 namespace trivium {
 
+/// Phi = c . d_ij - f(t) [m if |c| = 1]; c is a global vector.
 template <class Scalar>
 struct CD : BodyPair {
   static constexpr const char* type = "cd";

@@ -8,6 +8,7 @@
 
 namespace trivium {
 
+/// Phi = d_ij . d_ij - f(t) [m^2], f > 0.
 template <class Scalar>
 struct D : BodyPair {
   static constexpr const char* type = "d";

@@ -6,6 +6,7 @@
 
 namespace trivium {
 
+/// Phi = a_i . a_j - f(t) [-].
 template <class Scalar>
 struct DP1 : BodyPair {
   static constexpr const char* type = "dp1";

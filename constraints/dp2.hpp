@@ -6,6 +6,7 @@
 
 namespace trivium {
 
+/// Phi = a_i . d_ij - f(t) [m if |a_i| = 1].
 template <class Scalar>
 struct DP2 : BodyPair {
   static constexpr const char* type = "dp2";

@@ -1,14 +1,13 @@
 #pragma once
 /// TurningDP1, the row of a rotation driver: a DP1 with f = 0 whose first vector rotates relative to body i,
-///
-///     Phi = w_i . a_j,   w_i(t) = -sin(alpha(t)) u_i + cos(alpha(t)) v_i.
-///
-/// For unit vectors in one plane, Phi = sin(theta - alpha) with theta the angle from u_i to a_j.
+/// w_i(t) = -sin(alpha(t)) u_i + cos(alpha(t)) v_i. For unit vectors in one plane, Phi = sin(theta - alpha)
+/// with theta the angle from u_i to a_j.
 
 #include "constraints/basic_constraint_parts.hpp"
 
 namespace trivium {
 
+/// Phi = w_i(t) . a_j [-], w_i = -sin(alpha) u_i + cos(alpha) v_i.
 template <class Scalar>
 struct TurningDP1 : BodyPair {
   static constexpr bool is_of_angle = true;

@@ -33,7 +33,6 @@ struct EffectTypes {
   using With = EffectTypes<E..., More...>;
 };
 
-/// The effects of the library.
 using StandardEffects = EffectTypes<Gravity, Force, Torque, SpringDamper, TorsionalSpringDamper>;
 static_assert(std::equality_comparable<StandardEffects::OneOf<double>>, "an effect without operator==");
 

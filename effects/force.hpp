@@ -12,6 +12,7 @@
 
 namespace trivium {
 
+/// Force F(t) at a point of a body.
 template <class Scalar>
 struct Force {
   static constexpr std::string_view type = "force";

@@ -9,6 +9,7 @@
 
 namespace trivium {
 
+/// Force m g on every body except the ground.
 template <class Scalar>
 struct Gravity {
   static constexpr std::string_view type = "gravity";

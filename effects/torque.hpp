@@ -12,6 +12,7 @@
 
 namespace trivium {
 
+/// Torque n(t) on a body.
 template <class Scalar>
 struct Torque {
   static constexpr std::string_view type = "torque";

@@ -15,6 +15,7 @@
 
 namespace trivium {
 
+/// Torque -(k (theta - theta0) + c theta' + h(t)) on body j about the joint axis z, the opposite on i.
 template <class Scalar>
 struct TorsionalSpringDamper {
   static constexpr std::string_view type = "torsional_spring_damper";
