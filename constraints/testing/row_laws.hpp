@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "base/raise.hpp"
 #include "base/variants.hpp"
 #include "bodies/testing/random.hpp"
 #include "bodies/testing/taylor.hpp"

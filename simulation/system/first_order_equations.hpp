@@ -18,13 +18,13 @@
 #include <vector>
 
 #include "base/raise.hpp"
-#include "mechanism/saved_run.hpp"
 #include "simulation/system/branch_check.hpp"
 #include "simulation/system/chart_switching.hpp"
 #include "simulation/system/constraint_projection.hpp"
 #include "simulation/system/discontinuities.hpp"
 #include "simulation/system/energy_account.hpp"
 #include "simulation/system/motion_log.hpp"
+#include "simulation/system/saved_numbers.hpp"
 #include "simulation/system/state_layout.hpp"
 
 namespace trivium {
@@ -240,19 +240,9 @@ class FirstOrderEquations {
     return saved;
   }
   /// The name of every body's chart; empty in formulations without charts.
-  std::vector<std::string> charts() const {
-    std::vector<std::string> names;
-    for (const BodyState<F>& body : state_)
-      if (const std::string chart(body.chart.name()); !chart.empty()) names.push_back(chart);
-    return names;
-  }
+  std::vector<std::string> charts() const { return chart_names(state_); }
   /// The joint angles that effects counted at the last accepted state [rad], in the order of the effects.
-  std::vector<double> counted_angles() {
-    std::vector<double> angles;
-    mechanism_.effects.for_each_angle(
-        [&](const JointAngle<S>& angle) { angles.push_back(static_cast<double>(angle.tracked)); });
-    return angles;
-  }
+  std::vector<double> counted_angles() { return trivium::counted_angles(mechanism_); }
   /// The same angles at (t, y) [rad].
   std::vector<double> joint_angles(const S& t, const StateVector& y) {
     load(y);
@@ -347,49 +337,10 @@ class FirstOrderEquations {
 template <Formulation F>
 void FirstOrderEquations<F>::go_on_from(const SavedRun& saved, const MechanismState<S>& state,
                                         bool is_projected) {
-  const auto refuse = [&](const std::string& why) {
-    throw Error(
-        ErrorKind::input, {mechanism_.name, saved.t},
-        fmt::format("the saved run cannot go on: {}; leave out the key \"saved\" to begin anew from the "
-                    "state of the bodies",
-                    why));
-  };
-  if (static_cast<double>(state.t) != saved.t)
-    refuse(fmt::format("the state is taken at t = {}", static_cast<double>(state.t)));
-  if (static_cast<int>(saved.y.size()) != size())
-    refuse(fmt::format("{} numbers make no state of {} bodies in {}, which has {}", saved.y.size(), nb(),
-                       F::name, size()));
-  for (int b = 0; b < nb(); ++b) {
-    const std::string chart = saved.charts.empty() ? std::string() : saved.charts[b];
-    bool is_known = false;
-    if constexpr (requires { read_chart(chart, state_[b].chart); })
-      is_known = read_chart(chart, state_[b].chart);
-    if (!is_known) refuse(fmt::format("{} has no chart \"{}\" that a name tells all of", F::name, chart));
-  }
-  std::size_t counted = 0;
-  mechanism_.effects.for_each_angle([&](JointAngle<S>& angle) {
-    if (counted < saved.angles.size()) angle.tracked = S(saved.angles[counted]);
-    ++counted;
-  });
-  if (counted != saved.angles.size())
-    refuse(fmt::format("effects count {} angles, not {}", counted, saved.angles.size()));
-  if (!projection_.measure().set_fastest(saved.fastest))
-    refuse(fmt::format("{} speeds are not those of the mechanism's parts", saved.fastest.size()));
-  for (int k = 0; k < size(); ++k) start_[k] = S(saved.y[k]);
-  // a body that was edited in the file differs from the saved y: the edited body is meant, so y is refused
-  const MechanismState<S> at = to_mechanism_state(state.t, start_);
-  for (int b = 0; b < nb(); ++b) {
-    const Pose<S>&pose = state.pose[b], &kept = at.pose[b];
-    const Twist<S>&twist = state.twist[b], &kept_twist = at.twist[b];
-    const auto is_near = [](const auto& x, const auto& y) {
-      return S((x - y).norm()) <= S(1e-12) * S(x.norm());
-    };
-    if (!(is_near(pose.r, kept.r) && is_near(pose.p, kept.p) && is_near(twist.r_dot, kept_twist.r_dot) &&
-          is_near(twist.omega_bar, kept_twist.omega_bar)))
-      refuse(fmt::format("body \"{}\" is not where it left it", mechanism_.body_names[b]));
-  }
-  // The saved state may violate its rows by the error of the method, and exactly dependent rows may then look
-  // independent. Hence this detection is detect_near_singular, unless the run began at a singular position.
+  start_ = restore_numbers(saved, mechanism_, state, size(), state_, projection_);
+  check_bodies_as_saved(saved, mechanism_, state, to_mechanism_state(state.t, start_));
+  // positions and velocities may violate their rows by the method's error; with the strict detection,
+  // redundant rows would then look independent
   detection_ = saved.began_singular ? DependentRows::detect : DependentRows::detect_near_singular;
   log_.begin();
   accept_state(state.t, start_);

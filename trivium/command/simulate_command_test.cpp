@@ -231,9 +231,9 @@ TEST(Simulate, RefusesASavedRunThatIsNotItsScenes) {
   EXPECT_EQ(run("trivium simulate heavy_top --t-end 0.1 --save-end " + file.string()).exit_code, 0);
   const Outcome early = run("trivium simulate " + file.string() + " --t 0 --t-end 1");
   EXPECT_EQ(early.exit_code, 2);
-  EXPECT_NE(
-      early.err.find("the saved run cannot go on: the state is taken at t = 0; leave out the key \"saved\""),
-      std::string::npos)
+  EXPECT_NE(early.err.find(
+                "the saved run cannot be continued: the state is taken at t = 0; without the key \"saved\""),
+            std::string::npos)
       << early.err;
   json scene = json::parse(slurp(file));
   scene["saved"]["y"].push_back(1);
