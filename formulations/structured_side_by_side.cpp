@@ -112,7 +112,9 @@ FormulationResult<double> solve_one(const Model<double>& model, const RowAnalysi
   result.residual = matrix_free_residual<F>(mechanism, eom, found, rows.dependent);
   const double u = unit_roundoff<double>();
   result.estimate = {solver.corrections().lambda + u, solver.corrections().acceleration + u};
-  result.solution.lambda = rows.dependent.empty() ? found.lambda : solver.minimum_norm_lambda();
+  // without a norm E there is no choice of least norm: the solver's lambda is 0 in dependent rows
+  const bool has_choice = !rows.dependent.empty() && rows.E.size() > 0;
+  result.solution.lambda = has_choice ? solver.minimum_norm_lambda() : found.lambda;
   for (const Joint<double>& joint : mechanism.joints)
     result.reactions.push_back(
         joint_reaction<F>(eom, joint, result.solution.lambda, End::j).about(joint_point<F>(eom, joint)));

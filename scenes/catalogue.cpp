@@ -11,20 +11,28 @@ namespace trivium {
 
 namespace fs = std::filesystem;
 
-fs::path catalogue_directory() {
+fs::path catalogue_directory(const fs::path& header) {
   if (const char* from_environment = std::getenv("TRIVIUM_SCENES")) return from_environment;
   std::error_code error;
+  // bin/program and include/trivium/header.hpp
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    const fs::path installed = program.parent_path().parent_path() / "share" / "trivium" / "scenes";
-    if (fs::is_directory(installed)) return installed;
-  }
+  for (const fs::path& prefix :
+       {program.parent_path().parent_path(), header.parent_path().parent_path().parent_path()})
+    if (const fs::path installed = prefix / "share" / "trivium" / "scenes";
+        fs::is_directory(installed, error))
+      return installed;
   return TRIVIUM_SOURCE_SCENES;
 }
 
-std::vector<fs::path> catalogue() {
+std::vector<fs::path> catalogue(const fs::path& header) {
+  const fs::path folder = catalogue_directory(header);
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    throw scenes::SceneError(
+        folder.string(), "", "the folder of the catalogue does not exist",
+        "an installation with share/trivium/scenes, or the environment variable TRIVIUM_SCENES");
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(catalogue_directory()))
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".json") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
@@ -34,11 +42,11 @@ namespace {
 
 /// Throws the SceneError for a name that is neither a file nor a scene of the catalogue. The message suggests
 /// the nearest name of the catalogue.
-[[noreturn]] void throw_unknown_scene(const std::string& name) {
+[[noreturn]] void throw_unknown_scene(const std::string& name, const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code error;
-  if (fs::is_directory(catalogue_directory(), error))
-    for (const fs::path& file : catalogue()) names.push_back(file.stem().string());
+  for (const fs::directory_entry& file : fs::directory_iterator(folder, error))
+    if (file.path().extension() == ".json") names.push_back(file.path().stem().string());
   const fs::path asked(name);
   throw scenes::SceneError(name.empty() ? "\"\"" : name, "",
                            "no such file, and no such scene in the catalogue",
@@ -49,13 +57,13 @@ namespace {
 
 }  // namespace
 
-scenes::Scene load_scene(const std::string& path_or_name, std::optional<double> t) {
+scenes::Scene load_scene(const std::string& path_or_name, std::optional<double> t, const fs::path& header) {
   std::error_code error;
   const bool is_there = fs::exists(path_or_name, error);
   if (path_or_name.find('/') == std::string::npos && (!is_there || fs::is_directory(path_or_name, error))) {
-    const fs::path by_name = catalogue_directory() / (path_or_name + ".json");
+    const fs::path folder = catalogue_directory(header), by_name = folder / (path_or_name + ".json");
     if (fs::exists(by_name, error)) return scenes::read_scene_file(by_name, t);
-    if (!is_there) throw_unknown_scene(path_or_name);
+    if (!is_there) throw_unknown_scene(path_or_name, folder);
   }
   return scenes::read_scene_file(path_or_name, t);
 }

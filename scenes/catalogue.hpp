@@ -13,15 +13,18 @@
 namespace trivium {
 
 /// The folder of the catalogue: $TRIVIUM_SCENES if set, else share/trivium/scenes of the installation that
-/// the program belongs to, else the folder in the source tree.
-std::filesystem::path catalogue_directory();
+/// the program belongs to, else that of the installation that `header` (below include/trivium) belongs to,
+/// else the folder in the source tree.
+std::filesystem::path catalogue_directory(const std::filesystem::path& header = {});
 
-/// The paths of all scene files of the catalogue, sorted.
-std::vector<std::filesystem::path> catalogue();
+/// The paths of all scene files of the catalogue, sorted. Throws scenes::SceneError if there is no such
+/// folder.
+std::vector<std::filesystem::path> catalogue(const std::filesystem::path& header = {});
 
 /// The scene in the file at this path, or the scene of the catalogue with this name. A folder of the same
 /// name does not hide a scene of the catalogue. The scene is checked at time t [s] (scenes::time_of). Throws
 /// scenes::SceneError.
-scenes::Scene load_scene(const std::string& path_or_name, std::optional<double> t = {});
+scenes::Scene load_scene(const std::string& path_or_name, std::optional<double> t = {},
+                         const std::filesystem::path& header = {});
 
 }  // namespace trivium

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/raise.hpp"
+#include "formulations/analysis/consistency.hpp"
 #include "formulations/analysis/row_analysis.hpp"
 #include "formulations/structured_side_by_side.hpp"
 #include "simulation/motion_csv.hpp"
@@ -115,10 +116,47 @@ void turn_to(const OtherMotion& other, const std::map<std::string, std::size_t>&
   }
 }
 
+/// A motion from a neighbouring start, and the relative distance of that start.
+struct Neighbour {
+  double distance;
+  Lines lines;
+};
+
+/// Per time and column: the largest change of a formulation by half the step.
+Lines changes_by_half_the_step(const std::vector<ComparedFormulation>& formulations,
+                               const std::vector<Lines>& all, const Model<double>& model,
+                               const OtherMotion& other, const std::map<std::string, std::size_t>& place,
+                               SimulationOptions options) {
+  options.step = *options.step / 2;
+  Lines changes(all.front().size(), std::vector<double>(all.front().front().size(), 0.));
+  for (std::size_t f = 0; f < formulations.size(); ++f) {
+    Lines half = Walker(formulations[f], options).walk(model, other.t);
+    turn_to(other, place, half);
+    for (std::size_t n = 0; n < half.size(); ++n)
+      for (std::size_t k = 0; k < half[n].size(); ++k)
+        raise(changes[n][k], std::abs(half[n][k] - all[f][n][k]));
+  }
+  return changes;
+}
+
+/// Whether two motions have diverged: a place differs by small_difference of the mechanism's length, or an
+/// Euler parameter by small_difference.
+bool has_parted(const std::vector<std::string>& names, const std::vector<double>& x,
+                const std::vector<double>& y, double length) {
+  for (std::size_t k = 1; k < names.size(); ++k) {
+    const std::string kind = kind_of(names[k]);
+    const double allowed = small_difference * (kind == "place" ? length : 1);
+    if ((kind == "place" || kind == "e") && !(std::abs(x[k] - y[k]) <= allowed)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
+bool MotionAgainst::is_judged() const { return !judged_until || *judged_until > judged_from; }
+
 bool MotionAgainst::holds() const {
-  return complete() &&
+  return complete() && is_judged() &&
          std::all_of(columns.begin(), columns.end(), [](const ColumnAgainst& c) { return c.holds(); });
 }
 
@@ -152,41 +190,33 @@ MotionAgainst compare_against(const std::vector<ComparedFormulation>& formulatio
   }
   if (!out.complete()) return out;
 
-  // a second motion `near`, whose distance from `ours` measures the amplification (from a neighbouring start)
-  // or the error (half the step)
   const Lines& ours = all.front();
   const double tolerance = options.tolerances.rtol + options.tolerances.atol;
-  Lines near;
-  if (options.step) {
-    SimulationOptions halved = options;
-    halved.step = *options.step / 2;
-    for (std::size_t f = 0; f < formulations.size(); ++f) {
-      Lines half = Walker(formulations[f], halved).walk(model, other.t);
-      turn_to(other, place, half);
-      // near - ours is the largest change in any formulation
-      if (near.empty()) near = ours;
-      for (std::size_t n = 0; n < half.size(); ++n)
-        for (std::size_t k = 0; k < names.size(); ++k)
-          raise(near[n][k], ours[n][k] + std::abs(half[n][k] - all[f][n][k]));
-    }
-  } else if (const NeighbouringStart start = neighbouring_start(model, tolerance); start.distance > 0) {
-    out.neighbour_distance = start.distance;
-    near = Walker(formulations.front(), options).walk({model.mechanism, start.state}, other.t);
+  // motions from neighbouring starts measure how a difference is amplified
+  std::vector<Neighbour> near;
+  for (int seed = 1; seed <= neighbours; ++seed) {
+    const NeighbouringStart start = neighbouring_start(model, tolerance, seed);
+    if (!(start.distance > 0)) break;  // the constraints leave no neighbour
+    near.push_back({start.distance,
+                    Walker(formulations.front(), options).walk({model.mechanism, start.state}, other.t)});
+    turn_to(other, place, near.back().lines);
+    raise(out.neighbour_distance, start.distance);
   }
-  if (!near.empty() && !options.step) turn_to(other, place, near);
+  const Lines changed =
+      options.step ? changes_by_half_the_step(formulations, all, model, other, place, options) : Lines();
 
   std::map<std::string, double> size;
   for (std::size_t k = 0; k < names.size(); ++k)
     for (const auto& line : ours) raise(size[kind_of(names[k])], std::abs(line[k]));
-  for (std::size_t n = 0; n < near.size() && !out.judged_until; ++n)
-    for (std::size_t k = 1; k < names.size(); ++k)
-      if (kind_of(names[k]) == "place" &&
-          !(std::abs(near[n][k] - ours[n][k]) <= small_difference * size["place"]))
-        out.judged_until = other.t[n];
+  const double length = std::max(size["place"], extent_of(model.mechanism, model.state).length);
+  for (std::size_t n = 0; n < ours.size() && !out.judged_until; ++n)
+    for (const Neighbour& other_start : near)
+      if (has_parted(names, ours[n], other_start.lines[n], length)) out.judged_until = other.t[n];
 
   const std::vector<bool> unique =
       is_beyond_dense(model.mechanism) ? structured_row_analysis(model).unique : analyse_rows(model).unique;
   const double span = other.t.back() - model.state.t;
+  out.judged_from = other.t.front();
   for (const OtherMotion::Column& column : other.columns) {
     const std::size_t k = place.at(column.ours);
     ColumnAgainst& c = out.columns.emplace_back();
@@ -194,17 +224,16 @@ MotionAgainst compare_against(const std::vector<ComparedFormulation>& formulatio
     c.ours = column.ours;
     c.size = size[kind_of(column.ours)];
     c.not_judged = reason_not_to_judge(column.ours, model, unique);
-    double moved = 0, worst = -1;
+    double amplification = c.size, change = 0, worst = -1;
     for (std::size_t n = 0; n < other.t.size(); ++n) {
       if (out.judged_until && other.t[n] >= *out.judged_until) break;
-      if (!near.empty()) raise(moved, std::abs(near[n][k] - ours[n][k]));
+      for (const Neighbour& start : near)
+        raise(amplification, std::abs(start.lines[n][k] - ours[n][k]) / start.distance);
+      if (!changed.empty()) raise(change, changed[n][k]);
+      // the error of one code: at least the tolerance relative to the size of the column
       const double so_far = std::max(1.0, static_cast<double>(steps) * (other.t[n] - model.state.t) / span);
-      // error of one code: at least the tolerance relative to the size of the column
-      const double amplified = options.step ? moved
-                               : out.neighbour_distance > 0
-                                   ? so_far * tolerance * std::max(c.size, moved / out.neighbour_distance)
-                                   : so_far * tolerance * c.size;
-      const double bound = 2 * amplified + 1e-12 * c.size;
+      const double by_tolerance = so_far * tolerance * amplification;
+      const double bound = (options.step ? 2 * change : by_tolerance) + by_tolerance + 1e-12 * c.size;
       double difference = 0;
       for (const Lines& lines : all) raise(difference, std::abs(lines[n][k] - column.value[n]));
       const double ratio = bound > 0 ? difference / bound : difference > 0 ? INFINITY : 0;
@@ -216,6 +245,13 @@ MotionAgainst compare_against(const std::vector<ComparedFormulation>& formulatio
       }
     }
   }
+  if (std::all_of(out.columns.begin(), out.columns.end(),
+                  [](const ColumnAgainst& c) { return !c.not_judged.empty(); }))
+    throw Error(ErrorKind::input,
+                "the other motion has no column with a bound; give positions, velocities, or multipliers and "
+                "reactions that are unique");
+  if (!out.is_judged())
+    for (ColumnAgainst& c : out.columns) c.not_judged = "not judged";
   return out;
 }
 

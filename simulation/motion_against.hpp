@@ -4,9 +4,9 @@
 ///
 ///     bound = 2 . steps . tolerance . amplification of an error in this column
 ///
-/// The factor 2 allows both codes an error of the tolerance in every step. A run from a neighbouring start
-/// (neighbouring_start.hpp) measures the amplification. With given steps, the bound is twice the change that
-/// half the step makes.
+/// The factor 2 allows both codes an error of the tolerance in every step. Runs from neighbouring starts
+/// (neighbouring_start.hpp) measure the amplification. With given steps, the library's part of the bound is
+/// twice the change that half the step makes; the other code has the default tolerances.
 
 #include <optional>
 #include <string>
@@ -30,15 +30,19 @@ struct ColumnAgainst {
 struct MotionAgainst {
   std::vector<ColumnAgainst> columns;
   std::vector<ComparedRun> runs;
-  double neighbour_distance = 0;  ///< relative distance of the neighbouring start [-]; 0 if there is none
+  double neighbour_distance = 0;  ///< relative distance of the neighbouring starts [-]; 0 if there are none
+  double judged_from = 0;         ///< first time of the other motion [s]
   std::optional<double> judged_until;  ///< time from which neighbouring motions have diverged: no bound holds
 
   bool complete() const { return are_complete(runs); }
+  /// False if neighbouring motions have diverged from the first time on.
+  bool is_judged() const;
+  /// Whether all runs are complete, something is judged, and no column exceeds its bound.
   bool holds() const;
 };
 
 /// Runs every formulation and compares it with the other motion. Throws an Error of kind input if the other
-/// motion begins before the scene's time.
+/// motion begins before the scene's time, or has no column with a bound.
 MotionAgainst compare_against(const std::vector<ComparedFormulation>& formulations,
                               const Model<double>& model, const OtherMotion& other,
                               const SimulationOptions& options);

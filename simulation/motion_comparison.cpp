@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/raise.hpp"
 #include "formulations/structured_side_by_side.hpp"
@@ -43,10 +44,10 @@ class Comparer {
            const ComparisonOptions& options)
       : formulations_(formulations), model_(model), options_(options), run_(options.run) {
     if (!run_.output_step) run_.output_step = (run_.end - model.state.t) / options.outputs;
-    // progress in units of one run: the runs, one more for the bound or (2 per formulation) those with half
-    // the step, and the states
+    // progress in units of one run: the runs, those for the bound (neighbours, or 2 per formulation with half
+    // the step), and the states
     const double runs = static_cast<double>(formulations.size());
-    all_ = (run_.step ? 3 * runs : runs + 1) + runs;
+    all_ = (run_.step ? 3 * runs : runs + neighbours) + runs;
   }
 
   MotionComparison compare() {
@@ -57,7 +58,7 @@ class Comparer {
     if (run_.step)
       bound_by_halved_steps();
     else
-      bound_by_neighbour();
+      bound_by_neighbours();
     mark_singular_positions();
     compare_states();
     return std::move(out_);
@@ -119,37 +120,51 @@ class Comparer {
 
   /// The bound for chosen steps: every step may have an error of the tolerance, and the motion amplifies this
   /// error as it amplifies a difference of the start.
-  void bound_by_neighbour() {
+  void bound_by_neighbours() {
     const double tolerance = run_.tolerances.rtol + run_.tolerances.atol;
-    Motion near;
-    // if lambda is far more sensitive than the state, the neighbour's lambda differs too much already at the
-    // start; a nearer neighbour is taken then
-    for (double in_tolerances = distance_in_tolerances; in_tolerances >= 0.01; in_tolerances /= 100) {
-      const NeighbouringStart start = neighbouring_start(model_, tolerance, in_tolerances);
-      out_.neighbour_distance = start.distance;
-      if (!(start.distance > 0)) break;
-      Recorder record = recorder(in_tolerances == distance_in_tolerances ? 1 : 0);
-      SimulationOptions options = run_;
-      options.formulation = formulations_.front().name;
-      formulations_.front().simulate({model_.mechanism, start.state}, options, record);
-      near = std::move(record.all);
-      if (lambda_distance(norms_[0], motion(0)[0].lambda, near[0].lambda) <= small_difference) break;
+    std::vector<Motion> near;
+    std::vector<double> distance;
+    for (int seed = 1; seed <= neighbours; ++seed) {
+      const auto [motion, apart] = neighbouring_motion(tolerance, seed);
+      if (!(apart > 0)) break;  // the constraints leave no neighbour
+      near.push_back(motion);
+      distance.push_back(apart);
+      raise(out_.neighbour_distance, apart);
     }
-    const bool is_free = !near.empty();
     long steps = 0;
     for (const ComparedRun& one : out_.runs) steps = std::max(steps, one.report.counters.steps);
     double amplification = 1;
     const double span = run_.end - model_.state.t;
     for (std::size_t k = 0; k < out_.instants.size(); ++k) {
       ComparedInstant& now = out_.instants[k];
-      if (is_free) {
-        const double apart = lambda_distance(norms_[k], motion(0)[k].lambda, near[k].lambda);
-        raise(amplification, apart / out_.neighbour_distance);
-        if (!(apart <= small_difference) && !out_.judged_until) out_.judged_until = now.t;
+      bool is_near = true;
+      for (std::size_t n = 0; n < near.size(); ++n) {
+        const double apart = lambda_distance(norms_[k], motion(0)[k].lambda, near[n][k].lambda);
+        raise(amplification, apart / distance[n]);
+        is_near = is_near && apart <= small_difference;
       }
       now.amplification = amplification;
       const double steps_so_far = std::max(1.0, static_cast<double>(steps) * (now.t - model_.state.t) / span);
-      now.lambda_bound = std::min(small_difference, steps_so_far * tolerance * amplification);
+      now.lambda_bound = steps_so_far * tolerance * amplification;
+      // beyond a small difference nothing is proportional to it any more
+      if (!(is_near && now.lambda_bound <= small_difference) && !out_.judged_until) out_.judged_until = now.t;
+    }
+  }
+
+  /// The first formulation's motion from a neighbouring start, and the distance of that start; 0 if there is
+  /// none. If lambda is far more sensitive than the state, the neighbour's lambda differs too much already at
+  /// the start; a nearer neighbour is taken then.
+  std::pair<Motion, double> neighbouring_motion(double tolerance, int seed) {
+    for (double in_tolerances = distance_in_tolerances;; in_tolerances /= 100) {
+      const NeighbouringStart start = neighbouring_start(model_, tolerance, seed, in_tolerances);
+      if (!(start.distance > 0)) return {{}, 0.};
+      Recorder record = recorder(in_tolerances == distance_in_tolerances ? 1 : 0);
+      SimulationOptions options = run_;
+      options.formulation = formulations_.front().name;
+      formulations_.front().simulate({model_.mechanism, start.state}, options, record);
+      const bool is_near =
+          lambda_distance(norms_[0], motion(0)[0].lambda, record.all[0].lambda) <= small_difference;
+      if (is_near || in_tolerances < 0.02) return {std::move(record.all), start.distance};
     }
   }
 
@@ -195,7 +210,7 @@ class Comparer {
   void compare_states() {
     if (is_beyond_dense(model_.mechanism)) return;
     const std::size_t outputs = out_.instants.size(),
-                      states = std::min(outputs, static_cast<std::size_t>(std::max(1, options_.states)));
+                      states = std::min(outputs, static_cast<std::size_t>(affordable_states()));
     for (std::size_t n = 0; n < states; ++n) {
       const std::size_t k = states == 1 ? outputs - 1 : n * (outputs - 1) / (states - 1);
       ComparedInstant::OneState worst;
@@ -214,8 +229,7 @@ class Comparer {
     for (const ComparedFormulation& formulation : formulations_)
       side.formulations.push_back(formulation.solve(model, rows, run_.charts));
     const Discrepancy apart = side.discrepancy();
-    // where the causes of lambda cancel, the rounding of the data is larger relative to lambda
-    const double bound = side.lambda_bound() * side.cancellation();
+    const double bound = side.lambda_bound();
     for (std::size_t a = 0; a < side.formulations.size(); ++a)
       for (std::size_t b = a + 1; b < side.formulations.size(); ++b)
         raise(worst.acceleration,
@@ -226,6 +240,13 @@ class Comparer {
       worst.lambda = apart.lambda;
       worst.bound = bound;
     }
+  }
+
+  /// The dense solver's cost grows as the cube of the unknowns: large mechanisms are compared at fewer
+  /// states.
+  int affordable_states() const {
+    const double unknowns = 6.0 * model_.mechanism.nb() + model_.mechanism.nc();
+    return std::max(1, static_cast<int>(std::min(1.0, std::pow(500 / unknowns, 3)) * options_.states));
   }
 
   /// Least relative error of lambda in double: the bound for given steps assumes at least this much.

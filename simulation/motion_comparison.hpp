@@ -6,12 +6,12 @@
 /// Along the motion the runs differ by the errors of their steps. If the method controls its step size, every
 /// step may have an error of the tolerance, and the motion amplifies it:
 ///
-///     bound of lambda = steps . tolerance . amplification,   at most small_difference
+///     bound of lambda = steps . tolerance . amplification
 ///
-/// A run from a neighbouring start measures the amplification. If steps are given, every formulation also
-/// runs with half the step, and the bound is twice the sum of the two largest changes. At one state, where
-/// every formulation is solved at the states of all others, the bound is 100 u kappa, enlarged where the
-/// causes of lambda cancel (SideBySide::cancellation).
+/// Runs from neighbouring starts measure the amplification. Once the bound or the difference of a neighbour
+/// exceeds small_difference, lambda is not judged any more. If steps are given, every formulation also runs
+/// with half the step, and the bound is twice the sum of the two largest changes. At one state, where every
+/// formulation is solved at the states of all others, the bound is 100 u kappa.
 
 #include <functional>
 #include <optional>
@@ -40,7 +40,7 @@ std::vector<ComparedFormulation> compared_formulations(const std::vector<std::st
 struct ComparisonOptions {
   SimulationOptions run;  ///< settings of all runs; the formulation is ignored
   int outputs = 100;      ///< number of output intervals if the run has no output step
-  int states = 10;        ///< number of outputs, evenly spread, that are also compared at one state
+  int states = 10;        ///< outputs, evenly spread, that are also compared at one state; fewer if large
   std::function<void(double)> progress;  ///< receives the finished share of the work, 0 to 1
 };
 
@@ -80,8 +80,9 @@ struct MotionComparison {
   std::vector<ComparedRun> runs;
   std::vector<ComparedInstant> instants;
   bool has_unique_lambda = true;  ///< false: no multiplier is unique, so no lambda can be compared
-  double neighbour_distance = 0;  ///< relative distance of the neighbouring start [-]; 0 if there is none
-  std::optional<double> judged_until;  ///< time from which neighbouring motions have diverged: not judged
+  double neighbour_distance = 0;  ///< relative distance of the neighbouring starts [-]; 0 if there are none
+  /// Time from which lambda is not judged: neighbouring motions have diverged, or the bound is too large.
+  std::optional<double> judged_until;
   std::vector<std::vector<MotionSample>> samples;  ///< per run: its outputs
 
   bool complete() const { return are_complete(runs); }

@@ -24,7 +24,8 @@ class MotionWatch {
   using S = typename F::Scalar;
   using StateVector = VectorX<S>;
 
-  /// Later energies are compared with that of the start, at time t. All arguments must outlive this object.
+  /// Later energies and work are those since the start of this run, at time t; a run that continues has work
+  /// of the runs before. All arguments must outlive this object.
   MotionWatch(ConstrainedEquations<F>& equations, const integrators::AnyMethod<S>& method,
               const SimulationOptions& options, SimulationObserver& observer, SimulationReport& report,
               const S& t)
@@ -55,7 +56,7 @@ class MotionWatch {
     raise(report_.unaccounted_energy, static_cast<double>(unaccounted_energy(seen.energy, at_start_)));
     raise(report_.largest_kinetic, static_cast<double>(seen.energy.kinetic));
     report_.energy_end = static_cast<double>(seen.energy.total());
-    report_.work = static_cast<double>(seen.energy.work);
+    report_.work = static_cast<double>(S(seen.energy.work - at_start_.work));
     // steps across the singularity of a chart that is kept can lead to any wrong state without an error
     if (!options_.charts.reframe && report_.near_singular_chart.empty())
       report_.near_singular_chart = first_order().diagnose(t, y);

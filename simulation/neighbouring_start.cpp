@@ -5,7 +5,10 @@
 
 #include "base/raise.hpp"
 #include "bodies/rotations/so3.hpp"
-#include "formulations/analysis/assemble.hpp"
+#include "formulations/analysis/consistency.hpp"
+#include "formulations/r_omega.hpp"
+#include "integrators/projection_iteration.hpp"
+#include "simulation/system/first_order_equations.hpp"
 
 namespace trivium {
 
@@ -43,40 +46,48 @@ double distance(const Scales& scales, const MechanismState<double>& a, const Mec
   return largest;
 }
 
-/// A state at a relative distance of about `size` from the model's state that satisfies the constraints.
-MechanismState<double> neighbour(const Model<double>& model, const Scales& scales, double size) {
-  std::mt19937_64 random(1);
+/// A state at a relative distance of about `size` from the model's state that satisfies the constraints:
+/// moved in the numbers of r-omega, and projected as the end of a step is.
+MechanismState<double> neighbour(const Model<double>& model, const Scales& scales, int seed, double size) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   std::uniform_real_distribution<double> uniform(-1, 1);
   const auto draw = [&](double scale) {
     const double x = uniform(random), y = uniform(random), z = uniform(random);
     return Vector3<double>(scale * size * Vector3<double>(x, y, z));
   };
-  MechanismState<double> state = model.state;
-  for (std::size_t n = 0; n < state.pose.size(); ++n) {
-    state.pose[n].r += draw(scales.length);
+  FirstOrderEquations<ROmega<double>> equations(model.mechanism, model.state);
+  VectorX<double> y = equations.start();
+  for (int b = 0; b < equations.nb(); ++b) {
+    auto place = equations.layout().place(y, b);
+    auto rate = equations.layout().rate(y, b);
+    place.head<3>() += draw(scales.length);
     const Vector3<double> half = draw(0.5);
     Vector4<double> turn(1, half[0], half[1], half[2]);
     turn.normalize();
-    state.pose[n].p = multiply_parameters(state.pose[n].p, turn);
-    state.twist[n].r_dot += draw(scales.speed);
-    state.twist[n].omega_bar += draw(scales.rate);
+    place.tail<4>() = multiply_parameters(Vector4<double>(place.tail<4>()), turn);
+    rate.head<3>() += draw(scales.speed);
+    rate.tail<3>() += draw(scales.rate);
   }
-  return assemble(model.mechanism, state);
+  integrators::ProjectionReport<double> report;
+  integrators::ProjectionIteration<FirstOrderEquations<ROmega<double>>>()(equations, model.state.t, y,
+                                                                          report);
+  return equations.to_mechanism_state(model.state.t, y);
 }
 
 }  // namespace
 
-NeighbouringStart neighbouring_start(const Model<double>& model, double tolerance, double in_tolerances) {
+NeighbouringStart neighbouring_start(const Model<double>& model, double tolerance, int seed,
+                                     double in_tolerances) {
   const Scales scales(model);
   double size = std::clamp(in_tolerances * tolerance, least_distance, largest_distance);
   for (int tries = 3;; size /= 30) {
     try {
-      NeighbouringStart start{neighbour(model, scales, size), 0};
-      // a smaller distance is the rounding of the assembly: the constraints leave no neighbour
+      NeighbouringStart start{neighbour(model, scales, seed, size), 0};
+      // a smaller distance is the rounding of the projection: the constraints leave no neighbour
       if (const double apart = distance(scales, start.state, model.state); apart > 1e-3 * size)
         start.distance = apart;
       return start;
-    } catch (const ModelError&) {
+    } catch (const Error&) {
       if (--tries == 0) throw;
     }
   }

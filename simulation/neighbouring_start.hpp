@@ -1,7 +1,7 @@
 #pragma once
 /// A start near that of a motion, to measure how the motion amplifies small differences. Its distance is
 /// about a hundred tolerances. That is far enough for the errors of the runs not to matter, and near enough
-/// for the effect to be proportional to the distance. If no state can be assembled at that distance, a nearer
+/// for the effect to be proportional to the distance. If no state can be projected at that distance, a nearer
 /// one is tried.
 
 #include "mechanism/model.hpp"
@@ -23,9 +23,14 @@ inline constexpr double small_difference = 0.1;
 /// The default distance in tolerances; the first distance tried is at least 1e-11 and at most 1e-4.
 inline constexpr double distance_in_tolerances = 100;
 
-/// A random neighbour, drawn with a fixed seed, so that runs can be repeated. Throws a ModelError if no
-/// neighbour can be assembled at three distances, each 30 times smaller than the one before.
-NeighbouringStart neighbouring_start(const Model<double>& model, double tolerance,
+/// How many neighbours measure an amplification: a single one may lie in a direction that a motion hardly
+/// amplifies, as near a singular position.
+inline constexpr int neighbours = 3;
+
+/// A random neighbour; seeds 1, 2, ... give different directions, and runs can be repeated. It is projected
+/// by the structured solver, so that its cost is that of a step. Throws an Error if no neighbour can be
+/// projected at three distances, each 30 times smaller than the one before.
+NeighbouringStart neighbouring_start(const Model<double>& model, double tolerance, int seed = 1,
                                      double in_tolerances = distance_in_tolerances);
 
 /// 4 sin(theta / 4), for small angles theta [rad], of the angle theta between two orientations p and q.

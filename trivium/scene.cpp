@@ -119,6 +119,7 @@ Scene::Scene(std::string name, double t) {
 Scene::Parts& Scene::parts() {
   // copies of a scene share their parts until one of them changes, so a change begins with a copy; a scene
   // that was read is first split into the JSON text of its parts
+  require_parts();
   auto own = std::make_shared<Parts>();
   if (parts_) {
     own->name = parts_->name;
@@ -179,10 +180,13 @@ const Scene::Contents& Scene::Parts::contents() const {
   return *read_;
 }
 
+void Scene::require_parts() const {
+  if (!parts_ && !contents_) throw Error(ErrorKind::input, "a scene that was moved from has no parts");
+}
+
 const Scene::Contents& Scene::contents() const {
-  if (contents_) return *contents_;
-  if (!parts_) throw Error(ErrorKind::input, "a scene that was moved from has no parts");
-  return parts_->contents();
+  require_parts();
+  return contents_ ? *contents_ : parts_->contents();
 }
 
 double Scene::t() const { return contents().t; }
@@ -203,16 +207,17 @@ void Scene::write(const std::filesystem::path& file) const {
   scenes::write_scene_file(file, contents().scene);
 }
 
-Scene read_scene(const std::string& path_or_name, std::optional<double> t) {
+Scene read_scene(const std::string& path_or_name, std::optional<double> t,
+                 const std::filesystem::path& header) {
   if (t) require_time(path_or_name, *t);
-  scenes::Scene scene = load_scene(path_or_name, t);
+  scenes::Scene scene = load_scene(path_or_name, t, header);
   const double at = scenes::time_of(scene, t);
   return Scene(std::make_shared<const Scene::Contents>(Scene::Contents{std::move(scene), at, path_or_name}));
 }
 
-std::vector<std::string> catalogue_scenes() {
+std::vector<std::string> catalogue_scenes(const std::filesystem::path& header) {
   std::vector<std::string> names;
-  for (const auto& file : catalogue()) names.push_back(file.stem().string());
+  for (const auto& file : catalogue(header)) names.push_back(file.stem().string());
   return names;
 }
 

@@ -103,6 +103,7 @@ class Scene {
  private:
   struct Parts;
   Parts& parts();
+  void require_parts() const;
 
   // One of the two is set (none after a move). parts_: a scene under construction, parsed at its first use;
   // contents_: a scene that was read or simulated.
@@ -112,10 +113,12 @@ class Scene {
 
 /// Reads a scene file, or a scene of the catalogue by name. Its state is taken as the state at time t [s];
 /// the default is the time of the saved run that the file holds, else 0. Throws an Error of kind input that
-/// names the file, the place in it, the value found and the accepted ones.
-Scene read_scene(const std::string& path_or_name, std::optional<double> t = {});
+/// names the file, the place in it, the value found and the accepted ones. An installed catalogue is found
+/// from the place of this header.
+Scene read_scene(const std::string& path_or_name, std::optional<double> t = {},
+                 const std::filesystem::path& header = __FILE__);
 
-/// The names of the scenes that are delivered with the library.
-std::vector<std::string> catalogue_scenes();
+/// The names of the scenes that are delivered with the library. Throws an Error if their folder is not there.
+std::vector<std::string> catalogue_scenes(const std::filesystem::path& header = __FILE__);
 
 }  // namespace trivium

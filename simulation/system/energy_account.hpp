@@ -24,11 +24,11 @@ struct MotionEnergy {
   S work{0};  ///< work of drivers and of non-conservative effects since the start [J]
 };
 
-/// |T + V - (T + V at the start) - W| [J]: the change of energy that the work does not explain.
+/// |T + V - W - (T + V - W at the start)| [J]: the change of energy that the work does not explain.
 template <class S>
 S unaccounted_energy(const MotionEnergy<S>& now, const MotionEnergy<S>& at_start) {
   using std::abs;
-  return abs(now.total() - at_start.total() - now.work);
+  return abs(now.total() - at_start.total() - (now.work - at_start.work));
 }
 
 /// Whether a run lost or gained energy: its largest unaccounted energy exceeds a thousandth of its largest

@@ -45,7 +45,9 @@ std::string AgainstReport::text() const {
                        *comparison.judged_until);
   const auto exceeding = std::count_if(comparison.columns.begin(), comparison.columns.end(),
                                        [](const ColumnAgainst& c) { return !c.holds(); });
-  if (exceeding == 0)
+  if (!comparison.is_judged())
+    out += "no column is judged\n";
+  else if (exceeding == 0)
     out += "the motions agree\n";
   else
     out += fmt::format("{} of {} EXCEED their bounds\n", exceeding,

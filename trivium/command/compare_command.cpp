@@ -46,7 +46,10 @@ std::vector<std::string> formulations_in(const std::string& text) {
   std::vector<std::string> names;
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t comma = std::min(text.find(',', from), text.size());
-    names.push_back(text.substr(from, comma - from));
+    std::string name = text.substr(from, comma - from);
+    name.erase(0, name.find_first_not_of(' '));
+    name.erase(name.find_last_not_of(' ') + 1);
+    names.push_back(std::move(name));
     from = comma + 1;
   }
   return names;
@@ -66,7 +69,6 @@ std::vector<ComparedFormulation> formulations_of(const CompareArguments& argumen
 /// Writes every motion, the comparison and its figure to the folder of --out.
 void write_files(const CompareArguments& arguments, const CompareReport& report) {
   const fs::path folder(arguments.out);
-  fs::create_directories(folder);
   const MotionComparison& comparison = report.comparison;
   const bool has_own_lambda = integrators::find_method(arguments.options.integrator)->has_own_lambda;
   for (std::size_t f = 0; f < comparison.runs.size(); ++f) {
@@ -86,6 +88,7 @@ int run_compare(const CompareArguments& arguments) {
   const LoadedScene loaded = load(arguments);
   const Model<double>& model = loaded.model;
   require_consistent(arguments.scene, model, loaded.scene.saved);
+  if (!arguments.out.empty()) fs::create_directories(arguments.out);  // a folder that cannot be is said now
   const std::vector<ComparedFormulation> formulations = formulations_of(arguments);
   constexpr std::size_t ticks = 1000;
   Progress progress("comparing", ticks);
@@ -131,6 +134,7 @@ int run_against(const CompareArguments& arguments) {
     fmt::print(stderr, "warning: {}: {} of other names, which are not compared, {} the first\n",
                arguments.against, counted(other.unknown.size(), "column", "columns"),
                scenes::in_quotes(other.unknown.front()));
+  if (!arguments.out.empty()) fs::create_directories(arguments.out);
   const SimulationOptions options = arguments.run_options();
   if (options.output_step || options.end != SimulationOptions{}.end)
     throw Error(ErrorKind::input,
@@ -142,10 +146,7 @@ int run_against(const CompareArguments& arguments) {
   fmt::print("{}", arguments.json ? report.json() : report.text());
   for (const ComparedRun& run : comparison.runs)
     if (!run.error.empty()) complain(fmt::format("{}: {}: {}", arguments.scene, run.formulation, run.error));
-  if (!arguments.out.empty()) {
-    fs::create_directories(arguments.out);
-    write_whole(fs::path(arguments.out) / "against.csv", report.csv());
-  }
+  if (!arguments.out.empty()) write_whole(fs::path(arguments.out) / "against.csv", report.csv());
   if (!comparison.complete()) return exit_solver_failed;
   return comparison.holds() ? exit_done : exit_criterion_failed;
 }
