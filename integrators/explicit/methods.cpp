@@ -27,7 +27,9 @@ std::unique_ptr<AnyMethod<S>> chosen_adams(const Tolerances& tolerances) {
     return adapt<double>(ChosenSteps<double, Controlled>(
         Controlled({tolerances.atol, tolerances.rtol, no_limit}), 1, tolerances));
   } else {
-    throw UsageError("abm chooses its steps in double alone (Odeint's choice does); give it a step");
+    throw UsageError(
+        "abm controls its step size in double precision only (a limit of Odeint); give a step, or use "
+        "double");
   }
 }
 
