@@ -82,7 +82,7 @@ class Walker {
 /// Why a column has no bound: what it says is a choice, or not of the motion.
 std::string reason_not_to_judge(const std::string& column, const Model<double>& model,
                                 const std::vector<bool>& unique) {
-  if (column.starts_with("phi")) return "not of the motion";
+  if (column.starts_with("phi")) return "not judged: constraint violation";
   const auto is_open = [&](int first, int count) {
     return std::find(unique.begin() + first, unique.begin() + first + count, false) !=
            unique.begin() + first + count;

@@ -346,23 +346,22 @@ template <Formulation F>
 void FirstOrderEquations<F>::go_on_from(const SavedRun& saved, const MechanismState<S>& state,
                                         bool is_projected) {
   const auto refuse = [&](const std::string& why) {
-    throw Error(
-        ErrorKind::input, {mechanism_.name, saved.t},
-        fmt::format("the saved run cannot go on: {}; leave out the key \"saved\" to begin anew from the "
-                    "state of the bodies",
-                    why));
+    throw Error(ErrorKind::input, {mechanism_.name, saved.t},
+                fmt::format("the saved run cannot be continued: {}; leave out the key \"saved\" to start a "
+                            "new run from the state of the bodies",
+                            why));
   };
   if (static_cast<double>(state.t) != saved.t)
-    refuse(fmt::format("the state is taken at t = {}", static_cast<double>(state.t)));
+    refuse(fmt::format("the state is requested at t = {}", static_cast<double>(state.t)));
   if (static_cast<int>(saved.y.size()) != size())
-    refuse(fmt::format("{} numbers make no state of {} bodies in {}, which has {}", saved.y.size(), nb(),
+    refuse(fmt::format("y has {} entries, but a state of {} bodies in {} has {}", saved.y.size(), nb(),
                        F::name, size()));
   for (int b = 0; b < nb(); ++b) {
     const std::string chart = saved.charts.empty() ? std::string() : saved.charts[b];
     bool is_known = false;
     if constexpr (requires { read_chart(chart, state_[b].chart); })
       is_known = read_chart(chart, state_[b].chart);
-    if (!is_known) refuse(fmt::format("{} has no chart \"{}\" that a name tells all of", F::name, chart));
+    if (!is_known) refuse(fmt::format("{} cannot restore a chart from the name \"{}\"", F::name, chart));
   }
   std::size_t counted = 0;
   mechanism_.effects.for_each_angle([&](JointAngle<S>& angle) {
@@ -370,9 +369,10 @@ void FirstOrderEquations<F>::go_on_from(const SavedRun& saved, const MechanismSt
     ++counted;
   });
   if (counted != saved.angles.size())
-    refuse(fmt::format("effects count {} angles, not {}", counted, saved.angles.size()));
+    refuse(fmt::format("the effects track {} angles, the saved run has {}", counted, saved.angles.size()));
   if (!projection_.measure().set_fastest(saved.fastest))
-    refuse(fmt::format("{} speeds are not those of the mechanism's parts", saved.fastest.size()));
+    refuse(fmt::format("the number of entries of \"fastest\", {}, does not fit the mechanism",
+                       saved.fastest.size()));
   for (int k = 0; k < size(); ++k) start_[k] = S(saved.y[k]);
   // whoever moved a body by hand means the body
   const MechanismState<S> at = to_mechanism_state(state.t, start_);
@@ -384,7 +384,8 @@ void FirstOrderEquations<F>::go_on_from(const SavedRun& saved, const MechanismSt
     };
     if (!(is_near(pose.r, kept.r) && is_near(pose.p, kept.p) && is_near(twist.r_dot, kept_twist.r_dot) &&
           is_near(twist.omega_bar, kept_twist.omega_bar)))
-      refuse(fmt::format("body \"{}\" is not where it left it", mechanism_.body_names[b]));
+      refuse(fmt::format("position or velocity of body \"{}\" differs from the saved state",
+                         mechanism_.body_names[b]));
   }
   // the state may miss its rows by the method's error, which hides what depends on others from a strict look
   detection_ = saved.began_singular ? DependentRows::detect : DependentRows::detect_near_singular;

@@ -24,7 +24,7 @@ class NewtonFactors {
 
   /// What they are of.
   const EvaluatedModel<F>& at() const {
-    if (!model_) throw std::logic_error("factors are asked before they were made");
+    if (!model_) throw std::logic_error("factors are used before they have been computed");
     return *model_;
   }
   void solve(const GraphVector<S>& right_side, GraphVector<S>& solution) const {

@@ -232,7 +232,8 @@ TEST(Simulate, RefusesASavedRunThatIsNotItsScenes) {
   const Outcome early = run("trivium simulate " + file.string() + " --t 0 --t-end 1");
   EXPECT_EQ(early.exit_code, 2);
   EXPECT_NE(
-      early.err.find("the saved run cannot go on: the state is taken at t = 0; leave out the key \"saved\""),
+      early.err.find(
+          "the saved run cannot be continued: the state is requested at t = 0; leave out the key \"saved\""),
       std::string::npos)
       << early.err;
   json scene = json::parse(slurp(file));
