@@ -9,7 +9,10 @@ namespace trivium {
 /// A branch asked for one answer and the lanes gave two: these states cannot go in lockstep.
 class MixedLanes : public std::runtime_error {
  public:
-  MixedLanes() : std::runtime_error("the states of a batch take different branches; solve them one by one") {}
+  MixedLanes()
+      : std::runtime_error(
+            "the states of a batch take different branches of the algorithm; solve these states one at a "
+            "time") {}
 };
 
 inline bool any(bool condition) { return condition; }
