@@ -67,7 +67,7 @@ std::vector<MethodEntry<S>> explicit_methods() {
              BulirschStoer<S>(S(tolerances.atol), S(tolerances.rtol)), 8, tolerances));
        }},
       {{.name = "abm",
-        .summary = "Adams-Bashforth-Moulton, multistep, orders 1 to 12, at given steps 5 (Odeint)",
+        .summary = "Adams-Bashforth-Moulton, multistep, orders 1 to 12, order 5 with given steps (Odeint)",
         .order = 5,
         .takes_given_steps = true,
         .chooses_steps = true},
