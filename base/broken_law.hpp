@@ -1,6 +1,7 @@
 #pragma once
-/// A law of a contract that does not hold, as the law functions report it: contracts say what types must
-/// have, and their laws say how it must behave. No test library is needed to try them.
+/// The report of one broken law. A concept of this library lists the members that a type must have; its laws
+/// (constraint_laws.hpp, effect_laws.hpp and others) state how these members must behave. The law functions
+/// return a list of `BrokenLaw`, so they need no test library.
 
 #include <fmt/format.h>
 
@@ -8,10 +9,10 @@
 
 namespace trivium {
 
-/// By how much, beside what rounding explains.
+/// A law that does not hold at the tested state.
 struct BrokenLaw {
-  std::string law;
-  double figure, bound;
+  std::string law;       ///< the law as a sentence
+  double figure, bound;  ///< measured relative error, and its tolerance for rounding and truncation [-]
 
   std::string text() const { return fmt::format("{}: {:.1e}, bound {:.1e}", law, figure, bound); }
 };

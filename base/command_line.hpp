@@ -1,6 +1,7 @@
 #pragma once
-/// How a program ends. Errors become exit codes and messages on stderr; scenes that fail in a batch are named
-/// below its table, and the worst of them decides the exit code.
+/// How a program ends. `run_guarded` turns errors into a message on stderr and an exit code. A program that
+/// works through a batch of scenes lists the failed scenes below its table (`ErrorLines`) and derives one
+/// exit code from the whole batch (`batch_exit`).
 
 #include <functional>
 #include <string>
@@ -12,17 +13,17 @@
 
 namespace trivium {
 
-/// Runs a program and gives its exit code. An error becomes a message on stderr and the exit code of its
-/// kind: input 2, all else 3. What the program printed is written, or said to be lost (run_and_flush).
+/// Runs `program` by run_and_flush and returns its exit code. An Error becomes a message on stderr and an
+/// exit code: 2 for ErrorKind::input and for file system errors, 3 for the other kinds.
 int run_guarded(const std::function<int()>& program);
 
-/// What a solver or a criterion made of a batch; a solver that failed counts more.
+/// The exit code of a batch: 3 if a scene could not be solved, else 1 if a criterion failed, else 0.
 ExitCode batch_exit(bool all_solved, bool all_passed);
 
-/// The lines below a table that say what could not be solved; neighbours that say the same share one.
+/// The error lines below a table. Consecutive errors with the same message share one line.
 class ErrorLines {
  public:
-  /// `about`: the part of the scene's work that failed; empty for all of it.
+  /// `about` names the part of the work that failed, e.g. a formulation; empty if all of the scene failed.
   void add(const std::string& message, std::string_view about = {});
   std::string text() const;
 

@@ -1,4 +1,4 @@
-/// What is written as CSV is read back unchanged; text that was cut off is not read.
+/// CSV text is read back unchanged. Text that was cut off is an error.
 
 #include "base/csv.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
-/// What goes wrong, as one type: a message, a kind that says whose fault it is, and the place and the time
-/// where they are known. A program ends by the kind (base/command_line.hpp): input 2, all else 3.
+/// The exception type of the library. An Error has a message, a kind and, where known, the place and the time
+/// of the problem. The kind decides the exit code (base/command_line.hpp): 2 for input, else 3.
 
 #include <optional>
 #include <stdexcept>
@@ -10,31 +10,29 @@
 namespace trivium {
 
 enum class ErrorKind {
-  input,       ///< a file, an option or a request that cannot be
+  input,       ///< invalid file, option or request
   model,       ///< the equations of motion cannot be formed or solved at this state
-  integration  ///< a method in time gave up
+  integration  ///< the integrator cannot continue
 };
 
-/// Where something went wrong: `body "rod"`, `row "hinge.cd(x)"`, a file with the place in it; empty where it
-/// is of no one place. When: the time of the state [s].
+/// Where and when an error occurred.
 struct Place {
-  std::string where;
-  std::optional<double> when = {};
+  std::string where;  ///< `body "rod"`, `row "hinge.cd(e_x)"` or a position in a file; may be empty
+  std::optional<double> when = {};  ///< time of the state [s]
 };
 
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& what) : Error(kind, what, Place{}) {}
-  /// The message begins with the place: `body "rod" at t = 0.5: why`.
+  /// Puts the place in front of the message: `body "rod" at t = 0.5: why`.
   Error(ErrorKind kind, const Place& place, const std::string& why);
-  /// `what` is all of the message.
+  /// Takes `what` as the complete message.
   Error(ErrorKind kind, const std::string& what, const Place& place)
       : std::runtime_error(what), kind_(kind), place_(place) {}
-  /// The message of another, with what is around it in front; the place is the inner one, where it has one.
+  /// Puts `around` in front of the message of `inner`. The place and time of `inner` take precedence.
   Error(ErrorKind kind, const Place& around, const Error& inner);
 
-  /// The same, of a scene: its source is put in front of a message that does not begin with it, and of the
-  /// place.
+  /// Puts the source of a scene in front of the message and of the place, unless they begin with it.
   Error(const std::string& source, const Error& inner);
 
   ErrorKind kind() const { return kind_; }
@@ -46,11 +44,11 @@ class Error : public std::runtime_error {
   Place place_;
 };
 
-/// A message with the source of its scene in front, unless it begins with it.
+/// `source: message`, or `message` alone if it already begins with the source of the scene.
 std::string name_source(const std::string& source, std::string_view message);
 
-/// The equations of motion cannot be formed or solved at this state: which body, joint or effect, when, why,
-/// and what to try.
+/// The equations of motion cannot be formed or solved at this state. The message names the body, joint or
+/// effect, the time, the reason and a remedy.
 class ModelError : public Error {
  public:
   explicit ModelError(const std::string& what) : Error(ErrorKind::model, what) {}

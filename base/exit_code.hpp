@@ -1,6 +1,6 @@
 #pragma once
-/// The exit codes that every executable keeps to: what a script may conclude from a run. A criterion that
-/// failed (1) is told from a file that could not be read (2) and from a solver that failed (3).
+/// The exit codes of all executables, for scripts. They distinguish a failed criterion (1), invalid usage or
+/// input (2), and a failed solver or lost output (3).
 
 namespace trivium {
 
@@ -9,7 +9,7 @@ enum ExitCode : int {
   exit_criterion_failed = 1,
   exit_input_error = 2,
   exit_solver_failed = 3,
-  exit_output_lost = 3  ///< what was computed could not be written to stdout
+  exit_output_lost = 3  ///< results could not be written to stdout
 };
 
 }  // namespace trivium

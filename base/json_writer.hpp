@@ -1,7 +1,6 @@
 #pragma once
-/// Writes reports as JSON, piece by piece: the output of --json and the manifests of results. The other
-/// writer of JSON, scenes/format/json_printer.cpp, prints a whole scene in the layout that people write by
-/// hand.
+/// Writes a report as JSON, value by value: the output of --json and the manifests of results. Scene files
+/// have another writer, scenes/format/json_printer.cpp, which keeps the layout of hand-written files.
 
 #include <cmath>
 #include <string>
@@ -13,7 +12,8 @@
 
 namespace trivium {
 
-/// Writes one JSON value: objects and arrays of objects over lines, arrays of numbers on one.
+/// Writes one JSON value. Objects and arrays of objects get one line per element; arrays of numbers, texts or
+/// flags stay on one line. Members of an object need a key; elements of an array have none.
 class JsonWriter {
  public:
   JsonWriter& begin_object(std::string_view key = {}) { return open(key, '{'); }
@@ -36,7 +36,7 @@ class JsonWriter {
   JsonWriter& texts(std::string_view key, const std::vector<std::string>& values);
   JsonWriter& flags(std::string_view key, const std::vector<bool>& values);
 
-  /// The finished value and a newline.
+  /// The JSON text with a final newline.
   std::string str() const { return out_ + "\n"; }
 
  private:
@@ -46,7 +46,7 @@ class JsonWriter {
     if constexpr (std::is_integral_v<Number>)
       return std::to_string(value);
     else
-      return isfinite_(value) ? number_text(value) : "null";  // JSON has no infinity
+      return isfinite_(value) ? number_text(value) : "null";  // JSON has neither infinity nor NaN
   }
   template <class Number>
   static bool isfinite_(const Number& x) {

@@ -1,4 +1,4 @@
-/// Results as JSON: valid whatever is written, and every digit of a number.
+/// The written JSON is valid for any values, and numbers keep all their digits.
 
 #include "base/json_writer.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Numbers as text, with all digits of their scalar, from float to 100 digits. Counts in words stand here
-/// too.
+/// Numbers as text with all digits of their scalar type, from float to 100 decimal digits. Also counts with
+/// their noun, such as "2 bodies".
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 
 namespace trivium {
 
-/// A number with as many digits as it takes to read it back unchanged; valid JSON.
+/// `x` with enough digits to be read back unchanged. Finite numbers are valid JSON.
 inline std::string number_text(float x) { return fmt::format("{}", x); }
 inline std::string number_text(double x) { return fmt::format("{}", x); }
 inline std::string number_text(long double x) { return fmt::format("{:.21g}", x); }
@@ -24,7 +24,7 @@ std::string number_text(const Number& x) {
   return x.str(std::numeric_limits<Number>::max_digits10, std::ios_base::fmtflags(0));
 }
 
-/// "1 body", "2 bodies".
+/// The count with its noun: "1 body", "2 bodies".
 inline std::string counted(std::size_t n, std::string_view one, std::string_view more) {
   return fmt::format("{} {}", n, n == 1 ? one : more);
 }

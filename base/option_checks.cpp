@@ -15,7 +15,8 @@ namespace trivium {
 
 namespace {
 
-/// The whole text as a finite number, read as CLI11 reads the value afterwards; none where it is not one.
+/// The value of `text` if all of it is a finite number, otherwise none. Uses strtold as CLI11 does, so that
+/// the check and the later conversion accept the same texts.
 std::optional<double> finite_number(const std::string& text) {
   char* end = nullptr;
   const auto x = static_cast<double>(std::strtold(text.c_str(), &end));

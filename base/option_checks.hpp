@@ -1,6 +1,6 @@
 #pragma once
-/// Decides which values an option accepts. Each check says what was found and what is accepted, so that the
-/// message of a program can be acted on.
+/// Checks of the values of command line options. An error message states the value found and the values
+/// accepted, so that the user can correct the option.
 
 #include <cstdint>
 #include <functional>
@@ -9,14 +9,14 @@
 namespace trivium {
 
 struct OptionCheck {
-  std::function<std::string(const std::string&)> error_of;  ///< of a value as typed; empty: accepted
-  std::string name;                                         ///< behind the type in the help text
+  std::function<std::string(const std::string&)> error_of;  ///< message on a typed value; empty: accepted
+  std::string name;                                         ///< kind of value shown in the help text
 };
 
 /// Accepts a finite number.
 OptionCheck finite_time();
 
-/// Accepts a whole number from 0 to `most`, which CLI11 alone would let wrap around below zero.
+/// Accepts a whole number from 0 to `most`. CLI11 alone would convert "-1" to a huge unsigned number.
 OptionCheck whole_number(std::uint64_t most);
 
 /// Accepts a finite number above 0.
@@ -25,10 +25,10 @@ OptionCheck positive_number();
 /// Accepts a finite number from 0 on.
 OptionCheck number_from_zero();
 
-/// Accepts a path that a file can be written to: a regular file or none yet, in a folder that exists.
+/// Accepts the path of a regular file or of a file that does not exist yet, in an existing folder.
 OptionCheck writable_file();
 
-/// What keeps a file from being written there; empty if nothing does.
+/// The reason why no file can be written at `path`; empty if one can.
 std::string why_not_writable(const std::string& path);
 
 }  // namespace trivium

@@ -1,4 +1,4 @@
-/// Which values options accept, at the borders.
+/// Accepted and rejected values of options, at the limits of each range.
 
 #include "base/option_checks.hpp"
 

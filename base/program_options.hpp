@@ -1,7 +1,7 @@
 #pragma once
-/// The options of a program: their names, where their values go, and which values are accepted. CLI11 reads
-/// the words and writes the help; program_options.cpp alone includes it, since it costs every unit that does
-/// ten seconds.
+/// The command line options of a program: names, target variables and accepted values. CLI11 parses the words
+/// and writes the help text. Only program_options.cpp includes CLI11, because its headers add about ten
+/// seconds of compile time to each translation unit.
 
 #include <cstdint>
 #include <functional>
@@ -20,12 +20,12 @@ class Option;
 
 namespace trivium {
 
-/// Where an option's value goes: a variable that outlives the reading of the command line.
+/// The variable that receives an option's value. It must exist until the command line has been parsed.
 using OptionTarget = std::variant<std::string*, int*, std::uint64_t*, double*, std::optional<int>*,
                                   std::optional<std::uint64_t>*, std::optional<double>*,
                                   std::vector<std::string>*, std::vector<double>*>;
 
-/// One option, while it is described; valid as long as its ProgramOptions.
+/// Handle for describing one option. Valid as long as its ProgramOptions exists.
 class ProgramOption {
  public:
   ProgramOption& required();
@@ -33,15 +33,15 @@ class ProgramOption {
   ProgramOption& one_of(const std::vector<std::string>& accepted);
   /// Accepts a whole number from `least` to `most`.
   ProgramOption& between(int least, int most);
-  /// Takes as many values as there are names, which the help text shows.
+  /// Takes one value per name; the help text shows the names.
   ProgramOption& values(const std::vector<std::string>& names);
-  /// Takes one value each time that it is given, which the help text names.
+  /// The option may be given several times, with one value each time; the help text calls the value `name`.
   ProgramOption& may_repeat(const std::string& name);
-  /// The help text shows the value that the variable has now.
+  /// Shows the present value of the target variable as default in the help text.
   ProgramOption& show_default();
   ProgramOption& needs(const ProgramOption& other);
   ProgramOption& excludes(const ProgramOption& other);
-  /// The help text leaves it out.
+  /// Omits the option from the help text.
   ProgramOption& hide();
 
  private:
@@ -54,24 +54,24 @@ class ProgramOption {
 /// The command line of a program or of one of its subcommands. Copies describe the same command line.
 class ProgramOptions {
  public:
-  /// --help and --version are there from the start.
+  /// Adds --help and --version.
   ProgramOptions(const std::string& about, const std::string& program);
 
-  /// A name that begins with a dash is an option, any other a positional argument.
+  /// A name that begins with a dash makes an option, any other name a positional argument.
   ProgramOption add_option(const std::string& name, OptionTarget target, const std::string& about = {});
   ProgramOption add_flag(const std::string& name, bool* target, const std::string& about = {});
-  /// Exactly one of the subcommands must be named.
+  /// From now on the command line must name exactly one of the subcommands.
   ProgramOptions add_subcommand(const std::string& name, const std::string& about);
-  /// What the help text says of --help, here and in subcommands added later.
+  /// Sets the description of --help in the help text, also for subcommands added later.
   void describe_help(const std::string& about);
 
-  /// As it was added.
+  /// Name of the program or subcommand.
   const std::string& name() const;
-  /// Of a subcommand: the command line names it.
+  /// Whether the parsed command line names this subcommand.
   bool is_chosen() const;
 
-  /// Reads the command line, then runs the program and gives its exit code (run_guarded). What cannot be read
-  /// is a message on stderr and exit_input_error; --help and --version print and end.
+  /// Parses the command line, runs `program` by run_guarded and returns its exit code. An invalid command
+  /// line gives a message on stderr and exit_input_error; --help and --version print and return exit_done.
   int run(int argc, char** argv, const std::function<int()>& program);
 
  private:

@@ -1,17 +1,18 @@
 #pragma once
-/// A progress bar on stderr. It shows only where stderr is a terminal and the work exceeds a second, so that
-/// logs stay free of it.
+/// A progress bar on stderr. It appears only if stderr is a terminal and the work takes longer than one
+/// second, so that log files do not contain it.
 
 #include <chrono>
 #include <string>
 
 namespace trivium {
 
+/// The bar shows `what`, the number of finished items and their total.
 class Progress {
  public:
   Progress(std::string what, std::size_t total);
   ~Progress();
-  /// One more item done.
+  /// Counts one more finished item and redraws the bar, at most ten times per second.
   void step();
 
  private:

@@ -1,20 +1,22 @@
 #pragma once
-/// The largest and the least of many numbers, where one that is not a number stays. What went wrong once is
-/// then not overwritten by what comes after, and no comparison with a bound passes.
+/// Running maximum and minimum that keep NaN. If one of the values is NaN, the result is NaN whatever values
+/// follow, so that no later comparison with a bound passes by accident.
 
 #include <cmath>
 
 namespace trivium {
 
+/// largest = max(largest, next); NaN if either is NaN.
 template <class S>
 void raise(S& largest, const S& next) {
   if (!(next <= largest) && largest == largest) largest = next;
 }
+/// least = min(least, next); NaN if either is NaN.
 template <class S>
 void lower(S& least, const S& next) {
   if (!(next >= least) && least == least) least = next;
 }
-/// The largest magnitude in a vector; 0 where it is empty.
+/// max |x_k|; 0 for an empty vector, NaN if an entry is NaN.
 template <class Vector>
 auto largest_magnitude(const Vector& x) {
   using std::abs;

@@ -1,4 +1,4 @@
-/// The largest and the least number, and a number that is none.
+/// Maximum and minimum, and the way NaN stays in them.
 
 #include "base/raise.hpp"
 

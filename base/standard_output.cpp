@@ -32,7 +32,7 @@ int run_and_flush(const std::function<int()>& program) {
     return exit_output_lost;
   }
   errno = 0;
-  std::cout.flush();  // the command line's help goes there
+  std::cout.flush();  // CLI11 prints the help text to std::cout
   if (std::fflush(stdout) != 0 || std::ferror(stdout))
     return output_lost({errno != 0 ? errno : EIO, std::generic_category()});
   return exit_code;

@@ -1,17 +1,17 @@
 #pragma once
-/// Messages on stderr, and the proof that results on stdout have arrived. A full disk or a closed stdout is
-/// an error of the program, not a success.
+/// Error messages on stderr, and the check that all results on stdout were written. A full disk or a closed
+/// stdout makes the program fail.
 
 #include <functional>
 #include <string>
 
 namespace trivium {
 
-/// Says on stderr what went wrong, and fails at nothing itself.
+/// Prints "error: message" on stderr. Ignores write errors, so it never throws one.
 void complain(const std::string& message);
 
-/// Runs a program, then makes sure that all it printed has been written: a full disk or a closed stdout is no
-/// success. Gives the program's exit code, or exit_output_lost with a message on stderr.
+/// Runs `program`, then flushes stdout. Returns the exit code of the program, or exit_output_lost with a
+/// message on stderr if its output could not be written.
 int run_and_flush(const std::function<int()>& program);
 
 }  // namespace trivium

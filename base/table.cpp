@@ -6,7 +6,7 @@ namespace trivium {
 
 namespace {
 
-/// Characters, not bytes: names may hold any UTF-8.
+/// Number of code points, not bytes, since names may contain any UTF-8: counts all but continuation bytes.
 std::size_t width_of(const std::string& s) {
   return static_cast<std::size_t>(
       std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));

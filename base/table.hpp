@@ -1,6 +1,6 @@
 #pragma once
-/// A table of text with aligned columns, as the commands and validations print it on a terminal. Tables of
-/// the paper are paper/generator/tex.hpp's.
+/// A table of text with aligned columns, which commands and validations print on a terminal. The tables of
+/// the paper are made by paper/generator/tex.hpp.
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ class Table {
  public:
   explicit Table(std::vector<std::string> header) : rows_{std::move(header)} {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-  /// Lines ending in '\n', a rule under the header.
+  /// The table as lines that end in '\n', with a rule under the header.
   std::string text() const;
 
  private:

@@ -1,4 +1,4 @@
-/// Columns of a table line up by characters, whatever the names hold.
+/// Columns are aligned by characters, also for names with non-ASCII letters.
 
 #include "base/table.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
-/// A variant of the type that stands at a place of its list, where the place is known at run time alone. So
-/// readers and tests go through a list of types without a switch that could miss one.
+/// Creates a std::variant that holds the n-th type of its list, with n known only at run time. Readers and
+/// tests use it to loop over a list of types; no switch is needed that could miss a type.
 
 #include <cstddef>
 #include <utility>
@@ -8,7 +8,8 @@
 
 namespace trivium {
 
-/// The n-th type's default. Throws a std::bad_variant_access where there is no such type.
+/// A variant that holds a default-constructed value of its n-th type (from 0). Throws std::bad_variant_access
+/// if n is out of range.
 template <class Variant>
 Variant emplaced(std::size_t n) {
   Variant value;

@@ -15,7 +15,7 @@ std::optional<fs::path> file_to_write(fs::path path) {
   std::error_code error;
   const fs::file_status found = fs::status(path, error);
   if (fs::exists(found) && !fs::is_regular_file(found)) return {};
-  constexpr int most_links = 40;  // as many as Linux follows
+  constexpr int most_links = 40;  // the limit of Linux for nested symbolic links
   for (int links = 0; fs::is_symlink(path, error); ++links) {
     if (links == most_links) return {};
     path = path.parent_path() / fs::read_symlink(path, error);

@@ -1,6 +1,7 @@
 #pragma once
-/// Files read whole, and written whole or not at all. Decides which paths may be written: a regular file or
-/// none yet, also through links; a device, a FIFO or a folder is never replaced.
+/// Reads whole files and replaces files atomically: a written file has either all of its new content or its
+/// old one. A path may be written if it names a regular file or nothing, also through symbolic links.
+/// Devices, FIFOs and folders are never replaced.
 
 #include <filesystem>
 #include <fstream>
@@ -11,12 +12,13 @@
 
 namespace trivium {
 
-/// The file that writing to `path` replaces: a link stays a link, and what it points to is written. Nothing
-/// where that is there and no regular file: a device, a FIFO or a folder is not replaced by a file.
+/// The file that a write to `path` replaces: the target of the link if `path` is a symbolic link, otherwise
+/// `path`. None if that is a device, a FIFO or a folder, or if the links form a cycle.
 std::optional<std::filesystem::path> file_to_write(std::filesystem::path path);
 
-/// A file that grows beside `target`, under a name that no other writer uses and on the same file system, and
-/// takes its place when it is kept: until then the target stays as it was.
+/// A temporary file that replaces `target` when `keep` is called; without `keep` it is deleted. The file is
+/// in the folder of `target`, hence on the same file system, so that the replacement is one atomic rename. A
+/// random suffix separates it from the temporary files of other writers.
 class GrowingFile {
  public:
   explicit GrowingFile(std::filesystem::path target);
@@ -24,7 +26,7 @@ class GrowingFile {
   ~GrowingFile();
 
   void write(std::string_view text) { file_.write(text.data(), static_cast<std::streamsize>(text.size())); }
-  /// Says why it could not be kept.
+  /// Closes the file and renames it to `target`. Returns the reason if that failed.
   std::error_code keep();
 
  private:
@@ -33,14 +35,14 @@ class GrowingFile {
   bool is_kept_ = false;
 };
 
-/// The target has all of the text or stays as it was. Says why it could not be written.
+/// Replaces `target` by a file with the given text, or leaves it unchanged and returns the reason.
 std::error_code replace_file(const std::filesystem::path& target, std::string_view text);
 
-/// Throws std::filesystem::filesystem_error.
+/// The content of `file`. Throws std::filesystem::filesystem_error if it cannot be read.
 std::string read_whole(const std::filesystem::path& file);
 
-/// The file has all of the text or stays as it was; see file_to_write for what is a file. Throws
-/// std::filesystem::filesystem_error.
+/// Replaces the file that file_to_write(file) names. Throws std::filesystem::filesystem_error if there is no
+/// such file or if it cannot be written; the old file is then unchanged.
 void write_whole(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace trivium

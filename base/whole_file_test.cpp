@@ -1,4 +1,4 @@
-/// A file has all of a text or stays as it was, and nothing is left beside it.
+/// A file has all of its new text or stays unchanged, and no temporary file remains in its folder.
 
 #include "base/whole_file.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of the test's own, empty at first.
+/// An empty folder for each test.
 class WholeFile : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -61,7 +61,7 @@ TEST_F(WholeFile, IsWrittenWhereALinkPoints) {
 
 TEST_F(WholeFile, NeverReplacesWhatIsNoRegularFile) {
   ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
-  fs::create_symlink(link_.filename(), link_);  // of itself
+  fs::create_symlink(link_.filename(), link_);  // a link to itself: an endless chain of links
   for (const fs::path& path : {file_, link_, folder_}) {
     EXPECT_FALSE(file_to_write(path)) << path;
     EXPECT_THROW(write_whole(path, "text"), fs::filesystem_error) << path;

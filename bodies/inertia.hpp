@@ -1,20 +1,20 @@
 #pragma once
-/// Whether a body can have an inertia tensor: symmetric, positive semidefinite, and no principal moment above
-/// the sum of the other two (the integrals of y^2 + z^2, z^2 + x^2 and x^2 + y^2 over the mass). Decided
-/// here: the tolerance of all that is asked of a tensor, in files as well.
+/// Checks whether an inertia tensor is physically possible: symmetric, positive semidefinite, and no
+/// principal moment greater than the sum of the other two. (The moments are the integrals of y^2 + z^2, z^2 +
+/// x^2 and x^2 + y^2 over the mass.) All checks of inertia tensors use the tolerance that is defined here.
 
 #include <Eigen/Core>
 
 namespace trivium {
 
-/// As a share of the trace: what rounding leaves of a principal moment that is none, and of an equation
-/// between moments. A file's digits and a rotation of the axes leave 1e-15; a wire of 0.1 mm over 10 m has
-/// 8e-11.
+/// Tolerance for moments of inertia, relative to the trace [-]: a smaller principal moment counts as zero. It
+/// is above the relative errors of 1e-15 that decimal digits and rotations of the axes leave, and below
+/// 8e-11, the smallest principal moment of a wire 0.1 mm thick and 10 m long.
 inline constexpr double inertia_tolerance = 1e-12;
 
-/// Principal moments [kg m^2, ascending] and what they violate beyond inertia_tolerance.
+/// Result of check_inertia; each flag is false if its condition is violated by more than inertia_tolerance.
 struct InertiaCheck {
-  Eigen::Vector3d principal_moments;
+  Eigen::Vector3d principal_moments;  ///< eigenvalues of the symmetric part [kg m^2], ascending
   bool symmetric = true;
   bool positive_semidefinite = true;
   bool triangle_inequality = true;  ///< no principal moment exceeds the sum of the other two
@@ -22,6 +22,7 @@ struct InertiaCheck {
   bool physical() const { return symmetric && positive_semidefinite && triangle_inequality; }
 };
 
+/// Checks a tensor [3x3, kg m^2] in any frame, about any point.
 InertiaCheck check_inertia(const Eigen::Matrix3d& inertia);
 
 }  // namespace trivium

@@ -1,14 +1,17 @@
 #pragma once
-/// The vector from a point of one body to a point of another, and its rate. The order of the sums is decided
-/// here: the parts that both ends share are subtracted first, so a large common distance leaves no rounding
-/// of its size.
+/// The vector from a point of body i to a point of body j, and its time derivative:
+///
+///     d_ij = (r_j + A_j s_bar_j) - (r_i + A_i s_bar_i)
+///
+/// The order of the additions is chosen so that large parts common to both ends cancel first. A large
+/// distance of both bodies from the origin then causes no rounding error of its size.
 
 #include "bodies/rigid_body.hpp"
 
 namespace trivium {
 
-/// (to + arm_j) - (from + arm_i), summed from the largest part down: a distance that both ends share leaves
-/// no rounding of its size, be it one of the centres or an arm (the ground's points are all arm).
+/// (to + arm_j) - (from + arm_i) [m, global]. The longer arm is added to the difference of the centres first:
+/// a point of the ground has its centre at the origin, so all of its position is in its arm.
 template <class Scalar>
 Vector3<Scalar> offset_between(const Vector3<Scalar>& from, const Vector3<Scalar>& arm_i,
                                const Vector3<Scalar>& to, const Vector3<Scalar>& arm_j) {
@@ -17,14 +20,14 @@ Vector3<Scalar> offset_between(const Vector3<Scalar>& from, const Vector3<Scalar
   return (d + arm_j) - arm_i;
 }
 
-/// d = (r_j + A_j s_j) - (r_i + A_i s_i): from a point of i to one of j.
+/// d_ij [m, global] from the point s_bar_i of body i to the point s_bar_j of body j [m, body frames].
 template <class Scalar>
 Vector3<Scalar> point_offset(const BodyMotion<Scalar>& i, const Vector3<Scalar>& s_bar_i,
                              const BodyMotion<Scalar>& j, const Vector3<Scalar>& s_bar_j) {
   return offset_between<Scalar>(i.r, i.A * s_bar_i, j.r, j.A * s_bar_j);
 }
 
-/// Its time derivative, the velocities of the centres subtracted first.
+/// The time derivative of d_ij [m/s, global]; the velocities of the centres are subtracted first.
 template <class Scalar>
 Vector3<Scalar> point_offset_rate(const BodyMotion<Scalar>& i, const Vector3<Scalar>& s_bar_i,
                                   const BodyMotion<Scalar>& j, const Vector3<Scalar>& s_bar_j) {

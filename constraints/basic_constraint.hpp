@@ -1,11 +1,12 @@
 #pragma once
-/// The basic constraints (Haug 1989, section 9.4), each in a file of its own, and the one list of them:
+/// The list of the basic constraints (Haug 1989, section 9.4) and the concept that they satisfy:
 ///
-///   DP1  a_i . a_j - f(t)      DP2  a_i . d_ij - f(t)      D  d_ij . d_ij - f(t)      CD  c . d_ij - f(t)
+///     DP1  a_i . a_j - f(t)     DP2  a_i . d_ij - f(t)     D  d_ij . d_ij - f(t)     CD  c . d_ij - f(t)
 ///
-/// and DP1 with a vector that turns by itself in body i (rotation drivers). Each is a dot product of two
-/// features, less a function of time; its equations follow in constraint_row.hpp, in every formulation. To
-/// add one, write its file and enter it here; outside the library, add it by `With`.
+/// and TurningDP1, a DP1 whose first vector rotates relative to body i (rotation drivers). Each has its own
+/// file. Each is the dot product of two features (feature.hpp) minus a function of time; constraint_row.hpp
+/// derives its equations from that for every formulation. To add a constraint, write its file and enter it in
+/// StandardConstraints; a project outside the library adds it by `With`.
 
 #include <concepts>
 #include <type_traits>
@@ -22,25 +23,25 @@
 
 namespace trivium {
 
-/// What a basic constraint has: its bodies (BodyPair), and
+/// A basic constraint. It derives from BodyPair and must have
 ///
-///   keys           shows every one of its parts (constraint_keys.hpp)
-///   is_of_angle    whether Phi, over its scale, is an angle [rad]; a length [m] where it is not
-///   scale          at t: how much Phi, where it holds, changes per metre of its points or radian of its
-///                  vectors
-///   function       f(t), or what else moves the row by itself
-///   with_features  from (on_i, on_j, t, use): use(x, y, f) of its two features and f, with Phi = x . y - f;
-///                  over all kinds of bodies (BodyKinematics)
+///     keys           presents each of its parts to a visitor (constraint_keys.hpp)
+///     is_of_angle    true if Phi / scale measures an angle [rad], false if it measures a length [m]
+///     scale(t)       the largest change of Phi per metre of its points or per radian of its vectors, at
+///                    states where Phi = 0; Phi / scale is comparable between rows
+///     function       its function of time, f(t) or another that drives the row
+///     with_features  (on_i, on_j, t, use): returns use(x, y, f), its two features and f of Phi = x . y - f;
+///                    on_i and on_j are bodies of any formulation (BodyKinematics)
 ///
 /// It may have
 ///
-///   type           what a scene file calls it; without one, no file does
-///   sees_relative_motion
-///                  whether it sees how j moves relative to i and nothing else; if not said, it may see more
-///   needs_positive_f
-///                  whether it has no gradient, or nothing to hold, where f is 0
-///   vanishes       from (on_i, on_j, share): whether it does less here than that share of what its vectors
-///                  could
+///     type           its name in scene files; without it, scene files cannot contain the constraint
+///     sees_relative_motion
+///                    true if Phi depends only on the pose of j relative to i; default false
+///     needs_positive_f
+///                    true if the row has no gradient, or cannot hold, at f = 0: scene files need f > 0
+///     vanishes       (on_i, on_j, share): true if the gradient at this state is less than `share` of the
+///                    largest that vectors of these lengths can have
 template <class C, class Scalar>
 concept DotProductConstraint = std::derived_from<C, BodyPair> && requires(const C& c, const Scalar& t) {
   { C::is_of_angle } -> std::convertible_to<bool>;
@@ -51,7 +52,7 @@ concept DotProductConstraint = std::derived_from<C, BodyPair> && requires(const 
                   [](const auto&, const auto&, const Jet<Scalar>&) {});
 };
 
-/// A list of basic constraints, over any Scalar.
+/// A list of types of basic constraints, for any Scalar: `In<Scalar>` is a variant of them.
 template <template <class> class... C>
 struct BasicConstraints {
   static_assert((DotProductConstraint<C<double>, double> && ...));
@@ -61,7 +62,7 @@ struct BasicConstraints {
   template <template <class> class... More>
   using With = BasicConstraints<C..., More...>;
 
-  /// Where X stands in the list; the list's length where it does not.
+  /// Index of X in the list (from 0); the length of the list if X is not in it.
   template <template <class> class X>
   static constexpr int place_of = [] {
     int place = 0;
@@ -70,17 +71,16 @@ struct BasicConstraints {
   }();
 };
 
-/// The list of the library.
 using StandardConstraints = BasicConstraints<DP1, TurningDP1, DP2, D, CD>;
 
 template <class Scalar, class List = StandardConstraints>
 using BasicConstraint = typename List::template In<Scalar>;
 
-/// The type of a scene's constraint that is a basic one.
+/// The ConstraintType of the basic constraint C.
 template <template <class> class C>
 inline constexpr ConstraintType basic_type{JointType::basic, StandardConstraints::place_of<C>};
 
-// of one of any list
+/// The function of time, f(t) or alpha(t), of a constraint of any type.
 template <class... C>
 const TimeFunction& function_of(const std::variant<C...>& constraint) {
   return std::visit([](const auto& c) -> const TimeFunction& { return c.function(); }, constraint);
@@ -89,7 +89,7 @@ template <class... C>
 BodyPair bodies_of(const std::variant<C...>& constraint) {
   return std::visit([](const BodyPair& pair) { return pair; }, constraint);
 }
-/// 1 where the constraint's own is zero.
+/// scale(t) of the constraint, a divisor for Phi: 1 instead of 0. NaN stays NaN.
 template <class Scalar, class... C>
 Scalar row_scale(const std::variant<C...>& constraint, const Scalar& t) {
   const Scalar scale = std::visit([&](const auto& c) { return Scalar(c.scale(t)); }, constraint);
@@ -99,6 +99,7 @@ template <class... C>
 bool is_of_angle(const std::variant<C...>& constraint) {
   return std::visit([](const auto& c) { return c.is_of_angle; }, constraint);
 }
+/// False if the constraint does not declare it.
 template <class... C>
 bool sees_relative_motion(const std::variant<C...>& constraint) {
   const auto says = []<class One>(const One&) {

@@ -1,6 +1,6 @@
 #pragma once
-/// What the file of a basic constraint begins with: the bodies of a row, features, functions of time. What
-/// one must have is said in basic_constraint.hpp, where it is entered in the list.
+/// Common include of the files of basic constraints: the bodies of a row, features and functions of time. The
+/// members that a basic constraint must have are listed in basic_constraint.hpp.
 
 #include "bodies/numbers/time_function.hpp"
 #include "bodies/numbers/vectors.hpp"
@@ -8,11 +8,11 @@
 
 namespace trivium {
 
-/// The bodies of a row: indices into the mechanism's bodies, the last of which is the ground.
+/// The two bodies of a constraint row.
 struct BodyPair {
-  int i = 0, j = 0;
+  int i = 0, j = 0;  ///< indices of bodies in the mechanism; nb, one past the last body, is the ground
 
-  /// use(part...) for every part of one pair or of several side by side.
+  /// Calls use(member...) for each member, with that member of all given pairs as arguments.
   template <class Use, class... Part>
   static void show_parts(const Use& use, Part&... p) {
     use(p.i...);

@@ -62,7 +62,9 @@ TYPED_TEST(BasicConstraints, RowsAreTheDerivativesOfPhiInCoordinatesOfTheirOwn) 
   }
 }
 
-/// Turns faster than it says.
+// The following constraints each violate one law.
+
+/// Rotates its vector by alpha(2 t).
 template <class S>
 struct HastyDP1 : TurningDP1<S> {
   template <BodyKinematics Body, class Use>
@@ -70,7 +72,7 @@ struct HastyDP1 : TurningDP1<S> {
     return TurningDP1<S>::with_features(on_i, on_j, S(2 * t), use);
   }
 };
-/// Shows all but its second vector.
+/// Its keys omit the second vector.
 template <class S>
 struct SecretiveDP1 : DP1<S> {
   static void keys(auto&& show, auto&... c) {
@@ -79,7 +81,7 @@ struct SecretiveDP1 : DP1<S> {
   }
 };
 
-/// Says that its function of time is another one.
+/// `function` returns a function other than f.
 template <class S>
 struct MisleadingDP1 : DP1<S> {
   const TimeFunction& function() const {
@@ -87,17 +89,17 @@ struct MisleadingDP1 : DP1<S> {
     return other;
   }
 };
-/// Says that its row is a length.
+/// `is_of_angle` is false for an angle.
 template <class S>
 struct LongDP1 : DP1<S> {
   static constexpr bool is_of_angle = false;
 };
-/// Says that it vanishes everywhere.
+/// `vanishes` is true at every state.
 template <class S>
 struct VanishingDP1 : DP1<S> {
   bool vanishes(const auto&, const auto&, const S&) const { return true; }
 };
-/// Says that it does not see its bodies turn together.
+/// `sees_relative_motion` is true, but the vector c is fixed in the global frame.
 template <class S>
 struct BlindCD : CD<S> {
   static constexpr bool sees_relative_motion = true;
@@ -165,8 +167,7 @@ template <class S>
 class Features : public testing::Test {};
 TYPED_TEST_SUITE(Features, Scalars);
 
-/// Rate and acceleration of a feature are the derivatives of its value; `now` and `along` are the same
-/// feature in S and in Taylor<S>.
+/// Rate and acceleration are the derivatives of the value; `along` is the feature `now` over Taylor.
 template <class S, class Now, class Along, class Moving>
 void expect_derivatives(const Now& now, const Along& along, const Moving& i, const Moving& j) {
   EXPECT_LE(distance(now.rate(), test::first_derivative<S, 3, 1>(along.value())), roundings<S>(200));
@@ -175,7 +176,7 @@ void expect_derivatives(const Now& now, const Along& along, const Moving& i, con
             roundings<S>(1000));
 }
 
-/// What a feature adds to a row along w: rate = Jacobian q' + drift, in every component.
+/// rate = Jacobian q' + drift, tested for the three components w = e_x, e_y, e_z.
 template <class S, class Feature, class Moving>
 void expect_jacobian_is_rate(const Feature& x, const Moving& i, const Moving& j) {
   for (int k = 0; k < 3; ++k) {
@@ -209,7 +210,7 @@ TYPED_TEST(Features, RateJacobianAndBiasAreThoseOfTheValue) {
     expect_derivatives<S>(offset, PointOffsetFeature<Along>(i.along, a_T, j.along, b_T), i, j);
     expect_jacobian_is_rate<S>(offset, i, j);
 
-    // a vector that also moves in its body: abar(t) = a + b t + c t^2 / 2
+    // a vector that moves relative to its body: a_bar(t) = a + b t + c t^2 / 2
     const MovingVectorFeature<Now, End::i> moving(i.now, a, b, c);
     const auto path = test::taylor<S, 3, 1>(a, b, c);
     expect_derivatives<S>(moving, BodyVectorFeature<Along, End::i>(i.along, path), i, j);

@@ -1,6 +1,10 @@
 #pragma once
-/// All that constraints ask of the coordinates of a formulation: how a body vector a = A abar moves in them.
-/// Its first derivative is `rate`; its second is jacobian q'' + bias, q the rotational unknowns of the body.
+/// The interface between constraints and the coordinates of a formulation: the derivatives of a body vector
+///
+///     a = A a_bar,   a' = rate,   a'' = B q'' + bias,
+///
+/// with q'' the second derivatives of the rotational unknowns of the body (omega_bar' in r-omega, p'' in r-p,
+/// epsilon'' in r-epsilon). Constraints need nothing else of a formulation.
 
 #include <concepts>
 
@@ -8,33 +12,34 @@
 
 namespace trivium {
 
-/// A body vector a = A abar as it moves in the coordinates of one formulation, with its rate and its bias
-/// (the second derivative where the unknowns are zero).
+/// A body vector and its derivatives in the coordinates of one formulation.
 template <class Scalar>
 struct BodyVector {
+  /// a_bar has body components; a, its rate a' and its bias (a'' at q'' = 0) have global components.
   Vector3<Scalar> a_bar, a, rate, bias;
 };
 
-/// How body vectors move: all that the constraint library asks of coordinates.
+/// The kinematics of one body in the coordinates of a formulation, as constraints see it.
 template <class K>
 concept BodyKinematics = requires(const K& body, const Vector3<typename K::Scalar>& v,
                                   const BodyVector<typename K::Scalar>& a) {
   { K::rotational_unknowns } -> std::convertible_to<int>;
-  { body.r } -> std::convertible_to<Vector3<typename K::Scalar>>;      // centre of mass, global
-  { body.r_dot } -> std::convertible_to<Vector3<typename K::Scalar>>;  // its velocity
-  { body.A } -> std::convertible_to<Matrix3<typename K::Scalar>>;      // rotation, body to global
+  { body.r } -> std::convertible_to<Vector3<typename K::Scalar>>;      // centre of mass [m, global]
+  { body.r_dot } -> std::convertible_to<Vector3<typename K::Scalar>>;  // its velocity [m/s, global]
+  { body.A } -> std::convertible_to<Matrix3<typename K::Scalar>>;      // rotation matrix, body to global
   { body.vector(v) } -> std::convertible_to<BodyVector<typename K::Scalar>>;
+  // B, the derivative of a by the rotational unknowns, and v^T B
   { body.jacobian(a) } -> std::convertible_to<Matrix<typename K::Scalar, 3, K::rotational_unknowns>>;
-  // v^T times it
   { body.jacobian_along(a, v) } -> std::convertible_to<Matrix<typename K::Scalar, 1, K::rotational_unknowns>>;
 };
 
+/// Which of the two bodies of a constraint.
 enum class End { i, j };
 
-/// Second derivatives of one body's coordinates.
+/// Second derivatives of the coordinates of one body.
 template <class Scalar, int RotationalUnknowns>
 struct BodyAcceleration {
-  Vector3<Scalar> r_ddot = Vector3<Scalar>::Zero();
+  Vector3<Scalar> r_ddot = Vector3<Scalar>::Zero();  ///< acceleration of the centre of mass [m/s^2, global]
   Vector<Scalar, RotationalUnknowns> q_ddot = Vector<Scalar, RotationalUnknowns>::Zero();
 };
 

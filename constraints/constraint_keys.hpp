@@ -1,14 +1,14 @@
 #pragma once
-/// How a basic constraint shows its parts besides its bodies: of one, or of several of one type side by side.
-/// Casts and batches, and for those that a scene file names reader, writer, checks and random scenes go by
-/// this alone. A visitor has
+/// The function `keys` of a basic constraint presents its parts, except its bodies, to a visitor. It takes
+/// one constraint, or several of one type whose corresponding parts are passed together. Casts and batches
+/// use only this; so do the reader, writer, checks and random generator of scenes. A visitor has
 ///
-///   vector_i(a_bar...), vector_j(a_bar...)   a vector of body i, of body j: the key `vector` of its side
-///   point_i(s_bar...), point_j(s_bar...)     a point: the key `point`
-///   need(key, value...), may(key, value...)  the function of time `f`, or the global vector `direction`;
-///                                            what `may` shows is 0 where the file has none
+///     vector_i(a_bar...), vector_j(a_bar...)   a vector of body i or j; key `vector` of that side in a file
+///     point_i(s_bar...), point_j(s_bar...)     a point of body i or j; key `point` of that side
+///     need(key, value...)                      the function of time `f` or the global vector `direction`
+///     may(key, value...)                       the same, but optional in a file; default 0
 ///
-/// One that files name has at most one vector and one point on a side, and no other keys.
+/// A constraint of scene files has at most one vector and one point per body, and no other keys.
 
 #include <string_view>
 
@@ -16,7 +16,7 @@
 
 namespace trivium {
 
-/// use(part...) for every part: what is common to visitors that take all parts alike.
+/// A visitor that treats all parts alike: calls use(part...) for every part.
 template <class Use>
 struct ConstraintParts {
   const Use& use;
@@ -29,7 +29,7 @@ struct ConstraintParts {
   void may(std::string_view, auto&... value) const { use(value...); }
 };
 
-/// use(part...) for every part of one basic constraint or of several of its type.
+/// Calls use(part...) for every part, also the body indices, of one constraint or of several of its type.
 template <class Use, class C, class... Others>
 void show_constraint_parts(const Use& use, C& constraint, Others&... others) {
   BodyPair::show_parts(use, constraint, others...);

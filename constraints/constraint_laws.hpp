@@ -1,6 +1,8 @@
 #pragma once
-/// The laws of a basic constraint, for whoever writes one: the second half of the concept
-/// DotProductConstraint. `broken_laws` tries them where its two bodies move and names those that do not hold.
+/// The laws of a basic constraint, a test for new constraints. The concept DotProductConstraint checks which
+/// members exist; `broken_laws` checks, at one state of two moving bodies, that they are consistent: Phi, nu
+/// and gamma with each other by difference quotients, and `keys`, `scale`, `is_of_angle`,
+/// `sees_relative_motion`, `function` and `vanishes` with Phi. The value of `scale` itself is not checked.
 
 #include <cmath>
 #include <limits>
@@ -63,13 +65,14 @@ class ConstraintLaws {
         equal("a common rigid motion of both bodies does not change Phi",
               row_position(c_, carried(i_), carried(j_), t_), row.phi, 1e4 * static_cast<double>(u));
       }
-    // both bodies a little on, and a little back, at constant r' and omega
+    // central differences: both bodies are moved by +-h along their r' and omega. With h = cbrt(2 u)
+    // truncation and rounding errors are both of order h^2.
     const double coarse = 1e4 * static_cast<double>(h) * static_cast<double>(h);
     equal("Phi_q q' - nu is the time derivative of Phi", along - row.nu, S((phi(h) - phi(-h)) / (2 * h)),
           coarse);
     equal("-gamma is the time derivative of Phi' without accelerations", -row.gamma,
           S((phi_dot(h) - phi_dot(-h)) / (2 * h)), coarse);
-    static thread_local C copy;  // what keys do not show is zero there
+    static thread_local C copy;  // static, so that parts which keys omit are zero and not uninitialised
     show_constraint_parts([](const auto& from, auto& to) { to = from; }, c_, copy);
     equal("show_constraint_parts shows every part", evaluate_row(copy, i_, j_, t_).phi, row.phi, 0);
     equal("show_constraint_parts shows every part", copy.scale(t_), scale, 0);
@@ -104,7 +107,8 @@ class ConstraintLaws {
 
 }  // namespace detail
 
-/// i and j are its bodies, in any motion: no distance 0, no vector that its row has no use for.
+/// The laws that `constraint` breaks with bodies i and j in this motion at time t [s]; empty if none. The
+/// state should be generic, without distances of zero.
 template <class C, class S>
 std::vector<BrokenLaw> broken_laws(const C& constraint, const PlainBody<S>& i, const PlainBody<S>& j,
                                    const S& t) {

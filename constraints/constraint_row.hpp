@@ -1,12 +1,12 @@
 #pragma once
-/// The equations of one basic constraint in the coordinates of a formulation: Phi, its first and second
-/// derivative, its Jacobian, nu and gamma. A basic constraint is a dot product of two features x and y
-/// (feature.hpp); with them
+/// The equations of one basic constraint in the coordinates of a formulation. A basic constraint is the dot
+/// product of two features x and y (feature.hpp) minus f(t), hence
 ///
-///   Phi = x . y - f        Phi_q = y^T x_q + x^T y_q        nu = f' - Phi_t
-///   gamma = f'' - (x_bias . y + x . y_bias + 2 x' . y')
+///     Phi = x . y - f        Phi_q = y^T x_q + x^T y_q        nu = f' - (x_t . y + x . y_t)
+///     gamma = f'' - (x_bias . y + x . y_bias + 2 x' . y')
 ///
-/// so each is written once and holds in every formulation. Haug (1989), section 9.4.
+/// with Phi_q q' = nu and Phi_q q'' = gamma. These formulas hold for all basic constraints and formulations.
+/// Haug (1989), section 9.4.
 
 #include <variant>
 
@@ -15,19 +15,19 @@
 
 namespace trivium {
 
-/// One row of the constraint equations in the coordinates of a formulation:
-/// Phi_q q'' = gamma, Phi_q q' = nu, and its Jacobian blocks on bodies i and j.
+/// One row of the constraint equations, with its Jacobian blocks for bodies i and j. The unit of Phi is that
+/// of the dot product: - for DP1, m^2 for D, m for DP2 and CD if their vectors are dimensionless.
 template <class Scalar, int RotationalUnknowns>
 struct ConstraintRow {
   using Translational = Matrix<Scalar, 1, 3>;
   using Rotational = Matrix<Scalar, 1, RotationalUnknowns>;
 
-  Scalar phi{0}, nu{0}, gamma{0};
-  Translational r_i = Translational::Zero(), r_j = Translational::Zero();
-  Rotational rot_i = Rotational::Zero(), rot_j = Rotational::Zero();
+  Scalar phi{0}, nu{0}, gamma{0};  ///< Phi, and right sides of Phi_q q' = nu and Phi_q q'' = gamma
+  Translational r_i = Translational::Zero(), r_j = Translational::Zero();  ///< Phi_r of i and j [1x3]
+  Rotational rot_i = Rotational::Zero(), rot_j = Rotational::Zero();  ///< derivative by rotational unknowns
 };
 
-/// use(x, y, f) of the features and f of a basic constraint, or of one of a list, between bodies i and j.
+/// Returns use(x, y, f) with the features and f(t) of a basic constraint or of a variant of them.
 template <BodyKinematics Body, class Constraint, class Use>
 auto with_features(const Constraint& constraint, const Body& i, const Body& j, const typename Body::Scalar& t,
                    const Use& use) {
@@ -37,7 +37,7 @@ auto with_features(const Constraint& constraint, const Body& i, const Body& j, c
     return constraint.with_features(i, j, t, use);
 }
 
-/// Phi, nu, gamma and the Jacobian blocks of x . y - f.
+/// Phi, nu, gamma and the Jacobian blocks of Phi = x . y - f.
 template <class Row, class X, class Y, class Scalar>
 Row product_row(const X& x, const Y& y, const Jet<Scalar>& f) {
   const Vector3<Scalar> a = x.value(), b = y.value();
@@ -50,7 +50,7 @@ Row product_row(const X& x, const Y& y, const Jet<Scalar>& f) {
   return row;
 }
 
-/// The row of one constraint.
+/// The complete ConstraintRow of one constraint between bodies i and j at time t [s].
 template <class Constraint, BodyKinematics Body>
 auto evaluate_row(const Constraint& constraint, const Body& i, const Body& j,
                   const typename Body::Scalar& t) {
@@ -69,7 +69,7 @@ typename Body::Scalar row_position(const Constraint& constraint, const Body& i, 
   });
 }
 
-/// Phi' of one constraint, Phi_q q' - nu, from the features alone.
+/// Phi' = Phi_q q' - nu of one constraint, computed from the rates of the features without the Jacobian.
 template <class Constraint, BodyKinematics Body>
 typename Body::Scalar row_velocity(const Constraint& constraint, const Body& i, const Body& j,
                                    const typename Body::Scalar& t) {
@@ -79,8 +79,8 @@ typename Body::Scalar row_velocity(const Constraint& constraint, const Body& i, 
   });
 }
 
-/// Phi'' of one constraint under given accelerations of its bodies, from the features alone: no Jacobian, no
-/// gamma.
+/// Phi'' of one constraint for given accelerations of its bodies (BodyAcceleration), computed from the
+/// accelerations of the features. Neither Jacobian row nor gamma is formed, so the value checks both.
 template <class Constraint, BodyKinematics Body, class Acceleration>
 typename Body::Scalar row_acceleration(const Constraint& constraint, const Body& i, const Body& j,
                                        const typename Body::Scalar& t, const Acceleration& on_i,

@@ -1,12 +1,12 @@
 #pragma once
-/// The types of constraint that a scene may name: a basic one, or a joint that is made of basic ones. What
-/// can be said of a joint's type alone is said here; the rows of each are in joint.hpp. Every switch over
-/// them has a case for each: a new one does not compile before it has them all.
+/// The types of constraints in a scene: a basic constraint, or a joint that consists of basic constraints.
+/// `properties_of` gives the properties that depend on the type alone; joint.hpp has the rows of each joint.
+/// Switches over JointType have no default case, so that a new type does not compile until all have its case.
 
 namespace trivium {
 
 enum class JointType {
-  basic,  ///< no joint: one basic constraint
+  basic,  ///< one basic constraint, not a joint
   spherical,
   universal,
   revolute,
@@ -20,33 +20,34 @@ enum class JointType {
   rotation_driver
 };
 
-/// A joint, or a basic constraint by its place in the list (basic_type<DP1>, in basic_constraint.hpp).
+/// The type of a joint, or of a basic constraint by its index in the list (basic_constraint.hpp: basic_type).
 struct ConstraintType {
   JointType joint = JointType::basic;
-  int place = 0;  ///< of a basic constraint
+  int place = 0;  ///< index of a basic constraint in its list; 0 for joints
 
-  constexpr ConstraintType(JointType type) : joint(type) {}  // NOLINT: a joint is a type of constraint
+  constexpr ConstraintType(JointType type) : joint(type) {}  // NOLINT: implicit, for joints
   constexpr ConstraintType(JointType type, int place_in_list) : joint(type), place(place_in_list) {}
   constexpr bool is_basic() const { return joint == JointType::basic; }
   bool operator==(const ConstraintType&) const = default;
 };
 
-/// What can be said of a joint's type alone.
+/// Properties that follow from the type of a joint alone.
 struct JointProperties {
-  /// Its rows hold a point of j at a point of i: all three coordinates.
+  /// A point of j coincides with a point of i: three rows.
   bool holds_a_point = false;
-  /// Its rows keep z_i and z_j parallel; parallel and antiparallel are two branches of the same rows.
+  /// z_i and z_j are parallel. The rows also hold if z_i = -z_j, a second branch of solutions.
   bool has_parallel_axes = false;
-  /// Its rows allow no relative rotation.
+  /// The rows allow no relative rotation.
   bool allows_no_rotation = false;
-  /// It leaves one angle free, theta from u_i to u_j about z_i, which a torsional spring can measure.
+  /// The angle theta from u_i to u_j about z_i is free; a torsional spring can act on it.
   bool has_an_angle = false;
-  /// It states a length [m] of its own.
+  /// The joint has a parameter `distance` [m].
   bool states_a_distance = false;
-  /// It drives the angle theta as alpha(t), and has a branch half a turn off.
+  /// The rows prescribe theta = alpha(t). They also hold for theta = alpha(t) + pi, a second branch.
   bool drives_an_angle = false;
 };
 
+/// The properties of a type; all false for basic constraints.
 constexpr JointProperties properties_of(ConstraintType type) {
   switch (type.joint) {
     case JointType::spherical:

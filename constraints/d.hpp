@@ -1,6 +1,6 @@
 #pragma once
-/// D: d_ij . d_ij - f(t), the square of the distance between a point on each body (Haug 1989, section 9.4).
-/// f > 0: at distance 0 the row has no gradient.
+/// D, Phi = d_ij . d_ij - f(t): prescribes the squared distance between a point of body i and a point of body
+/// j. f must be positive, since the row has no gradient at distance 0. Haug (1989), section 9.4.
 
 #include <cmath>
 
@@ -8,13 +8,14 @@
 
 namespace trivium {
 
+/// Phi = d_ij . d_ij - f(t) [m^2], f > 0.
 template <class Scalar>
 struct D : BodyPair {
   static constexpr const char* type = "d";
   static constexpr bool is_of_angle = false, sees_relative_motion = true, needs_positive_f = true;
 
-  Vector3<Scalar> s_bar_i, s_bar_j;
-  TimeFunction f;
+  Vector3<Scalar> s_bar_i, s_bar_j;  ///< points of i and j [m, body frames]
+  TimeFunction f;                    ///< squared distance [m^2]
 
   static void keys(auto&& show, auto&... c) {
     show.point_i(c.s_bar_i...);
@@ -22,7 +23,7 @@ struct D : BodyPair {
     show.need("f", c.f...);
   }
   const TimeFunction& function() const { return f; }
-  /// 2 |d|, where the row holds.
+  /// 2 |d_ij| = 2 sqrt(f) where Phi = 0: the change of Phi per metre [m].
   Scalar scale(const Scalar& t) const {
     using std::sqrt, std::abs;
     return 2 * sqrt(abs(f(t).f));

@@ -1,18 +1,19 @@
 #pragma once
-/// DP1: a_i . a_j - f(t), an angle between a vector on each body (Haug 1989, section 9.4). f = 0 keeps them
-/// perpendicular.
+/// DP1, Phi = a_i . a_j - f(t): prescribes the angle between a vector of body i and a vector of body j, both
+/// fixed in their body. f = 0 keeps them perpendicular. Haug (1989), section 9.4.
 
 #include "constraints/basic_constraint_parts.hpp"
 
 namespace trivium {
 
+/// Phi = a_i . a_j - f(t) [-].
 template <class Scalar>
 struct DP1 : BodyPair {
   static constexpr const char* type = "dp1";
   static constexpr bool is_of_angle = true, sees_relative_motion = true;
 
-  Vector3<Scalar> a_bar_i, a_bar_j;
-  TimeFunction f;
+  Vector3<Scalar> a_bar_i, a_bar_j;  ///< vectors of i and j [-, body frames]
+  TimeFunction f;                    ///< |a_i| |a_j| cos(angle) [-]
 
   static void keys(auto&& show, auto&... c) {
     show.vector_i(c.a_bar_i...);
@@ -20,9 +21,9 @@ struct DP1 : BodyPair {
     show.may("f", c.f...);
   }
   const TimeFunction& function() const { return f; }
-  /// |a_i| |a_j|
+  /// |a_i| |a_j|: the largest change of Phi per radian.
   Scalar scale(const Scalar&) const { return a_bar_i.norm() * a_bar_j.norm(); }
-  /// Nearly parallel vectors: the row does less than `share` of what it could.
+  /// Whether a_i and a_j are nearly parallel: gradient norm |a_i x a_j| < share |a_i| |a_j|.
   template <class Body>
   bool vanishes(const Body& on_i, const Body& on_j, const Scalar& share) const {
     const Vector3<Scalar> a_i = on_i.A * a_bar_i, a_j = on_j.A * a_bar_j;

@@ -1,23 +1,28 @@
 #pragma once
-/// Features: what a constraint sees instead of coordinates. A feature is a global vector that moves with its
-/// bodies: a constant, a body vector a = A abar, or the point offset d_ij. In the coordinates of a
-/// formulation it has a value, a rate, a Jacobian with respect to the accelerations' unknowns, and a bias
-/// (its second derivative where the unknowns are zero). Every basic constraint is a dot product of two of
-/// them.
+/// Features: the vectors from which basic constraints are made. A feature x is a vector with global
+/// components that moves with the bodies: a constant, a body vector a = A a_bar, or the offset d_ij between
+/// two points. A basic constraint is the dot product of two features minus f(t). In the coordinates q of a
+/// formulation
+///
+///     x' = x_q q' + drift,   x'' = x_q q'' + bias,   drift = x_t (explicit dependence on time)
+///
+/// Every feature has value() = x, rate() = x', bias_along(w) = w . bias, drift_along(w) = w . drift,
+/// add_jacobian(w, row), which adds w^T x_q to the Jacobian blocks of the row, acceleration(on_i, on_j) = x''
+/// for given accelerations of the bodies, and magnitude().
 
 #include "bodies/point_offset.hpp"
 #include "constraints/body_kinematics.hpp"
 
 namespace trivium {
 
-/// How large a feature's value, rate, bias and gradients (by a body's place, and by turns of body i and j)
-/// could be, by magnitudes alone, nothing cancelling.
+/// Sizes of a feature, to bound rounding errors: sums of the norms of its terms, as if no terms cancelled.
 template <class Scalar>
 struct FeatureMagnitude {
+  /// Sizes of x, x', the bias in r-omega, dx/dr of a body, and dx/d(rotation) of body i and of body j.
   Scalar value{0}, rate{0}, bias{0}, r{0}, rot_i{0}, rot_j{0};
 };
 
-/// A vector fixed in the global frame.
+/// A vector that is constant in the global frame.
 template <class Scalar>
 struct ConstantFeature {
   Vector3<Scalar> vector;
@@ -35,14 +40,14 @@ struct ConstantFeature {
   FeatureMagnitude<Scalar> magnitude() const { return {vector.norm()}; }
 };
 
-/// a = A abar on the body at one end.
+/// a = A a_bar, a vector fixed in body i or in body j.
 template <BodyKinematics Body, End end>
 struct BodyVectorFeature {
   using Scalar = typename Body::Scalar;
   const Body& body;
   BodyVector<Scalar> vector;
 
-  /// The body must outlive this.
+  /// Keeps a reference to the body, which must outlive this object.
   BodyVectorFeature(const Body& of, const Vector3<Scalar>& a_bar) : body(of), vector(of.vector(a_bar)) {}
   BodyVectorFeature(const Body&&, const Vector3<Scalar>&) = delete;
 
@@ -54,7 +59,7 @@ struct BodyVectorFeature {
   void add_jacobian(const Vector3<Scalar>& w, Row& row) const {
     (end == End::i ? row.rot_i : row.rot_j) += body.jacobian_along(vector, w);
   }
-  /// The second derivative of the feature when its bodies accelerate so.
+  /// a'' for the given accelerations of bodies i and j (BodyAcceleration).
   template <class Acceleration>
   Vector3<Scalar> acceleration(const Acceleration& on_i, const Acceleration& on_j) const {
     return vector.bias + body.jacobian(vector) * (end == End::i ? on_i : on_j).q_ddot;
@@ -70,13 +75,13 @@ struct BodyVectorFeature {
   }
 };
 
-/// a = A abar(t): a vector that also turns by itself in its body. Its rate and bias carry the explicit time
-/// terms (a_t = A abar_t, and 2 (A abar_t)' + A abar_tt), its drift is a_t alone: nu = f' - Phi_t.
+/// a = A a_bar(t), a vector that moves relative to its body in a prescribed way. Its drift is A a_bar_t; this
+/// is also added to the rate, and 2 A' a_bar_t + A a_bar_tt to the bias.
 template <BodyKinematics Body, End end>
 struct MovingVectorFeature : BodyVectorFeature<Body, end> {
   using Base = BodyVectorFeature<Body, end>;
   using Scalar = typename Body::Scalar;
-  Vector3<Scalar> drift, drift_rate;  ///< a_t, and A abar_tt
+  Vector3<Scalar> drift, drift_rate;  ///< A a_bar_t and A a_bar_tt [global]
 
   MovingVectorFeature(const Body& of, const Vector3<Scalar>& a_bar, const Vector3<Scalar>& a_bar_t,
                       const Vector3<Scalar>& a_bar_tt)
@@ -99,15 +104,15 @@ struct MovingVectorFeature : BodyVectorFeature<Body, end> {
   }
 };
 
-/// d_ij = (r_j + A_j s_j) - (r_i + A_i s_i); its rate with the velocities of the centres subtracted first, so
-/// that a velocity which the bodies share leaves no rounding of its size.
+/// d_ij = (r_j + A_j s_bar_j) - (r_i + A_i s_bar_i) [m, global]. The velocities of the centres are subtracted
+/// first, so that a large common velocity of the bodies causes no rounding error of its size.
 template <BodyKinematics Body>
 struct PointOffsetFeature {
   using Scalar = typename Body::Scalar;
   const Body &i, &j;
   BodyVector<Scalar> s_i, s_j;
 
-  /// The bodies must outlive this.
+  /// Keeps references to the bodies, which must outlive this object; points s_bar [m, body frames].
   PointOffsetFeature(const Body& on_i, const Vector3<Scalar>& s_bar_i, const Body& on_j,
                      const Vector3<Scalar>& s_bar_j)
       : i(on_i), j(on_j), s_i(i.vector(s_bar_i)), s_j(j.vector(s_bar_j)) {}

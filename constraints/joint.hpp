@@ -1,8 +1,7 @@
 #pragma once
-/// The rows of every joint (rows_of): a union of basic constraints in a documented order. A joint's
-/// multipliers are those of its rows. Haug (1989), section 9.4.
-///
-/// Decided here: the axes u, v, z of a joint, the default x axis, and the branch of a rotation driver.
+/// The rows of every joint (`rows_of`): a joint is a sequence of basic constraints, in a documented order
+/// that is also the order of its multipliers. Haug (1989), section 9.4. The joint axes u, v, z, the default x
+/// axis and the sign of the rotation driver's row are defined here.
 
 #include <string>
 #include <utility>
@@ -13,13 +12,14 @@
 
 namespace trivium {
 
-/// A joint's point and axes on one body, in the body frame: z the axis, u orthonormal to it, v = z x u.
+/// The point and the axes of a joint on one body. (u, v, z) is orthonormal and right-handed.
 template <class Scalar>
 struct JointFrame {
-  Vector3<Scalar> point = Vector3<Scalar>::Zero();
+  Vector3<Scalar> point = Vector3<Scalar>::Zero();  ///< joint point [m, body frame]
+  /// z is the joint axis; u is perpendicular to z and v = z x u [-, body frame].
   Vector3<Scalar> u = Vector3<Scalar>::Unit(0), v = Vector3<Scalar>::Unit(1), z = Vector3<Scalar>::Unit(2);
 
-  /// use(part...) for every part of one frame or of several side by side.
+  /// Calls use(member...) for each member, with that member of all given frames as arguments.
   template <class Use, class... Part>
   static void show_parts(const Use& use, Part&... p) {
     use(p.point...);
@@ -29,37 +29,42 @@ struct JointFrame {
   }
 };
 
-/// The frame of an axis: z = axis normalised; u is x made orthonormal to z.
+/// The joint frame with z = axis / |axis| and u the normalised part of x perpendicular to z. All arguments
+/// are in the body frame; `axis` and `x` must not be zero or parallel (not checked here).
 template <class Scalar>
 JointFrame<Scalar> joint_frame(const Vector3<Scalar>& point, const Vector3<Scalar>& axis,
                                const Vector3<Scalar>& x) {
   JointFrame<Scalar> frame;
   frame.point = point;
   frame.z = axis / axis.stableNorm();
-  const Vector3<Scalar> e = x / x.stableNorm();  // first to unit size: no square may over- or underflow
+  const Vector3<Scalar> e = x / x.stableNorm();  // normalised first, so that no square over- or underflows
   frame.u = e - frame.z.dot(e) * frame.z;
   frame.u /= frame.u.norm();
   frame.v = frame.z.cross(frame.u);
   return frame;
 }
 
-/// The x of an axis with none given: the unit vector e_k with the smallest |z_k|, lowest k on ties.
+/// The default x of an axis: the unit vector e_k with the smallest |axis_k|, lowest k on ties.
 inline Vector3<double> default_x(const Vector3<double>& axis) {
   Eigen::Index k;
   axis.cwiseAbs().minCoeff(&k);
   return Vector3<double>::Unit(k);
 }
 
-/// A basic constraint and what it is called within its joint, e.g. "dp1(u_i, z_j)".
+/// A basic constraint as a row of a joint.
 template <class Scalar>
 struct NamedRow {
-  std::string label;
+  std::string label;  ///< name within the joint, e.g. "dp1(u_i, z_j)"
   BasicConstraint<Scalar> constraint;
 };
 template <class Scalar>
 using JointRows = std::vector<NamedRow<Scalar>>;
 
-/// Builds the rows of every joint type between two frames.
+/// Builds the rows of a joint between a frame on body i and a frame on body j. Free relative motions:
+/// spherical 3 rotations; universal 2 rotations, about z_i and z_j; revolute 1 rotation about z; cylindrical
+/// rotation about z and translation along z; translational translation along z; fixed none; planar rotation
+/// about z and translations along u and v; in_line all but translations along u and v; in_plane all but
+/// translation along z; distance all but translation along d_ij; rotation_driver all but rotation about z.
 template <class Scalar>
 class JointBuilder {
  public:
@@ -75,13 +80,13 @@ class JointBuilder {
   JointRows<Scalar> planar() const { return join(parallel_axes(), in_plane()); }
   JointRows<Scalar> in_line() const { return {dp2("dp2(u_i)", i_.u), dp2("dp2(v_i)", i_.v)}; }
   JointRows<Scalar> in_plane() const { return {dp2("dp2(z_i)", i_.z)}; }
-  /// Points a given length apart: d with f = length^2.
+  /// The joint points keep the distance `length` [m]: a row D with f = length^2.
   JointRows<Scalar> distance(double length) const {
     return {{"d", D<Scalar>{bodies_, i_.point, j_.point,
                             TimeFunction::Product{{TimeFunction(length), TimeFunction(length)}}}}};
   }
-  /// sin(theta - alpha(t)) = 0, theta from u_i to u_j about z_i; on its proper branch the torque on j about z
-  /// is -lambda.
+  /// sin(theta - alpha(t)) = 0 with theta [rad] from u_i to u_j about z_i. On the branch theta = alpha the
+  /// derivative by theta is 1, so the torque on j about z is -lambda [N m].
   JointRows<Scalar> rotation_driver(const TimeFunction& alpha) const {
     return {{"dp1(w_i, u_j)", TurningDP1<Scalar>{bodies_, i_.u, i_.v, j_.u, alpha}}};
   }
@@ -109,8 +114,8 @@ class JointBuilder {
   JointFrame<Scalar> i_, j_;
 };
 
-/// The rows of a joint of any type; `distance` [m] and `angle`, alpha(t) [rad], are those of the types that
-/// have one.
+/// The rows of a joint of any type; empty for JointType::basic. `distance` [m] is used by the type `distance`
+/// only, `angle` = alpha(t) [rad] by `rotation_driver` only.
 template <class Scalar>
 JointRows<Scalar> rows_of(JointType type, const BodyPair& bodies, const JointFrame<Scalar>& i,
                           const JointFrame<Scalar>& j, double distance, const TimeFunction& angle) {

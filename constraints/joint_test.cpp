@@ -30,7 +30,7 @@ TEST(JointFrame, IsOrthonormalAndRightHanded) {
     RC_ASSERT(distance(A.transpose() * A, Matrix3<double>::Identity()) <= 1e-10);
     RC_ASSERT(A.determinant() > 0);
     RC_ASSERT(distance(f.z * axis.norm(), axis) <= 1e-14);
-    RC_ASSERT(f.u.dot(x) > 0);  // u is x, less what is along z
+    RC_ASSERT(f.u.dot(x) > 0);  // u has the direction of x minus its component along z
     RC_ASSERT(std::abs(f.v.dot(x)) <= 1e-10);
     RC_ASSERT(f.point == Vec(1, 2, 3));
   });
@@ -52,7 +52,7 @@ TEST(JointFrame, DefaultXIsTheAxisLeastAlongZAndTheLowestOnTies) {
 
 // ---- rows
 
-/// The scene format's table.
+/// The rows of each joint as documented in the scene format.
 const std::map<std::string, std::vector<std::string>> expected_rows = [] {
   using Names = std::vector<std::string>;
   const auto join = [](Names a, const Names& b) {
@@ -98,7 +98,7 @@ TEST(Joints, RowsStandInTheDocumentedOrderUnderTheDocumentedNames) {
   }
 }
 
-/// Phi of the row with this label, from the label alone.
+/// Phi of a row, computed independently from its label.
 double phi_by_label(const std::string& label, const Body& bi, const Frame& fi, const Body& bj,
                     const Frame& fj, double length, double alpha) {
   const Vec d = (bj.r + bj.A * fj.point) - (bi.r + bi.A * fi.point);
@@ -135,18 +135,17 @@ TEST(Joints, EveryRowIsWhatItsNameSays) {
 
 // ---- freedoms
 
-/// A motion of body j relative to body i, in the global frame: a translation velocity and a rotation about
-/// the joint's point on j.
+/// A velocity of body j relative to body i [global]: a translation and a rotation about the joint point on j.
 struct Freedom {
   Vec translation, rotation;
 };
 
-/// A joint in an allowed position: frame j is frame i moved by an allowed finite amount.
+/// A joint in a position that satisfies its rows: frame j is frame i after a finite allowed motion.
 struct Placed {
   Body i, j;
   Frame fi, fj;
   double length = 1, angle = 0;
-  Vec P_j, u, v, z;  ///< global: point on j, axes on i
+  Vec P_j, u, v, z;  ///< joint point on j, joint axes on i [global]
 };
 
 Placed place(const std::string& type, Random& random) {
@@ -195,7 +194,7 @@ std::vector<Freedom> freedoms(const std::string& type, const Placed& s) {
   if (type == "in_line") return with_turns({slide_z});
   if (type == "in_plane") return with_turns({slide_u, slide_v});
   if (type == "distance") return with_turns({{d.cross(s.u), none}, {d.cross(s.v), none}});
-  return {slide_u, slide_v, slide_z, {none, s.u}, {none, s.v}};  // rotation_driver: all but the turn about z
+  return {slide_u, slide_v, slide_z, {none, s.u}, {none, s.v}};  // rotation_driver: all but rotation about z
 }
 
 TEST(Joints, LeaveExactlyTheirFreedoms) {
@@ -210,7 +209,7 @@ TEST(Joints, LeaveExactlyTheirFreedoms) {
         Phi.row(k) << row.r_i, row.rot_i, row.r_j, row.rot_j;
         EXPECT_NEAR(row.phi, 0, 1e-13) << type << " holds in its allowed position: " << rows[k].label;
       }
-      // both bodies moving as one, and j moving freely
+      // columns: six motions of both bodies as one rigid body, then the free motions of j
       const auto free = freedoms(type, s);
       MatrixX<double> motions = MatrixX<double>::Zero(12, 6 + free.size());
       for (int k = 0; k < 3; ++k) {
@@ -240,7 +239,7 @@ TEST(RotationDriver, TurnsWithItsAngle) {
     Placed s = place("revolute", random);
     const double t = random.uniform(-2, 2);
     const Jet<double> angle = alpha(t);
-    // u_j stands at alpha from u_i, and j turns at alpha'
+    // the angle from u_i to u_j is alpha, and j rotates relative to i with alpha'
     s.j.A = s.i.A * (Matrix3<double>() << s.fi.u, s.fi.v, s.fi.z).finished() * axis_rotation(2, angle.f) *
             (Matrix3<double>() << s.fj.u, s.fj.v, s.fj.z).finished().transpose();
     s.j.omega = s.i.omega + angle.f_t * (s.i.A * s.fi.z);
@@ -248,7 +247,7 @@ TEST(RotationDriver, TurnsWithItsAngle) {
     EXPECT_NEAR(row.phi, 0, 1e-14);
     EXPECT_NEAR(row.nu, angle.f_t, 1e-13);
     EXPECT_NEAR(row.rot_i.dot(s.i.omega) + row.rot_j.dot(s.j.omega), row.nu, 1e-13);
-    // one radian of theta is one of Phi: lambda is a torque about z
+    // dPhi/dtheta = 1, so that lambda is a torque about z
     EXPECT_LE(distance(row.rot_j.transpose(), s.i.A * s.fi.z), 1e-14);
   }
 }

@@ -1,20 +1,21 @@
 #pragma once
-/// The simplest coordinates that constraints can be asked about: r and the global angular velocity. No
-/// formulation of the library uses them; the laws of constraints are tried in them, and a body at rest in the
-/// global frame makes vectors and points global.
+/// The simplest kinematics of a body for constraints: r and the global angular velocity omega. No formulation
+/// of the library uses them. The laws of constraints are tested with them, and a PlainBody at rest in the
+/// global frame lets constraint code take points and vectors in global components.
 
 #include "bodies/rotations/so3.hpp"
 #include "constraints/body_kinematics.hpp"
 
 namespace trivium {
 
+/// Unknowns r'' and omega' [global]: a' = omega x a, bias = omega x (omega x a), B = -tilde(a).
 template <class S>
 struct PlainBody {
   using Scalar = S;
   static constexpr int rotational_unknowns = 3;
   Vector3<S> r = Vector3<S>::Zero(), r_dot = Vector3<S>::Zero();
   Matrix3<S> A = Matrix3<S>::Identity();
-  Vector3<S> omega = Vector3<S>::Zero();  ///< global components
+  Vector3<S> omega = Vector3<S>::Zero();  ///< angular velocity [rad/s, global]
 
   BodyVector<S> vector(const Vector3<S>& a_bar) const {
     const Vector3<S> a = A * a_bar, rate = omega.cross(a);

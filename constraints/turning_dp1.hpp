@@ -1,17 +1,19 @@
 #pragma once
-/// DP1 whose first vector turns by itself in body i, w_i(t) = -sin alpha(t) u_i + cos alpha(t) v_i, with f =
-/// 0: the row of a rotation driver.
+/// TurningDP1, the row of a rotation driver: a DP1 with f = 0 whose first vector rotates relative to body i,
+/// w_i(t) = -sin(alpha(t)) u_i + cos(alpha(t)) v_i. For unit vectors in one plane, Phi = sin(theta - alpha)
+/// with theta the angle from u_i to a_j.
 
 #include "constraints/basic_constraint_parts.hpp"
 
 namespace trivium {
 
+/// Phi = w_i(t) . a_j [-], w_i = -sin(alpha) u_i + cos(alpha) v_i.
 template <class Scalar>
 struct TurningDP1 : BodyPair {
   static constexpr bool is_of_angle = true;
 
-  Vector3<Scalar> u_bar_i, v_bar_i, a_bar_j;
-  TimeFunction alpha;
+  Vector3<Scalar> u_bar_i, v_bar_i, a_bar_j;  ///< vectors of i, i and j [-, body frames]
+  TimeFunction alpha;                         ///< prescribed angle [rad]
 
   static void keys(auto&& show, auto&... c) {
     show.vector_i(c.u_bar_i...);
@@ -20,7 +22,7 @@ struct TurningDP1 : BodyPair {
     show.need("alpha", c.alpha...);
   }
   const TimeFunction& function() const { return alpha; }
-  /// |u_i| |a_j|
+  /// |u_i| |a_j|: the largest change of Phi per radian if |u_i| = |v_i| and u_i, v_i are perpendicular.
   Scalar scale(const Scalar&) const { return u_bar_i.norm() * a_bar_j.norm(); }
   template <BodyKinematics Body, class Use>
   auto with_features(const Body& on_i, const Body& on_j, const Scalar& t, const Use& use) const {

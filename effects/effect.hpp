@@ -1,5 +1,6 @@
 #pragma once
-/// What may act on bodies. An effect sees poses and velocities, never coordinates, and adds wrenches.
+/// The concept of an effect: gravity, a force, a torque or a spring that acts on bodies. An effect sees poses
+/// and velocities of bodies, never the coordinates of a formulation, and adds wrenches to the bodies.
 
 #include <concepts>
 #include <span>
@@ -13,14 +14,14 @@
 
 namespace trivium {
 
-/// All that an effect may look at: bodies and their motion at time t. The last motion is the ground's.
+/// The state that an effect may read: the bodies and their motion at time t.
 template <class Scalar>
 struct EffectView {
-  std::span<const RigidBody<Scalar>> bodies;
-  std::span<const BodyMotion<Scalar>> motion;
-  Scalar t;
+  std::span<const RigidBody<Scalar>> bodies;   ///< nb bodies, without the ground
+  std::span<const BodyMotion<Scalar>> motion;  ///< nb + 1 motions, the ground's last
+  Scalar t;                                    ///< time [s]
 
-  /// Bodies and motions must outlive the view.
+  /// Keeps references: bodies and motions must outlive the view.
   EffectView(std::span<const RigidBody<Scalar>> of_bodies, std::span<const BodyMotion<Scalar>> of_motion,
              const Scalar& time)
       : bodies(of_bodies), motion(of_motion), t(time) {}
@@ -28,17 +29,20 @@ struct EffectView {
   EffectView(std::span<const RigidBody<Scalar>>, std::vector<BodyMotion<Scalar>>&&, const Scalar&) = delete;
 };
 
-/// The contract. `apply` adds to the wrenches (one per motion, the ground's last), `power` [W] is the rate at
-/// which the effect does work on the bodies, `potential_energy` [J] its stored energy, 0 for an effect that
-/// has none, and `nonconservative_power` what of the power is not taken from there; it is conservative if
-/// that is always zero. `type` is what a scene file calls it, `name` what a scene calls this one, and `keys`
-/// shows every part with its key in a scene file (effect_keys.hpp). Those of the library are compared by
-/// `==`, too, as scenes are.
+/// An effect must have
 ///
-/// One that counts turns has `follow`, called at every state that a motion has reached, and `longest_step`
-/// [s] after which it would lose count, one with functions of time `append_kinks`. One whose wrenches are
-/// sums of parts that may cancel has `add_load_bounds`, which adds these by magnitude. One that looks at no
-/// motion says `sees_motion = false`.
+///     apply                   adds its wrenches to `wrenches`, one per body and the ground's last
+///     power                   the rate of work on the bodies [W]
+///     potential_energy        the stored energy V [J]; 0 if the effect stores none
+///     nonconservative_power   the part of the power that does not come from V: power + dV/dt [W]
+///     is_conservative         true if nonconservative_power is always 0
+///     type, name              the name of the type in scene files, and the name of this effect in its scene
+///     keys                    presents every part with its key in a scene file (effect_keys.hpp)
+///
+/// and, for effects of the library, operator==. It may have `follow(view)`, called at every accepted state,
+/// and `longest_step(view)` [s], if it counts full revolutions; `append_kinks`, if it has functions of time;
+/// `add_load_bounds`, if its wrenches are sums of terms that may cancel, to bound rounding errors by the
+/// magnitudes of the terms; and `sees_motion = false`, if its wrenches do not depend on the motion.
 template <class E, class Scalar>
 concept Effect = std::default_initializable<E> &&
     requires(const E& effect, const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) {
@@ -52,10 +56,11 @@ concept Effect = std::default_initializable<E> &&
   E::keys(KeyVisitor{}, effect);
 };
 
-/// One that pushes back where two bodies move apart, along one coordinate: with its `stiffness` and
-/// `damping`, the `bodies` i and j, the `gradient` of the coordinate (what a push of 1 does to i and to j),
-/// and `tension_scale`, the size [N, N m] of the numbers that its tension is a difference of. Implicit
-/// methods take it into Newton's matrix. An effect that has `gradient` must have the rest.
+/// An effect that resists a change of one coordinate x between two bodies, a length [m] or an angle [rad].
+/// `gradient` gives the wrenches on bodies i and j whose power is x'; the spring acts with -tension times the
+/// gradient. `stiffness` [N/m or N m/rad] and `damping` are the derivatives of the tension by x and x'.
+/// `tension_scale` [N or N m] is the size of the terms whose difference is the tension, to bound its rounding
+/// error. Implicit methods include springs in Newton's matrix. An effect with `gradient` must be a Spring.
 template <class E, class Scalar>
 concept Spring = requires(const E& effect, const EffectView<Scalar>& view) {
   { effect.stiffness } -> std::convertible_to<Scalar>;

@@ -1,25 +1,25 @@
 #pragma once
-/// How an effect shows its parts, each with the key that a scene file has for it: of one effect, or of
-/// several of one type side by side. Casts and batches, reader, writer, checks and random scenes go by this
-/// alone. A visitor has
+/// The function `keys` of an effect presents its parts to a visitor, each with its key in a scene file. It
+/// takes one effect, or several of one type whose corresponding parts are passed together. Casts, batches and
+/// the reader, writer, checks and random generator of scenes use only this. A visitor has
 ///
-///   body(key, index...)    the body that a load acts on
-///   point(key, point...)   a body and a point of it (BodyPoint): an object with `body` and `point`
-///   joint(key, angle...)   a joint with an angle (JointAngle)
-///   need(key, value...), may(key, value...)
-///                          a number, vector, function of time, three of these, or a frame
-///   place(key, s_bar...), angle(key, angle...)
-///                          a vector or number whose size alone says nothing: near zero it counts as zero
-///   turns(key, angle...)   full turns that the angle of a joint begins with (JointAngle), a part of `joint`
+///     body(key, index...)      the body on which a load acts
+///     point(key, point...)     a point of a body (BodyPoint): an object with `body` and `point` in a file
+///     joint(key, angle...)     the angle of a joint (JointAngle)
+///     need(key, value...)      a number, vector, function of time, three of these, or a frame
+///     may(key, value...)       the same, but optional in a file
+///     place(key, s_bar...), angle(key, angle...)
+///                              a position [m] or an angle [rad], optional; values too small for the Scalar
+///                              become 0, whereas with `need` and `may` they are an error
+///     turns(key, angle...)     the full revolutions at the start, a part of the JointAngle above
 ///
-/// What `may`, `place` and `angle` show is 0, or the global frame, where a file says nothing: so must the
-/// members begin.
+/// Optional parts are 0, or the global frame, if a file omits them; members must have these initial values.
 
 #include <string_view>
 
 namespace trivium {
 
-/// Does nothing: what is common to visitors.
+/// A base class for visitors: every member does nothing.
 struct KeyVisitor {
   void body(std::string_view, auto&...) const {}
   void point(std::string_view, auto&...) const {}
@@ -31,7 +31,7 @@ struct KeyVisitor {
   void turns(std::string_view, auto&...) const {}
 };
 
-/// For a visitor to whom all values are alike: visitor.value(key, value...).
+/// A base class (CRTP) for visitors that treat all values alike, by a member value(key, value...).
 template <class Visitor>
 struct ValueVisitor {
   void need(std::string_view key, auto&... value) { visitor().value(key, value...); }
@@ -44,7 +44,7 @@ struct ValueVisitor {
   Visitor& visitor() { return static_cast<Visitor&>(*this); }
 };
 
-/// use(part...) for every part.
+/// A visitor that calls use(part...) for every part, also for the members of points and joint angles.
 template <class Use>
 struct EffectParts : ValueVisitor<EffectParts<Use>> {
   const Use& use;
@@ -63,7 +63,7 @@ struct EffectParts : ValueVisitor<EffectParts<Use>> {
   void value(std::string_view, auto&... value) const { use(value...); }
 };
 
-/// use(part...) for every part of one effect or of several of its type.
+/// Calls use(part...) for every part of one effect, or of several of one type.
 template <class Use, class E, class... Others>
 void show_effect_parts(const Use& use, E& effect, Others&... others) {
   E::keys(EffectParts<Use>(use), effect, others...);

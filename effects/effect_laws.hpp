@@ -1,6 +1,7 @@
 #pragma once
-/// The laws of an effect, for whoever writes one: the second half of the concept Effect. `broken_laws` tries
-/// them where bodies are in some motion and names those that do not hold.
+/// The laws of an effect, a test for new effects. The concept Effect checks which members exist;
+/// `broken_laws` checks in a given motion that they are consistent: wrenches, power and stored energy with
+/// each other, and `keys` and the optional members with the wrenches.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ namespace trivium {
 
 namespace detail {
 
-/// What a damper of 1 adds to the wrenches is its gradient, as fast as the coordinate grows.
+/// The law of a Spring: damping 1 adds the wrenches -x' gradient, with x' the power of the gradient.
 template <class E, class S, class Equal>
 void spring_laws(E effect, const EffectView<S>& view, const Equal& equal) {
   static_assert(Spring<E, S>);
@@ -44,7 +45,8 @@ void spring_laws(E effect, const EffectView<S>& view, const Equal& equal) {
 
 }  // namespace detail
 
-/// The motion, the ground's last, must be one that the effect may see: no ends of a spring that coincide.
+/// The laws that `effect` breaks in this motion (the ground's last) at time t [s]; empty if none. The effect
+/// must be defined at this state, e.g. the ends of a spring must not coincide.
 template <class E, class S>
 std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<S>>& bodies,
                                    const std::vector<BodyMotion<S>>& motion, const S& t) {
@@ -52,7 +54,7 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
   using std::abs, std::cbrt;
   std::vector<BrokenLaw> broken;
   const double u = static_cast<double>(std::numeric_limits<S>::epsilon());
-  // beside the numbers that both are made of
+  // a = b up to `bound` relative to |a| + |b| + size, with `size` the magnitude of the terms of both
   const auto equal = [&](const char* law, const S& a, const S& b, const S& size, double bound) {
     using std::abs;
     const S off = abs(S(a - b)), all = abs(a) + abs(b) + size;
@@ -98,7 +100,7 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
     copy.follow(view);
     acts_the_same("follow does not change the wrenches", copy, view);
   }
-  // what keys show may have kinks, which an effect must name
+  // the functions of time among the keys may have kinks, which append_kinks must contain
   std::vector<double> shown_kinks, kinks;
   show_effect_parts(
       [&](const auto& part) {
@@ -112,7 +114,7 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
   std::sort(kinks.begin(), kinks.end());
   if (!std::includes(kinks.begin(), kinks.end(), shown_kinks.begin(), shown_kinks.end()))
     broken.push_back({"append_kinks names the kinks of the functions of time", 1, 0});
-  // r and A a little on with the motion, and a little back
+  // stored energy after r and A have moved for the time `by` with constant r' and omega_bar
   const S h(cbrt(u));
   const auto stored = [&](const S& by) {
     std::vector<BodyMotion<S>> moved = motion;

@@ -1,7 +1,6 @@
 #pragma once
-/// The effects of a mechanism: one vector per type, so that an absent type costs nothing. The one list of
-/// types is here; to add an effect, write its file and enter it there, or outside the library add it by
-/// `With`.
+/// The effects of a mechanism, in one vector per type, so that an unused type costs nothing, and the list of
+/// types. To add an effect, write its file and enter it in StandardEffects; other projects add it by `With`.
 
 #include <concepts>
 #include <limits>
@@ -21,7 +20,7 @@
 
 namespace trivium {
 
-/// A list of types of effects, over any Scalar.
+/// A list of types of effects, for any Scalar: `In<Scalar>` is a tuple of vectors, `OneOf<Scalar>` a variant.
 template <template <class> class... E>
 struct EffectTypes {
   static_assert((Effect<E<double>, double> && ...));
@@ -34,7 +33,6 @@ struct EffectTypes {
   using With = EffectTypes<E..., More...>;
 };
 
-/// The list of the library.
 using StandardEffects = EffectTypes<Gravity, Force, Torque, SpringDamper, TorsionalSpringDamper>;
 static_assert(std::equality_comparable<StandardEffects::OneOf<double>>, "an effect without operator==");
 
@@ -57,7 +55,7 @@ class Effects {
   auto& lists() { return lists_; }
   const auto& lists() const { return lists_; }
 
-  /// Whether any effect looks at how bodies move.
+  /// Whether the wrenches of any effect depend on the motion.
   bool see_motion() const {
     return any([](const auto& effect) {
       if constexpr (requires { effect.sees_motion; })
@@ -66,34 +64,34 @@ class Effects {
         return true;
     });
   }
-  /// Whether any effect can lose count of turns in a long step.
+  /// Whether any effect limits the step size because it counts revolutions (longest_step).
   bool limit_steps() const {
     return any([](const auto& effect) {
       return requires(const EffectView<Scalar>& view) { effect.longest_step(view); };
     });
   }
 
-  /// Adds every effect's wrenches; one wrench per motion, the ground's last.
+  /// Adds the wrenches of all effects to `wrenches` [nb + 1], the ground's last.
   void apply(const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) const {
     for_each([&](const auto& effect) { effect.apply(view, wrenches); });
   }
-  /// The rate [W] at which all effects do work on the bodies.
+  /// The rate of work of all effects on the bodies [W].
   Scalar power(const EffectView<Scalar>& view) const {
     Scalar sum(0);
     for_each([&](const auto& effect) { sum += effect.power(view); });
     return sum;
   }
-  /// The energy [J] that the effects store.
+  /// The energy stored in all effects [J].
   Scalar potential_energy(const EffectView<Scalar>& view) const {
     Scalar sum(0);
     for_each([&](const auto& effect) { sum += effect.potential_energy(view); });
     return sum;
   }
-  /// Whether all give back what they store.
+  /// Whether all effects are conservative.
   bool are_conservative() const {
     return !any([](const auto& effect) { return !effect.is_conservative(); });
   }
-  /// What of all power is not taken from stored energy.
+  /// The part of the power that does not come from stored energy [W].
   Scalar nonconservative_power(const EffectView<Scalar>& view) const {
     Scalar sum(0);
     for_each([&](const auto& effect) {
@@ -101,7 +99,7 @@ class Effects {
     });
     return sum;
   }
-  /// The longest step [s] after which all effects can still be followed.
+  /// The longest step size [s] with which all effects can still count revolutions; NaN if one of them is NaN.
   Scalar longest_step(const EffectView<Scalar>& view) const {
     Scalar longest = std::numeric_limits<Scalar>::max();
     for_each([&](const auto& effect) {
@@ -120,23 +118,23 @@ class Effects {
       }
     });
   }
-  /// Calls visit(angle) for every angle of a joint that an effect counts over turns (JointAngle).
+  /// Calls visit(angle) for every joint angle that an effect counts over full revolutions (JointAngle).
   template <class Visit>
   void for_each_angle(const Visit& visit) {
     std::apply([&](auto&... list) { (visit_angles(list, visit), ...); }, lists_);
   }
-  /// Tells effects that count turns where the motion is.
+  /// Tells effects that count revolutions the accepted state of a motion.
   void follow(const EffectView<Scalar>& view) {
     std::apply([&](auto&... list) { (follow_list(list, view), ...); }, lists_);
   }
-  /// Appends the times where their functions of time have kinks.
+  /// Appends the times [s] at which functions of time of the effects have kinks (TimeFunction::append_kinks).
   void append_kinks(std::vector<double>& times) const {
     for_each([&](const auto& effect) {
       if constexpr (requires { effect.append_kinks(times); }) effect.append_kinks(times);
     });
   }
 
-  /// Calls add(body, |F|, |n_bar|) for the parts of every wrench that may cancel, by magnitude.
+  /// Calls add(body, F, n_bar) with the magnitudes, component by component, of wrench terms that may cancel.
   template <class Add>
   void add_load_bounds(const EffectView<Scalar>& view, const Add& add) const {
     for_each([&](const auto& effect) {

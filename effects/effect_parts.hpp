@@ -1,6 +1,6 @@
 #pragma once
-/// What effects are made of besides numbers: a point of a body, the three components of a force or a torque
-/// as functions of time, and the frame that they are meant in. A joint's angle is in joint_angle.hpp.
+/// Parts of effects: a point of a body, three components of a force or torque as functions of time, and the
+/// frame of these components. The angle of a joint is in joint_angle.hpp.
 
 #include <array>
 #include <vector>
@@ -10,13 +10,14 @@
 
 namespace trivium {
 
+/// A point fixed in a body.
 template <class Scalar>
 struct BodyPoint {
-  int body = 0;
+  int body = 0;                                     ///< index of the body; nb is the ground
   Vector3<Scalar> s_bar = Vector3<Scalar>::Zero();  ///< [m, body frame]
   bool operator==(const BodyPoint&) const = default;
 
-  /// use(part...) for every part of one point or of several side by side.
+  /// Calls use(member...) for each member, with that member of all given points as arguments.
   template <class Use, class... Part>
   static void show_parts(const Use& use, Part&... p) {
     use(p.body...);
@@ -24,16 +25,16 @@ struct BodyPoint {
   }
 };
 
-/// The frame that given components are meant in.
+/// The frame of given components.
 enum class ComponentFrame { global, body };
 
-/// The components at time t.
+/// The values of three components at time t [s].
 template <class Scalar>
 Vector3<Scalar> evaluate(const std::array<TimeFunction, 3>& components, const Scalar& t) {
   return {components[0](t).f, components[1](t).f, components[2](t).f};
 }
 
-/// Appends the times where they have kinks.
+/// Appends the times at which the components have kinks.
 inline void append_kinks(const std::array<TimeFunction, 3>& components, std::vector<double>& times) {
   for (const TimeFunction& component : components) component.append_kinks(times);
 }

@@ -15,7 +15,7 @@ using S = Quad;
 using Vec = Vector3<S>;
 using TF = TimeFunction;
 
-/// Two bodies and the ground on a smooth motion: r(t) = r + t r', A(t) = A exp(t omega_bar~).
+/// Two bodies and the ground in a smooth motion: r(t) = r + t r', A(t) = A exp(t tilde(omega_bar)).
 struct Motion {
   std::vector<RigidBody<S>> bodies;
   std::vector<BodyMotion<S>> start;
@@ -39,7 +39,7 @@ struct Motion {
   }
 };
 
-/// Sum over the bodies of F . r' + n_bar . omega_bar.
+/// The sum of F . r' + n_bar . omega_bar over the bodies.
 template <class E>
 S power_of_wrenches(const E& effect, const Motion& motion) {
   std::vector<Wrench<S>> wrenches(motion.start.size());
@@ -54,10 +54,10 @@ template <class E>
 void expect_power_is_that_of_the_wrenches(const E& effect, const Motion& motion) {
   const S power = effect.power(EffectView<S>{motion.bodies, motion.start, S(0)});
   EXPECT_LE(std::abs(static_cast<double>(S(power - power_of_wrenches(effect, motion)))), 1e-30);
-  EXPECT_GT(std::abs(static_cast<double>(power)), 1e-6);  // or there was nothing to see
+  EXPECT_GT(std::abs(static_cast<double>(power)), 1e-6);  // the test is not trivial
 }
 
-/// power = -dV/dt along the motion.
+/// power = -dV/dt along the motion, by central differences.
 template <class E>
 void expect_conservative(const E& effect, const Motion& motion) {
   const S h(1e-11);
@@ -71,7 +71,7 @@ void expect_conservative(const E& effect, const Motion& motion) {
   EXPECT_GT(std::abs(static_cast<double>(power)), 1e-6);
 }
 
-/// All three components, each with its own f(t).
+/// Three components with different functions of time.
 std::array<TF, 3> components() { return {TF(1.5), TF::Harmonic{0.5, 2, 3, 1}, TF::Polynomial{{-1, 2, 0.5}}}; }
 std::array<TF, 3> numbers() { return {TF(1.5), TF(-2), TF(0.7)}; }
 
@@ -81,7 +81,7 @@ SpringDamper<S> spring(S damping, const TF& actuator) {
           actuator};
 }
 TorsionalSpringDamper<S> torsional(const Motion& motion, S damping, const TF& actuator) {
-  // the axes coincide in the motion's bodies at t = 0, and j turns about z only: omega_j differs along z
+  // at t = 0 the joint axes on i and j coincide: u_j is u_i rotated about z by atan2(0.8, 0.6)
   Random random(92);
   const Matrix3<S> frame = rotation_matrix(random.euler_parameters<S>());
   TorsionalSpringDamper<S> e;
@@ -96,7 +96,7 @@ TorsionalSpringDamper<S> torsional(const Motion& motion, S damping, const TF& ac
   e.actuator = actuator;
   return e;
 }
-/// Body 1 turns with body 0 and about its z besides, as a joint would have it.
+/// Body 1 rotates like body 0 and in addition about the joint axis z with `rate` [rad/s], as in a revolute.
 Motion joined_motion(std::uint64_t seed, const S& rate) {
   Motion motion(seed);
   const auto e = torsional(motion, S(0), {});
@@ -134,29 +134,31 @@ TEST(Effects, PowerOfConservativeOnesIsTheLossOfTheirEnergy) {
   }
 }
 
-/// Forgets the damper's part of the power that is not taken from stored energy.
+// The following effects each violate one law.
+
+/// nonconservative_power omits the damper.
 struct ForgetfulSpring : SpringDamper<S> {
   S nonconservative_power(const EffectView<S>&) const { return S(0); }
 };
 
-/// Its gradient is that of a spring that is turned round.
+/// `gradient` exchanges the two bodies.
 struct TurnedSpring : SpringDamper<S> {
   std::pair<Wrench<S>, Wrench<S>> gradient(const EffectView<S>& view) const {
     const auto [on_i, on_j] = SpringDamper<S>::gradient(view);
     return {on_j, on_i};
   }
 };
-/// Acts by where its body is, and says that it sees no motion.
+/// `sees_motion` is false, but the force depends on positions.
 struct BlindSpring : SpringDamper<S> {
   static constexpr bool sees_motion = false;
 };
 
-/// Its global torque turns with no body, and it says that it sees none.
+/// `sees_motion` is false, but n_bar depends on A: the components of the torque are global.
 struct BlindTorque : Torque<S> {
   static constexpr bool sees_motion = false;
 };
 
-/// Shows all but its stiffness.
+/// Its keys omit stiffness, damping and free length.
 struct SecretiveSpring : SpringDamper<S> {
   static void keys(auto&& show, auto&... e) {
     show.point("i", e.i...);
@@ -165,12 +167,12 @@ struct SecretiveSpring : SpringDamper<S> {
   }
 };
 
-/// Stores energy at a level that it does not show.
+/// The energy contains a constant that its keys omit.
 struct SecretiveGravity : Gravity<S> {
   S level{0};
   S potential_energy(const EffectView<S>& view) const { return Gravity<S>::potential_energy(view) + level; }
 };
-/// Acts twice as hard once it has followed a motion.
+/// `follow` changes the torque.
 struct RestlessTorque : Torque<S> {
   S times{1};
   void apply(const EffectView<S>& view, std::span<Wrench<S>> wrenches) const {
@@ -179,12 +181,12 @@ struct RestlessTorque : Torque<S> {
   S power(const EffectView<S>& view) const { return times * Torque<S>::power(view); }
   void follow(const EffectView<S>&) { times = S(2); }
 };
-/// Does not say where its functions have kinks.
+/// append_kinks omits the kinks of its functions of time.
 struct SmoothForce : Force<S> {
   void append_kinks(std::vector<double>&) const {}
 };
 
-/// Draws what an effect shows, of two bodies that a joint joins.
+/// Assigns random values to the parts of an effect between two bodies with a joint.
 struct DrawnParts : ValueVisitor<DrawnParts> {
   Random& random;
   const JointAngle<S>& joined;
@@ -295,7 +297,7 @@ TEST(Force, OnlyAConstantGlobalOneStoresEnergy) {
             S(0));
 }
 
-// a damper of 1 takes the square of the rate that its gradient tells
+// the power of a damper with damping 1 is -x'^2, with x' the power of the gradient
 TEST(Effects, GradientsTellHowFastTheirLengthOrAngleGrows) {
   const auto rate_of = [](const auto& effect, const Motion& motion) {
     const auto gradient = effect.gradient(EffectView<S>{motion.bodies, motion.start, S(0)});

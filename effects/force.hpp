@@ -1,6 +1,6 @@
 #pragma once
-/// A force of given components at a body-fixed point. Decided here: only a constant global force has a
-/// potential.
+/// A force with given components at a body-fixed point P. Only a force with constant global components has a
+/// potential, V = -F . r_P; any other force counts as nonconservative.
 
 #include <array>
 #include <string>
@@ -12,14 +12,15 @@
 
 namespace trivium {
 
+/// Force F(t) at a point of a body.
 template <class Scalar>
 struct Force {
   static constexpr std::string_view type = "force";
 
   std::string name;
   int body = 0;
-  Vector3<Scalar> s_bar = Vector3<Scalar>::Zero();  ///< point of application [m, body frame]
-  std::array<TimeFunction, 3> components;           ///< [N]
+  Vector3<Scalar> s_bar = Vector3<Scalar>::Zero();  ///< point of application P [m, body frame]
+  std::array<TimeFunction, 3> components;           ///< force components in `frame` [N]
   ComponentFrame frame = ComponentFrame::global;
   bool operator==(const Force&) const = default;
 
@@ -36,7 +37,7 @@ struct Force {
   Scalar power(const EffectView<Scalar>& view) const {
     return global_force(view).dot(view.motion[body].point_velocity(s_bar));
   }
-  /// A constant global force has the potential -F . r_P; any other has none.
+  /// -F . r_P [J] for a constant global force, otherwise 0.
   Scalar potential_energy(const EffectView<Scalar>& view) const {
     if (!is_conservative()) return Scalar(0);
     return -global_force(view).dot(view.motion[body].point(s_bar));

@@ -1,6 +1,6 @@
 #pragma once
-/// Uniform gravity: m g on every body, at its centre of mass, so without a moment. Its potential energy is -m
-/// g . r.
+/// Uniform gravity: the force m g at the centre of mass of every body, hence without a moment. Its potential
+/// energy is the sum of -m g . r.
 
 #include <string>
 #include <string_view>
@@ -9,6 +9,7 @@
 
 namespace trivium {
 
+/// Force m g on every body except the ground.
 template <class Scalar>
 struct Gravity {
   static constexpr std::string_view type = "gravity";
@@ -31,7 +32,7 @@ struct Gravity {
   }
   Scalar nonconservative_power(const EffectView<Scalar>&) const { return Scalar(0); }
   bool is_conservative() const { return true; }
-  /// -m g . r, zero at the global origin.
+  /// The sum of -m g . r over the bodies [J]; a body at the global origin has energy 0.
   Scalar potential_energy(const EffectView<Scalar>& view) const {
     Scalar sum(0);
     for (std::size_t b = 0; b < view.bodies.size(); ++b)

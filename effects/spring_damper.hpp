@@ -1,6 +1,7 @@
 #pragma once
-/// A spring, damper and actuator along the line between two body-fixed points: tension k (l - l0) + c l' +
-/// h(t). Haug (1989), translational spring-damper-actuator.
+/// A spring, damper and actuator along the line between two body-fixed points (Haug 1989, translational
+/// spring-damper-actuator). The tension k (l - l0) + c l' + h(t) [N], with l the distance of the points,
+/// pulls the points towards each other if it is positive.
 
 #include <fmt/format.h>
 
@@ -19,12 +20,13 @@
 
 namespace trivium {
 
+/// Functions of the state throw a ModelError where the end points coincide, unless the tension is 0.
 template <class Scalar>
 struct SpringDamper {
   static constexpr std::string_view type = "spring_damper";
 
   std::string name;
-  BodyPoint<Scalar> i, j;                           ///< its ends
+  BodyPoint<Scalar> i, j;                           ///< end points on bodies i and j
   Scalar stiffness{0}, damping{0}, free_length{0};  ///< k [N/m], c [N s/m], l0 [m]
   TimeFunction actuator;                            ///< h [N]
   bool operator==(const SpringDamper&) const = default;
@@ -48,22 +50,22 @@ struct SpringDamper {
     const Line line = measure(view);
     return -tension(line, view.t) * line.length_rate;
   }
-  /// That of the damper and the actuator.
+  /// The power of the damper and the actuator, -(c l' + h) l' [W].
   Scalar nonconservative_power(const EffectView<Scalar>& view) const {
     const Line line = measure(view);
     return -(damping * line.length_rate + actuator(view.t).f) * line.length_rate;
   }
   void append_kinks(std::vector<double>& times) const { actuator.append_kinks(times); }
-  /// Zero damping and no actuator.
+  /// Whether damping and actuator are 0.
   bool is_conservative() const { return all(damping == Scalar(0)) && actuator == TimeFunction(0); }
-  /// k (l - l0)^2 / 2.
+  /// k (l - l0)^2 / 2 [J].
   Scalar potential_energy(const EffectView<Scalar>& view) const {
     const Scalar stretch = measure(view).length - free_length;
     return stiffness * stretch * stretch / 2;
   }
 
   std::pair<int, int> bodies() const { return {i.body, j.body}; }
-  /// Of its length: what a tension of -1 does to i and to j.
+  /// The gradient of l: the wrenches on i and j of a tension of -1; their power is l'.
   std::pair<Wrench<Scalar>, Wrench<Scalar>> gradient(const EffectView<Scalar>& view) const {
     const Vector3<Scalar> push = measure(view).direction;
     std::pair<Wrench<Scalar>, Wrench<Scalar>> on;
@@ -72,7 +74,8 @@ struct SpringDamper {
     return on;
   }
 
-  /// Of lengths, as places far from the origin leave them.
+  /// k times the sum of the lengths that l - l0 is computed from, plus the same for c l' [N]. The positions
+  /// of the centres count in full, since far from the origin their rounding errors are errors of l.
   Scalar tension_scale(const EffectView<Scalar>& view) const {
     const BodyMotion<Scalar>&bi = view.motion[i.body], &bj = view.motion[j.body];
     const Scalar s_i = i.s_bar.norm(), s_j = j.s_bar.norm();
@@ -81,12 +84,13 @@ struct SpringDamper {
                (bi.r_dot.norm() + bi.omega_bar.norm() * s_i + bj.r_dot.norm() + bj.omega_bar.norm() * s_j);
   }
 
-  /// The parts of its tension, each pulling for itself: add(body, |F|, |n_bar|).
+  /// Calls add(body, F, n_bar) for both ends: magnitudes of the wrench components if the terms of the tension
+  /// are added by magnitude.
   template <class Add>
   void add_load_bounds(const EffectView<Scalar>& view, const Add& add) const {
     using std::abs;
     const Line line = measure(view);
-    if (line.length == Scalar(0)) return;  // no direction, and no force
+    if (line.length == Scalar(0)) return;  // the force is zero (at_zero_length)
     const Scalar pull = stiffness * (line.length + abs(free_length)) + abs(damping * line.length_rate) +
                         abs(actuator(view.t).f);
     const auto load = [&](const BodyPoint<Scalar>& end) {
@@ -112,8 +116,7 @@ struct SpringDamper {
     const Vector3<Scalar> direction = d / length;
     return {length, direction.dot(point_offset_rate(bi, i.s_bar, bj, j.s_bar)), direction};
   }
-  /// Where its ends meet, a spring with nothing but stiffness pulls with zero force; any other has no
-  /// direction.
+  /// l = 0, where the force has no direction: a ModelError unless k l0, c and h(t) are 0, hence the tension.
   Line at_zero_length(const Scalar& t) const {
     if (stiffness * free_length != Scalar(0) || damping != Scalar(0) || actuator(t).f != Scalar(0))
       throw ModelError({fmt::format("spring_damper \"{}\"", name), static_cast<double>(t)},

@@ -1,5 +1,4 @@
-/// Springs, dampers and actuators: their forces and torques, the angle that is tracked over full turns, and
-/// which effects conserve energy.
+/// Springs, dampers and actuators: forces and torques, angles over full revolutions, conservation of energy.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +14,7 @@ namespace {
 using test::distance;
 using TF = TimeFunction;
 
-/// A body on the x axis, moving along it, and a spring from the origin.
+/// A body that moves along the x axis, for a spring between the origin and the body.
 struct OnALine {
   std::vector<RigidBody<double>> bodies{1};
   std::vector<BodyMotion<double>> motion{2};
@@ -57,7 +56,7 @@ TEST(SpringDamper, OfNoLengthIsAnErrorThatNamesItUnlessItsForceVanishes) {
   }
 }
 
-/// Body j at `angle` about the ground's z.
+/// A body j that is rotated by `angle` [rad] about the z axis of the ground.
 struct OnAnAxis {
   std::vector<RigidBody<double>> bodies{1};
   std::vector<BodyMotion<double>> motion{2};
@@ -130,7 +129,7 @@ TEST(TorsionalSpringDamper, AngleLiesInTheHalfOpenTurnUntilItIsFollowed) {
 
 TEST(TorsionalSpringDamper, HalfATurnIsPlusPi) {
   const double pi = std::acos(-1.0);
-  for (const double zero : {0.0, -0.0}) {  // whatever the signs of the zeros in A
+  for (const double zero : {0.0, -0.0}) {  // the result must not depend on the sign of zeros in A
     OnAnAxis half(0, 0);
     half.motion[0].A << -1, zero, zero, zero, -1, zero, zero, zero, 1;
     EXPECT_EQ(about_z(1, 0, 0, {}).angle.value(half.view()), pi);

@@ -1,5 +1,6 @@
 #pragma once
-/// A torque of given components on a body. It has no potential, not even where its components are constant.
+/// A torque with given components on a body. A torque has no potential, even if its components are constant:
+/// its work over a finite rotation depends on the path.
 
 #include <array>
 #include <string>
@@ -11,13 +12,14 @@
 
 namespace trivium {
 
+/// Torque n(t) on a body.
 template <class Scalar>
 struct Torque {
   static constexpr std::string_view type = "torque";
 
   std::string name;
   int body = 0;
-  std::array<TimeFunction, 3> components;  ///< [N m]
+  std::array<TimeFunction, 3> components;  ///< torque components in `frame` [N m]
   ComponentFrame frame = ComponentFrame::global;
   bool operator==(const Torque&) const = default;
 
@@ -36,7 +38,6 @@ struct Torque {
   Scalar potential_energy(const EffectView<Scalar>&) const { return Scalar(0); }
   Scalar nonconservative_power(const EffectView<Scalar>& view) const { return power(view); }
   void append_kinks(std::vector<double>& times) const { trivium::append_kinks(components, times); }
-  /// A torque of constant components has no potential either.
   bool is_conservative() const { return false; }
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
-/// A spring, damper and actuator about a joint's axis: torque on body j -(k (theta - theta0) + c theta' +
-/// h(t)) along z, the opposite on body i. theta turns from u_i to u_j about z_i (joint_angle.hpp).
+/// A spring, damper and actuator about the axis z of a joint. Body j gets the torque -(k (theta - theta0) +
+/// c theta' + h(t)) [N m] along z, body i the opposite torque. theta is the angle from u_i to u_j about z_i
+/// (joint_angle.hpp).
 
 #include <string>
 #include <string_view>
@@ -14,12 +15,13 @@
 
 namespace trivium {
 
+/// Torque -(k (theta - theta0) + c theta' + h(t)) on body j about the joint axis z, the opposite on i.
 template <class Scalar>
 struct TorsionalSpringDamper {
   static constexpr std::string_view type = "torsional_spring_damper";
 
   std::string name;
-  JointAngle<Scalar> angle;                        ///< theta
+  JointAngle<Scalar> angle;                        ///< theta, the angle of the joint
   Scalar stiffness{0}, damping{0}, free_angle{0};  ///< k [N m/rad], c [N m s/rad], theta0 [rad]
   TimeFunction actuator;                           ///< h [N m]
   bool operator==(const TorsionalSpringDamper&) const = default;
@@ -37,28 +39,28 @@ struct TorsionalSpringDamper {
     angle.add_torque(torque_on_j(view), view, wrenches);
   }
   Scalar power(const EffectView<Scalar>& view) const { return torque_on_j(view) * angle.rate(view); }
-  /// k (theta - theta0)^2 / 2.
+  /// k (theta - theta0)^2 / 2 [J].
   Scalar potential_energy(const EffectView<Scalar>& view) const {
     const Scalar twist = angle.value(view) - free_angle;
     return stiffness * twist * twist / 2;
   }
-  /// That of the damper and the actuator.
+  /// The power of the damper and the actuator, -(c theta' + h) theta' [W].
   Scalar nonconservative_power(const EffectView<Scalar>& view) const {
     const Scalar rate = angle.rate(view);
     return -(damping * rate + actuator(view.t).f) * rate;
   }
-  /// Zero damping and no actuator.
+  /// Whether damping and actuator are 0.
   bool is_conservative() const { return all(damping == Scalar(0)) && actuator == TimeFunction(0); }
   void append_kinks(std::vector<double>& times) const { actuator.append_kinks(times); }
   void follow(const EffectView<Scalar>& view) { angle.follow(view); }
   Scalar longest_step(const EffectView<Scalar>& view) const { return angle.longest_step(view); }
 
   std::pair<int, int> bodies() const { return {angle.i, angle.j}; }
-  /// Of theta.
+  /// The gradient of theta: wrenches on i and j whose power is theta'.
   std::pair<Wrench<Scalar>, Wrench<Scalar>> gradient(const EffectView<Scalar>& view) const {
     return angle.gradient(view);
   }
-  /// Of angles of up to ten radians.
+  /// k times 10 rad, an assumed bound of the angles, plus c times both angular velocities [N m].
   Scalar tension_scale(const EffectView<Scalar>& view) const {
     return stiffness * Scalar(10) +
            damping * (view.motion[angle.i].omega_bar.norm() + view.motion[angle.j].omega_bar.norm());

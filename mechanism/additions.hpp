@@ -1,6 +1,6 @@
 #pragma once
-/// Bodies and constraints added in C++, beside what a scene has. The ground keeps the last index: whoever
-/// names it is moved on with it.
+/// Adds bodies and constraints to a model in C++, in addition to those of its scene. A new body takes the
+/// index of the ground, which becomes one higher in all references to the ground.
 
 #include <string>
 #include <utility>
@@ -12,7 +12,7 @@ namespace trivium {
 
 namespace detail {
 
-/// Gives the ground of an effect another index.
+/// A visitor of effects (effect_keys.hpp) that replaces the body index `from` by `to`.
 struct MoveGround : ValueVisitor<MoveGround> {
   int from, to;
 
@@ -25,7 +25,8 @@ struct MoveGround : ValueVisitor<MoveGround> {
   void value(std::string_view, auto&) const {}
 };
 
-/// The points of a basic constraint, where reactions are taken.
+/// A visitor of a basic constraint (constraint_keys.hpp) that copies its points into two joint frames, where
+/// reactions are evaluated.
 template <class Scalar>
 struct PointsOf {
   JointFrame<Scalar>&i, &j;
@@ -40,7 +41,8 @@ struct PointsOf {
 
 }  // namespace detail
 
-/// Adds a free body, whose index it returns: that of the ground until now, which moves on by one.
+/// Adds a body without constraints, with its pose and twist at the time of the model's state. Returns its
+/// index, which was the index of the ground; the ground's index grows by one.
 template <class S, class Types>
 int add_body(Model<S, Types>& model, std::string name, const RigidBody<S>& body, const Pose<S>& pose,
              const Twist<S>& twist) {
@@ -62,8 +64,8 @@ int add_body(Model<S, Types>& model, std::string name, const RigidBody<S>& body,
   return index;
 }
 
-/// Adds a constraint of one row, any of the mechanism's list, as a scene's basic constraints are: with its
-/// name, and as a joint, so that solvers plan with it and reactions are told of it.
+/// Adds a constraint of one row, of any type in the mechanism's list. Like a basic constraint of a scene it
+/// also becomes a joint of one row, so that the structured solver and the reactions include it.
 template <class Scalar, class Types>
 void add_constraint(Mechanism<Scalar, Types>& mechanism, std::string name,
                     typename Mechanism<Scalar, Types>::Row row) {

@@ -1,7 +1,7 @@
 #pragma once
-/// What every formulation sees of a scene: bodies, constraint rows and effects in one Scalar, names resolved
-/// to indices, axes normalised. The ground is the last body index everywhere: index nb, with no mass and no
-/// coordinates.
+/// The mechanism of a scene, as every formulation sees it: bodies, constraint rows and effects in one Scalar,
+/// with names resolved to indices and axes normalised. The ground has the body index nb, one past the last
+/// body; it has no mass and no coordinates.
 
 #include <algorithm>
 #include <string>
@@ -14,16 +14,16 @@
 
 namespace trivium {
 
-/// One constraint of the scene (basic or joint) and the rows that are its own.
+/// One constraint of the scene, a joint or a basic constraint, and the range of its rows.
 template <class Scalar>
 struct Joint : BodyPair {
   std::string name;
   ConstraintType type = JointType::spherical;
-  JointFrame<Scalar> frame_i, frame_j;  ///< for joints with axes; a basic constraint has its points here
-  int first_row = 0, rows = 0;
-  TimeFunction angle;  ///< rotation_driver: alpha(t)
+  JointFrame<Scalar> frame_i, frame_j;  ///< points and axes; of a basic constraint only the points are set
+  int first_row = 0, rows = 0;          ///< index of the first row in Mechanism::rows, and number of rows
+  TimeFunction angle;                   ///< alpha(t) [rad] of a rotation_driver
 
-  /// use(part...) for every part of one joint or of several side by side.
+  /// Calls use(member...) for each member, with that member of all given joints as arguments.
   template <class Use, class... Part>
   static void show_parts(const Use& use, Part&... p) {
     BodyPair::show_parts(use, p...);
@@ -38,7 +38,7 @@ struct Joint : BodyPair {
   }
 };
 
-/// Which types of constraints and effects a mechanism may have.
+/// The types of constraints C (BasicConstraints) and effects E (EffectTypes) that a mechanism may contain.
 template <class C, class E>
 struct MechanismTypes {
   using Constraints = C;
@@ -51,14 +51,14 @@ struct Mechanism {
   using Row = BasicConstraint<Scalar, typename Types::Constraints>;
 
   std::string name;
-  std::vector<std::string> body_names;  ///< nb + 1, "ground" last
-  std::vector<RigidBody<Scalar>> bodies;
-  std::vector<Row> rows;
-  std::vector<std::string> row_names;  ///< "joint.dp1(u_i, z_j)", or the name of a basic constraint
-  std::vector<Joint<Scalar>> joints;   ///< in file order; basic constraints are joints of one row
+  std::vector<std::string> body_names;    ///< nb + 1 names, "ground" last
+  std::vector<RigidBody<Scalar>> bodies;  ///< nb bodies
+  std::vector<Row> rows;                  ///< nc constraint rows
+  std::vector<std::string> row_names;     ///< e.g. "hinge.dp1(u_i, z_j)", or the name of a basic constraint
+  std::vector<Joint<Scalar>> joints;  ///< in the order of the file; basic constraints are joints of one row
   Effects<Scalar, typename Types::Effects> effects;
 
-  /// Times where a function of time has a kink in its second derivative, in order.
+  /// Times [s], ascending, of the kinks of all functions of time (TimeFunction::append_kinks).
   std::vector<double> kinks() const {
     std::vector<double> times;
     for (const Row& row : rows) function_of(row).append_kinks(times);
@@ -67,8 +67,8 @@ struct Mechanism {
     return times;
   }
 
-  int nb() const { return static_cast<int>(bodies.size()); }
-  int nc() const { return static_cast<int>(rows.size()); }
+  int nb() const { return static_cast<int>(bodies.size()); }  ///< number of bodies, without the ground
+  int nc() const { return static_cast<int>(rows.size()); }    ///< number of constraint rows
   int ground() const { return nb(); }
 };
 

@@ -1,7 +1,7 @@
 #pragma once
-/// Mechanisms of one structure side by side in the lanes of a batch, for sweeps over masses, inertias,
-/// points, axes and the coefficients of effects. What is no number (types, names, functions of time) must be
-/// the same in all; a difference is an error.
+/// Packs mechanisms of equal structure into the lanes of a batch, for sweeps over masses, inertias, points,
+/// axes and the coefficients of effects. Types, names and functions of time must be the same in all of them;
+/// a difference is an error.
 
 #include <fmt/format.h>
 
@@ -21,12 +21,12 @@ namespace trivium {
 
 namespace detail {
 
-/// A mechanism taken apart.
+/// All parts of a mechanism in the order of show_parts, separated into numbers and structure.
 template <class T>
 struct TakenApart {
   using NotANumber = std::variant<int, std::string, TimeFunction>;
-  std::vector<T> numbers;
-  std::vector<NotANumber> structure;
+  std::vector<T> numbers;             ///< may differ between the lanes
+  std::vector<NotANumber> structure;  ///< must be equal in all lanes
 
   template <class Types>
   explicit TakenApart(const Mechanism<T, Types>& mechanism) {
@@ -48,8 +48,8 @@ struct TakenApart {
 
 }  // namespace detail
 
-/// As many mechanisms as there are lanes. Throws a ModelError where they differ in anything but numbers:
-/// functions of time, and so the lengths of distance constraints, are one for all lanes.
+/// One mechanism whose lane k has the numbers of mechanisms[k]. Throws a ModelError if the mechanisms differ
+/// in their structure. Functions of time belong to the structure, and so does the length of a distance joint.
 template <class T, int N, class Types = StandardTypes>
 Mechanism<Batch<T, N>, Types> pack(std::span<const Mechanism<T, std::type_identity_t<Types>>, N> mechanisms) {
   auto all = mechanism_cast<Batch<T, N>>(mechanisms[0]);

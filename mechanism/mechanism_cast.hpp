@@ -1,6 +1,6 @@
 #pragma once
-/// A mechanism's numbers in another Scalar, such as the same number in every lane of a batch. Each type shows
-/// its numbers to a visitor (parts.hpp), so no list of members stands here.
+/// Converts a mechanism to another Scalar; if that is a Batch, every lane gets the same numbers. The members
+/// are visited by show_parts (parts.hpp), so that a new member needs no change here.
 
 #include <cstddef>
 #include <tuple>
@@ -14,8 +14,8 @@ namespace trivium {
 
 namespace detail {
 
-/// A mechanism in To that has as many bodies, rows, joints and effects of each type as another, and its name
-/// and the names of its effects; the parts of these are not set.
+/// A mechanism over To with as many bodies, rows, joints and effects of each type as `from`. Its name and the
+/// names of its effects are copied; all parts that show_parts visits keep their initial values.
 template <class To, class ToTypes, class From, class FromTypes>
 Mechanism<To, ToTypes> same_structure(const Mechanism<From, FromTypes>& from) {
   Mechanism<To, ToTypes> to;
@@ -57,13 +57,14 @@ Mechanism<To, ToTypes> cast_to(const Mechanism<From, FromTypes>& from) {
 
 }  // namespace detail
 
-/// The same mechanism over another Scalar.
+/// The same mechanism over the scalar type To; its numbers are rounded to To.
 template <class To, class From, class Types>
 Mechanism<To, Types> mechanism_cast(const Mechanism<From, Types>& from) {
   return detail::cast_to<To, Types>(from);
 }
 
-/// The same mechanism among more types: those of its own lists, and behind them what `With` added.
+/// The same mechanism with larger lists of types. MoreTypes must have the types of the mechanism's own lists
+/// first, in the same order, followed by those that `With` added.
 template <class MoreTypes, class S, class Types>
 Mechanism<S, MoreTypes> with_more_types(const Mechanism<S, Types>& from) {
   return detail::cast_to<S, MoreTypes>(from);

@@ -1,7 +1,6 @@
 #pragma once
-/// The state of a mechanism: pose and velocity of every body at a time. It stands in terms that no
-/// formulation owns (r, Euler parameters p, r', omega_bar), and every formulation makes its coordinates from
-/// it.
+/// The state of a mechanism: pose and velocities of every body at one time. It is given by r, p, r' and
+/// omega_bar, independently of the formulation; every formulation computes its coordinates from it.
 
 #include <vector>
 
@@ -9,12 +8,12 @@
 
 namespace trivium {
 
-/// Pose and velocity of all bodies at time t: the state that every formulation starts from.
+/// Poses and velocities of all bodies at one time.
 template <class Scalar>
 struct MechanismState {
-  Scalar t{0};
-  std::vector<Pose<Scalar>> pose;
-  std::vector<Twist<Scalar>> twist;
+  Scalar t{0};                       ///< time [s]
+  std::vector<Pose<Scalar>> pose;    ///< one per body, without the ground
+  std::vector<Twist<Scalar>> twist;  ///< one per body, without the ground
 };
 
 }  // namespace trivium

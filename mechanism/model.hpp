@@ -1,6 +1,6 @@
 #pragma once
-/// What a formulation, a solver or a simulation works on: a mechanism and one state of it, in one Scalar. A
-/// scene is made into a model once (scenes/make_mechanism.hpp); from there on it is handed on as a value.
+/// A model: a mechanism and one of its states, over one Scalar. Formulations, solvers and simulations take a
+/// model; scenes/make_mechanism.hpp creates it from a scene.
 
 #include "mechanism/mechanism.hpp"
 

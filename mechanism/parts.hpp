@@ -1,8 +1,8 @@
 #pragma once
-/// Shows every part of a mechanism to a visitor, or of several mechanisms of one structure side by side, be
-/// they in different Scalars. A part is a number, a vector or matrix, or what no Scalar changes: an index, a
-/// type, a name, a function of time. Each type lists its own parts in `show_parts`; a mechanism's own name
-/// and those of effects, which only messages need, are no parts.
+/// `show_parts` presents every part of a mechanism to a visitor; or the corresponding parts of several
+/// mechanisms of equal structure, which may have different Scalars. A part is a number, vector or matrix of
+/// the Scalar, or an index, type, name or function of time, which no Scalar changes. The names of the
+/// mechanism and of effects are not parts. Each type lists its members in its own `show_parts` or `keys`.
 
 #include <cstddef>
 #include <tuple>
@@ -27,7 +27,7 @@ void show_parts_of_effects(const Use& use, List& list, Lists&... lists) {
   for (std::size_t k = 0; k < list.size(); ++k) show_effect_parts(use, list[k], lists[k]...);
 }
 
-/// Of a variant whose type is the same in all lists.
+/// The parts of rows; all variants must hold the same type.
 template <class Use, class Row, class... Rows>
 void show_parts_of_row(const Use& use, Row& row, Rows&... rows) {
   const auto of = [&]<std::size_t n>(std::integral_constant<std::size_t, n>) {
@@ -39,7 +39,7 @@ void show_parts_of_row(const Use& use, Row& row, Rows&... rows) {
 
 }  // namespace detail
 
-/// use(part, parts...) for every part of the first mechanism and those that correspond to it in the others.
+/// Calls use(part, parts...) for every part of `mechanism` and the corresponding parts of `others`.
 template <class Use, class M, class... Others>
 void show_parts(const Use& use, M& mechanism, Others&... others) {
   for (std::size_t k = 0; k < mechanism.body_names.size(); ++k)

@@ -1,6 +1,6 @@
 #pragma once
-/// Where a run stands, in the numbers of the formulation that it was in: what a run needs to go on as if it
-/// had not ended. The state in poses and twists stands beside it, for everything else.
+/// The saved end of a run, in the coordinates of its formulation and with the memory of its integrator. A run
+/// that starts from it continues as if it had not been interrupted. A scene saves poses and twists as well.
 
 #include <string>
 #include <vector>
@@ -8,16 +8,16 @@
 namespace trivium {
 
 struct SavedRun {
-  double t = 0;      ///< of the state [s]
-  double start = 0;  ///< of the first run [s]: given steps and outputs are counted from there
+  double t = 0;      ///< time of the state [s]
+  double start = 0;  ///< start time of the first run [s]; given steps and output times are counted from it
   std::string formulation, integrator;
-  std::vector<std::string> charts;  ///< per body; empty in formulations without
-  std::vector<double> y;            ///< positions, velocities and work, as the integrator has them
-  std::vector<double> fastest;      ///< of every part of the mechanism, [m/s] and [rad/s], so far
-  std::vector<double> memory;       ///< what the method keeps from step to step
-  double phi = 0, phi_dot = 0;      ///< how far the state misses its rows [m or rad, per second]
-  bool began_singular = false;      ///< where rows were nearly dependent: all that are not quite count
-  std::vector<double> angles;       ///< [rad], where joint angles were counted last, effect by effect
+  std::vector<std::string> charts;  ///< chart of each body; empty in formulations without charts
+  std::vector<double> y;            ///< state vector of the integrator: positions, velocities and work
+  std::vector<double> fastest;  ///< largest speeds so far, (m/s, rad/s) for each group of connected bodies
+  std::vector<double> memory;   ///< data that the integrator keeps from step to step
+  double phi = 0, phi_dot = 0;  ///< constraint violation |Phi|, |Phi'| of the state [m or rad, per second]
+  bool began_singular = false;  ///< first run began with nearly dependent rows, which count as independent
+  std::vector<double> angles;   ///< last counted joint angles [rad], in the order of the effects
   bool operator==(const SavedRun&) const = default;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-/// States of one mechanism side by side in the lanes of a batch. All are then solved for the cost of little
-/// more than one.
+/// Packs states of one mechanism into the lanes of a batch. All lanes are then solved together, at little
+/// more than the cost of one.
 
 #include <span>
 
@@ -9,7 +9,7 @@
 
 namespace trivium {
 
-/// As many states as there are lanes, each with its time.
+/// One state whose lane k has the time, poses and twists of states[k].
 template <class T, int N>
 MechanismState<Batch<T, N>> pack(std::span<const MechanismState<T>, N> states) {
   using Lanes = Batch<T, N>;

@@ -1,11 +1,11 @@
 #pragma once
-/// CPU time of this thread, by which runs are compared. What other processes do does not count.
+/// The CPU time of the calling thread, to compare runs. Other threads and processes do not count.
 
 #include <ctime>
 
 namespace trivium {
 
-/// [s], from some point in the past.
+/// CPU time since an unspecified moment [s]; only differences have a meaning.
 inline double cpu_seconds() {
   timespec t;
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);

@@ -1,6 +1,6 @@
 #pragma once
-/// A motion as a run shows it: a sample at every output, a report at the end, and the observer that sees both
-/// go by. Plain data in double, whatever formulation, Scalar and method the run had.
+/// The results of a run: a sample at every output, a report at the end, and the interface of the observer
+/// that receives the samples. All numbers are double, whatever formulation, Scalar and method the run uses.
 
 #include <optional>
 #include <string>
@@ -15,59 +15,57 @@
 
 namespace trivium {
 
-/// What a run shows at an output, in double whatever it computes in; and of runs beyond double, what that
-/// leaves of a state and of lambda.
+/// The state of a run at an output, rounded to double. In runs with more digits than double, the `_rest`
+/// members hold the rounding errors, so that value + rest has about twice the digits.
 struct MotionSample {
   MechanismState<double> state;
-  std::vector<Vector3<double>> r_ddot, omega_bar_dot;  ///< per body; global, body frame
-  std::vector<Reaction<double>> reactions;  ///< on body j of every joint: global, about its point on i
-  VectorX<double>
-      lambda;  ///< of (q, v); where rows are dependent those of least |E lambda|, where they can be had
+  std::vector<Vector3<double>> r_ddot, omega_bar_dot;  ///< per body; global frame, body frame
+  std::vector<Reaction<double>> reactions;  ///< per joint, on body j: global frame, about its point on i
+  VectorX<double> lambda;  ///< solved from (q, v); with dependent rows that of least |E lambda|, if it exists
   std::vector<bool> lambda_unique;  ///< per row
-  /// What the last refinement corrected of lambda and of accelerations, relative: an estimate of their
-  /// errors.
+  /// Estimated relative errors of lambda and accelerations: the corrections by the last refinement step.
   double lambda_error = 0, acceleration_error = 0;
-  VectorX<double> raw_lambda;       ///< the method's own; empty where it has none
-  double energy = 0;                ///< kinetic and potential [J]
-  double phi = 0, phi_dot = 0;      ///< largest violation of any row, m or rad (per second)
-  std::vector<std::string> charts;  ///< per body; empty for formulations without
-  std::vector<double> angles;       ///< where joint angles were counted last [rad], effect by effect
+  VectorX<double> raw_lambda;       ///< multipliers of the method itself; empty if it has none
+  double energy = 0;                ///< kinetic plus potential [J]
+  double phi = 0, phi_dot = 0;      ///< largest violation of any row [m or rad, m/s or rad/s]
+  std::vector<std::string> charts;  ///< per body; empty for formulations without charts
+  std::vector<double> angles;       ///< joint angles that effects count [rad], in the order of the effects
   std::optional<MechanismState<double>> state_rest = {};
   VectorX<double> lambda_rest = {}, raw_lambda_rest = {};
 };
 
-/// Where a run stands when it ends, for another to go on from.
+/// The end of a run, from which another run can continue.
 struct RunEnd {
   MechanismState<double> state;
-  std::vector<int> turns;  ///< of every joint angle that effects count, by its effect, in their order
-  SavedRun run;
+  std::vector<int> turns;  ///< full turns of the joint angles that effects count, in the effects' order
+  SavedRun run;            ///< state vector and memory of the method
 };
 
 struct SimulationReport {
-  double reached = 0;
-  double seconds = 0;     ///< of this thread's CPU, from the first state to the last
-  bool complete = false;  ///< not stopped from outside
+  double reached = 0;     ///< time reached [s]
+  double seconds = 0;     ///< CPU time of this thread between the first and the last state [s]
+  bool complete = false;  ///< the end was reached; the observer did not stop the run
   integrators::Counters counters;
-  long factorisations = 0, jacobians = 0;  ///< of all matrices; Newton's, each made anew
+  long factorisations = 0, jacobians = 0;  ///< of all matrices; of Newton matrices alone
   bool is_projected = true, is_implicit = false, has_own_lambda = false;
-  double lambda_gap = 0;  ///< of methods with their own: largest |raw lambda - lambda| of a row at an output
+  double lambda_gap = 0;  ///< largest |raw_lambda - lambda of the acceleration solver| of a row at an output
   integrators::ProjectionReport<double> projection;
   int reframings = 0;
-  double phi = 0, phi_dot = 0;              ///< largest after any step
-  double normalisation = 0;                 ///< largest |p . p - 1| after any step
-  double energy_start = 0, energy_end = 0;  ///< kinetic and potential [J]
-  bool does_work = false;
-  double work = 0;                ///< of drivers, and of effects as far as it is not stored [J]
-  double unaccounted_energy = 0;  ///< largest change of energy that this work does not account for [J]
-  double largest_kinetic = 0;     ///< what that is large beside [J]
+  double phi = 0, phi_dot = 0;              ///< largest violation after any step [m or rad, m/s or rad/s]
+  double normalisation = 0;                 ///< largest |p . p - 1| after any step [-]
+  double energy_start = 0, energy_end = 0;  ///< kinetic plus potential [J]
+  bool does_work = false;                   ///< a driver or a non-conservative effect may do work
+  double work = 0;                          ///< work of drivers and of non-conservative effects [J]
+  double unaccounted_energy = 0;            ///< largest |change of energy - work| after any step [J]
+  double largest_kinetic = 0;  ///< largest kinetic energy, to compare unaccounted_energy with [J]
   std::vector<SingularPassage> passages;
-  std::string near_singular_chart;  ///< where charts are kept: the first body that came near one, and when
+  std::string near_singular_chart;  ///< if charts are kept: the first body near a singularity, and the time
   std::vector<Impulse<double>> impulses;
   RunEnd end;
 };
 
-/// Sees a run go by, and is asked after every step and at every output whether to go on. Where it is not at
-/// an output between two steps, the run goes to the end of the step.
+/// Receives every output (sample) and every step of a run; a result false stops the run. If an output lies
+/// inside a step and stops the run, the run still ends at the end of that step.
 class SimulationObserver {
  public:
   virtual ~SimulationObserver() = default;
@@ -75,7 +73,7 @@ class SimulationObserver {
   virtual bool step(double /*t*/) { return true; }
 };
 
-/// Keeps what it sees.
+/// An observer that keeps all samples.
 class Samples : public SimulationObserver {
  public:
   bool sample(const MotionSample& s) override {

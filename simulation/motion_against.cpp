@@ -16,10 +16,10 @@ namespace trivium {
 
 namespace {
 
-/// Lines of numbers (motion_csv.hpp), one a time.
+/// The lines of a motion's CSV file (motion_csv.hpp), one per time.
 using Lines = std::vector<std::vector<double>>;
 
-/// Of what kind the numbers of a column are: those have one size.
+/// The kind of a column, such as "place", "v" or "lambda". All columns of one kind share one size.
 std::string kind_of(const std::string& column) {
   const std::size_t dot = column.rfind('.');
   if (dot == std::string::npos) return column.substr(0, column.find('['));
@@ -27,7 +27,7 @@ std::string kind_of(const std::string& column) {
   return part.size() == 1 ? "place" : part.substr(0, 1);
 }
 
-/// The length of a step between times that are evenly spaced, but for rounding.
+/// The step between evenly spaced times [s]; none if they are not even within rounding.
 std::optional<double> even_step(const std::vector<double>& t) {
   const double span = t.back() - t.front(), step = span / static_cast<double>(t.size() - 1);
   for (std::size_t k = 0; k < t.size(); ++k)
@@ -35,7 +35,7 @@ std::optional<double> even_step(const std::vector<double>& t) {
   return step;
 }
 
-/// A formulation at given times, with the run that led there.
+/// Runs a formulation and collects its output at given times.
 class Walker {
  public:
   Walker(const ComparedFormulation& formulation, const SimulationOptions& options)
@@ -63,7 +63,7 @@ class Walker {
   SimulationReport last;
 
  private:
-  /// The model moves along; its outputs.
+  /// Simulates from the model's state to `end`, moves the model there, and returns the outputs.
   Samples go(Model<double>& model, double end, std::optional<double> output_step = {}) {
     options_.end = end;
     options_.output_step = output_step;
@@ -79,7 +79,8 @@ class Walker {
   SimulationOptions options_;
 };
 
-/// Why a column has no bound: what it says is a choice, or not of the motion.
+/// The reason why a column has no bound; empty if it has one. Violations phi are no property of the motion,
+/// and multipliers or reactions that are not unique are a matter of choice.
 std::string reason_not_to_judge(const std::string& column, const Model<double>& model,
                                 const std::vector<bool>& unique) {
   if (column.starts_with("phi")) return "not judged: constraint violation";
@@ -94,7 +95,8 @@ std::string reason_not_to_judge(const std::string& column, const Model<double>& 
   return "";
 }
 
-/// Euler parameters of one sign: ours are turned to theirs where all four are there.
+/// Gives our Euler parameters the sign of theirs, because p and -p are the same orientation. Only bodies of
+/// which the other file has all four are changed.
 void turn_to(const OtherMotion& other, const std::map<std::string, std::size_t>& place, Lines& lines) {
   for (const OtherMotion::Column& first : other.columns) {
     if (!first.ours.ends_with(".e0")) continue;
@@ -144,13 +146,14 @@ MotionAgainst compare_against(const std::vector<ComparedFormulation>& formulatio
       steps = std::max(steps, walker.steps);
       turn_to(other, place, all.back());
     } catch (const Error& error) {
-      if (error.kind() == ErrorKind::input) throw;  // of what is asked for, not of a formulation
+      if (error.kind() == ErrorKind::input) throw;  // the request is wrong, not one formulation
       run.error = error.what();
     }
   }
   if (!out.complete()) return out;
 
-  // what the motion makes of an error: of a start nearby, or of half the step
+  // a second motion `near`, whose distance from `ours` measures the amplification (from a neighbouring start)
+  // or the error (half the step)
   const Lines& ours = all.front();
   const double tolerance = options.tolerances.rtol + options.tolerances.atol;
   Lines near;
@@ -160,7 +163,7 @@ MotionAgainst compare_against(const std::vector<ComparedFormulation>& formulatio
     for (std::size_t f = 0; f < formulations.size(); ++f) {
       Lines half = Walker(formulations[f], halved).walk(model, other.t);
       turn_to(other, place, half);
-      // what it changes in any formulation, at every time, from the first one's line
+      // near - ours is the largest change in any formulation
       if (near.empty()) near = ours;
       for (std::size_t n = 0; n < half.size(); ++n)
         for (std::size_t k = 0; k < names.size(); ++k)
@@ -196,7 +199,7 @@ MotionAgainst compare_against(const std::vector<ComparedFormulation>& formulatio
       if (out.judged_until && other.t[n] >= *out.judged_until) break;
       if (!near.empty()) raise(moved, std::abs(near[n][k] - ours[n][k]));
       const double so_far = std::max(1.0, static_cast<double>(steps) * (other.t[n] - model.state.t) / span);
-      // both err: twice; by at least the tolerance of the column's own size
+      // error of one code: at least the tolerance relative to the size of the column
       const double amplified = options.step ? moved
                                : out.neighbour_distance > 0
                                    ? so_far * tolerance * std::max(c.size, moved / out.neighbour_distance)

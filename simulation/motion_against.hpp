@@ -1,7 +1,12 @@
 #pragma once
-/// A motion of another code beside the library's, column by column, at the other's times. Decides the bound:
-/// both may err by the tolerance in every step, and what the motion makes of an error in a column is measured
-/// by a run from a neighbouring start (neighbouring_start.hpp), as along the motion of several formulations.
+/// Comparison of a motion of another code with the library's motion, column by column, at the times of the
+/// other motion. The bound of a column's difference, with chosen steps, is
+///
+///     bound = 2 . steps . tolerance . amplification of an error in this column
+///
+/// The factor 2 allows both codes an error of the tolerance in every step. A run from a neighbouring start
+/// (neighbouring_start.hpp) measures the amplification. With given steps, the bound is twice the change that
+/// half the step makes.
 
 #include <optional>
 #include <string>
@@ -12,27 +17,28 @@
 
 namespace trivium {
 
+/// One column, at the time where its difference is the largest relative to its bound.
 struct ColumnAgainst {
-  std::string theirs, ours;
-  double size = 0;          ///< the largest magnitude of the library's, of all columns of this kind
-  double difference = 0;    ///< the largest of a formulation, at `t`
-  double t = 0, bound = 0;  ///< of the output where the difference is the largest beside its bound
-  std::string not_judged;   ///< why there is no bound; empty where there is
+  std::string theirs, ours;  ///< name in the other file and in the library's files
+  double size = 0;           ///< largest magnitude in the library's motion, over all columns of the same kind
+  double difference = 0;     ///< largest difference of any formulation, at `t`
+  double t = 0, bound = 0;   ///< that time [s], and the bound there
+  std::string not_judged;    ///< reason why the column has no bound; empty if it has one
   bool holds() const { return !not_judged.empty() || difference <= bound; }
 };
 
 struct MotionAgainst {
   std::vector<ColumnAgainst> columns;
   std::vector<ComparedRun> runs;
-  double neighbour_distance = 0;
-  std::optional<double> judged_until;  ///< from here on a neighbouring start has led elsewhere
+  double neighbour_distance = 0;  ///< relative distance of the neighbouring start [-]; 0 if there is none
+  std::optional<double> judged_until;  ///< time from which neighbouring motions have diverged: no bound holds
 
   bool complete() const { return are_complete(runs); }
   bool holds() const;
 };
 
-/// In each of the formulations. Throws an Error of kind input where the other's times begin before the
-/// scene's.
+/// Runs every formulation and compares it with the other motion. Throws an Error of kind input if the other
+/// motion begins before the scene's time.
 MotionAgainst compare_against(const std::vector<ComparedFormulation>& formulations,
                               const Model<double>& model, const OtherMotion& other,
                               const SimulationOptions& options);

@@ -14,7 +14,7 @@ namespace {
 
 using Motion = std::vector<MotionSample>;
 
-/// Keeps a run's outputs, and tells how far it is.
+/// Keeps the outputs of a run, and reports its progress.
 class Recorder : public Samples {
  public:
   explicit Recorder(const std::function<void(double)>& tell = {}) : tell_(tell) {}
@@ -27,7 +27,8 @@ class Recorder : public Samples {
   std::function<void(double)> tell_;
 };
 
-/// Norms of the rows and which multipliers are unique; without a dense matrix where that is possible.
+/// The norms of the rows and the unique multipliers. The structured analysis is tried first; it has no norms
+/// if an inertia is singular, and the dense analysis is used then.
 RowAnalysis norms_at(const Model<double>& model) {
   if (model.mechanism.nc() > 0) {
     RowAnalysis rows = structured_row_analysis(model);
@@ -42,7 +43,8 @@ class Comparer {
            const ComparisonOptions& options)
       : formulations_(formulations), model_(model), options_(options), run_(options.run) {
     if (!run_.output_step) run_.output_step = (run_.end - model.state.t) / options.outputs;
-    // every formulation, one more for the bound (or each again), and the states
+    // progress in units of one run: the runs, one more for the bound or (2 per formulation) those with half
+    // the step, and the states
     const double runs = static_cast<double>(formulations.size());
     all_ = (run_.step ? 3 * runs : runs + 1) + runs;
   }
@@ -82,7 +84,7 @@ class Comparer {
     try {
       one.report = formulation.simulate(model_, options, record);
     } catch (const Error& error) {
-      if (error.kind() == ErrorKind::input) throw;  // of what is asked for, not of a formulation
+      if (error.kind() == ErrorKind::input) throw;  // the request is wrong, not one formulation
       one.error = error.what();
     }
     for (const MotionSample& sample : record.all)
@@ -115,12 +117,13 @@ class Comparer {
       }
   }
 
-  /// Every step of a run may err by the tolerance, and the motion makes of an error what it makes of a start
-  /// that is off by it.
+  /// The bound for chosen steps: every step may have an error of the tolerance, and the motion amplifies this
+  /// error as it amplifies a difference of the start.
   void bound_by_neighbour() {
     const double tolerance = run_.tolerances.rtol + run_.tolerances.atol;
     Motion near;
-    // a mechanism in which lambda is far more sensitive than its state asks for a nearer one
+    // if lambda is far more sensitive than the state, the neighbour's lambda differs too much already at the
+    // start; a nearer neighbour is taken then
     for (double in_tolerances = distance_in_tolerances; in_tolerances >= 0.01; in_tolerances /= 100) {
       const NeighbouringStart start = neighbouring_start(model_, tolerance, in_tolerances);
       out_.neighbour_distance = start.distance;
@@ -150,7 +153,8 @@ class Comparer {
     }
   }
 
-  /// What half the step changes is the error of the step, but for a share that twice it is more than.
+  /// The bound for given steps. To leading order, halving the step removes at least half of the error, also
+  /// for a method of order 1; twice the change therefore bounds the error.
   void bound_by_halved_steps() {
     std::vector<std::vector<double>> error(formulations_.size());
     for (std::size_t f = 0; f < formulations_.size(); ++f) {
@@ -166,7 +170,7 @@ class Comparer {
       }
     }
     for (std::size_t k = 0; k < out_.instants.size(); ++k) {
-      double first = 0, second = 0;  // the two largest
+      double first = 0, second = 0;  // the two largest errors
       for (const std::vector<double>& of : error) {
         const double x = std::max(of[k], rounding_of_lambda);
         second = std::max(second, std::min(first, x));
@@ -177,7 +181,7 @@ class Comparer {
     }
   }
 
-  /// Outputs within two steps, on average, of a position where rows depend on others that do not elsewhere.
+  /// Marks the outputs within two average steps of a singular position that a run passed.
   void mark_singular_positions() {
     const double span = run_.end - model_.state.t;
     for (const ComparedRun& one : out_.runs)
@@ -187,7 +191,7 @@ class Comparer {
             now.is_singular = true;
   }
 
-  /// Every formulation at the states of all others.
+  /// Solves every formulation at the states of all others.
   void compare_states() {
     if (is_beyond_dense(model_.mechanism)) return;
     const std::size_t outputs = out_.instants.size(),
@@ -210,7 +214,7 @@ class Comparer {
     for (const ComparedFormulation& formulation : formulations_)
       side.formulations.push_back(formulation.solve(model, rows, run_.charts));
     const Discrepancy apart = side.discrepancy();
-    // what cancels is rounding of the data
+    // where the causes of lambda cancel, the rounding of the data is larger relative to lambda
     const double bound = side.lambda_bound() * side.cancellation();
     for (std::size_t a = 0; a < side.formulations.size(); ++a)
       for (std::size_t b = a + 1; b < side.formulations.size(); ++b)
@@ -224,16 +228,16 @@ class Comparer {
     }
   }
 
-  /// Of a solution in double.
+  /// Least relative error of lambda in double: the bound for given steps assumes at least this much.
   static constexpr double rounding_of_lambda = 1e-12;
 
   const std::vector<ComparedFormulation>& formulations_;
   const Model<double>& model_;
   const ComparisonOptions& options_;
   SimulationOptions run_;
-  std::vector<RowAnalysis> norms_;  ///< at every output, at the first formulation's state
+  std::vector<RowAnalysis> norms_;  ///< per output, at the state of the first formulation
   MotionComparison out_;
-  double done_ = 0, all_ = 1;  ///< runs
+  double done_ = 0, all_ = 1;  ///< progress, in units of one run
 };
 
 }  // namespace

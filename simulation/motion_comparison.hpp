@@ -1,16 +1,17 @@
 #pragma once
-/// The theorem through time: one motion in several formulations, each stepped by itself, and lambda,
-/// positions and accelerations side by side at every output. Decides the two bounds.
+/// Comparison of one motion in several formulations. The theorem says that lambda is the same in all of them.
+/// Every formulation is integrated separately; lambda, positions and accelerations are compared at every
+/// output. This file decides two bounds.
 ///
-/// Along the motion the runs are apart by the errors of their steps. Where a method chooses steps to a
-/// tolerance, every step may err by it, and what the motion makes of an error is measured by a run from a
-/// neighbouring start:
+/// Along the motion the runs differ by the errors of their steps. If the method controls its step size, every
+/// step may have an error of the tolerance, and the motion amplifies it:
 ///
-///   bound of lambda = steps . tolerance . amplification
+///     bound of lambda = steps . tolerance . amplification,   at most small_difference
 ///
-/// Where steps are given, every formulation runs with half of them too, and the bound is twice the sum of
-/// what that changes in the two that are compared. At one state, where every formulation is solved at the
-/// states of all others, the bound is 100 u kappa.
+/// A run from a neighbouring start measures the amplification. If steps are given, every formulation also
+/// runs with half the step, and the bound is twice the sum of the two largest changes. At one state, where
+/// every formulation is solved at the states of all others, the bound is 100 u kappa, enlarged where the
+/// causes of lambda cancel (SideBySide::cancellation).
 
 #include <functional>
 #include <optional>
@@ -22,42 +23,41 @@
 
 namespace trivium {
 
-/// A formulation as the comparison needs it: by its name those of the library, or any.
+/// A formulation to compare, as functions: one of the library's, or any other.
 struct ComparedFormulation {
   std::string name;
   std::function<SimulationReport(const Model<double>&, const SimulationOptions&, SimulationObserver&)>
       simulate;
-  /// At one state, as printed.
+  /// Solves the printed system at one state.
   std::function<FormulationResult<double>(const Model<double>&, const RowAnalysis&, const ChartOptions&)>
       solve;
 };
 
-/// Those of the library that have one of these names and go with the method; all where there are no names.
+/// The library's formulations with one of these names (empty: all) that the method can be used with.
 std::vector<ComparedFormulation> compared_formulations(const std::vector<std::string>& names,
                                                        const integrators::MethodInfo& method);
 
 struct ComparisonOptions {
-  SimulationOptions run;  ///< its formulation is not used; its outputs are compared
-  int outputs = 100;      ///< where the run gives no output step
-  int states = 10;        ///< so many outputs, evenly, are solved in every formulation at every one's state
-  std::function<void(double)> progress;  ///< told the share that is done, 0 to 1
+  SimulationOptions run;  ///< settings of all runs; the formulation is ignored
+  int outputs = 100;      ///< number of output intervals if the run has no output step
+  int states = 10;        ///< number of outputs, evenly spread, that are also compared at one state
+  std::function<void(double)> progress;  ///< receives the finished share of the work, 0 to 1
 };
 
-/// All formulations at one time. Differences are the largest between two.
+/// All formulations at one output. Every difference is the largest between any two of them.
 struct ComparedInstant {
-  double t = 0;
-  double lambda = 0, lambda_bound = 0;  ///< along the motion: in the norm of E, relative
-  double amplification = 1;             ///< of a relative difference of the start, in lambda, so far
+  double t = 0;                         ///< [s]
+  double lambda = 0, lambda_bound = 0;  ///< relative difference along the motion, in the norm of E; its bound
+  double amplification = 1;             ///< growth of a relative difference of the start, in lambda, so far
   double position = 0, rotation = 0;    ///< [m, rad]
-  bool is_singular =
-      false;  ///< a run passed a singular position here, where lambda is not unique: not judged
+  bool is_singular = false;             ///< near a singular position, where lambda is not unique: not judged
+  /// The comparison at one state.
   struct OneState {
-    double lambda = 0, bound = 0;  ///< of the state whose difference is the largest beside its bound
-    double acceleration =
-        0;  ///< in the mass metric, relative; of constrained mechanisms held to the bound, too
+    double lambda = 0, bound = 0;  ///< at the state where the difference is largest relative to its bound
+    double acceleration = 0;       ///< relative, in the mass metric; bounded only if there are constraints
     bool is_constrained = true;
     bool holds() const { return lambda <= bound && (!is_constrained || acceleration <= bound); }
-    double kappa = 1;  ///< the largest
+    double kappa = 1;  ///< largest condition number of these states
   };
   std::optional<OneState> one_state;
 };
@@ -65,34 +65,36 @@ struct ComparedInstant {
 struct ComparedRun {
   std::string formulation;
   SimulationReport report;
-  std::vector<std::string> charts;  ///< that bodies had at outputs, each once
-  std::string error;                ///< why it did not come to the end; empty where it did
+  std::vector<std::string> charts;  ///< charts that bodies had at outputs, each once
+  std::string error;                ///< why the run stopped before its end; empty if it did not
 };
 
-/// Whether all came to the end.
+/// Whether all runs reached the end.
 bool are_complete(const std::vector<ComparedRun>& runs);
 
-/// The model at a state of a motion, the angles of its joints counted on (MotionSample::angles).
+/// The model moved to a state of a motion; `angles` are the joint angles counted there, as in MotionSample.
 Model<double> model_at(const Model<double>& model, const MechanismState<double>& state,
                        const std::vector<double>& angles);
 
 struct MotionComparison {
   std::vector<ComparedRun> runs;
   std::vector<ComparedInstant> instants;
-  bool has_unique_lambda = true;       ///< else there is nothing to compare
-  double neighbour_distance = 0;       ///< of the neighbouring start, relative; 0: the constraints leave none
-  std::optional<double> judged_until;  ///< from here on a neighbouring start has led elsewhere: not judged
-  std::vector<std::vector<MotionSample>> samples;  ///< of every run
+  bool has_unique_lambda = true;  ///< false: no multiplier is unique, so no lambda can be compared
+  double neighbour_distance = 0;  ///< relative distance of the neighbouring start [-]; 0 if there is none
+  std::optional<double> judged_until;  ///< time from which neighbouring motions have diverged: not judged
+  std::vector<std::vector<MotionSample>> samples;  ///< per run: its outputs
 
   bool complete() const { return are_complete(runs); }
-  /// Whether lambda along the motion has a bound there.
+  /// Whether lambda along the motion is held to its bound at this output.
   bool is_judged(const ComparedInstant& now) const;
-  /// Whether lambda is within its bound at every output, and at every state.
+  /// Whether all runs are complete and lambda is within its bound at every judged output.
   bool holds_along() const;
+  /// The same at every compared state, for lambda and accelerations.
   bool holds_at_states() const;
 };
 
-/// Throws a ModelError where the start cannot be analysed; what a run throws is its error.
+/// Runs and compares. Throws a ModelError if the start cannot be analysed, and an Error of kind input of any
+/// run; other errors of a run are stored in its ComparedRun::error.
 MotionComparison compare_motion(const std::vector<ComparedFormulation>& formulations,
                                 const Model<double>& model, const ComparisonOptions& options);
 

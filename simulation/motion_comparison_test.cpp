@@ -1,5 +1,5 @@
-/// The comparison of one motion in several formulations: it holds for those of the library, and finds one
-/// whose gamma is off by a part in 1e9.
+/// The comparison of one motion in several formulations: it holds for the library's formulations, and detects
+/// a formulation with a relative error of 1e-9 in gamma.
 
 #include "simulation/motion_comparison.hpp"
 
@@ -18,7 +18,7 @@
 namespace trivium {
 namespace {
 
-/// r-p whose body vectors have a bias, and so rows a gamma, that is off by a part in 1e9.
+/// r-p with a relative error of 1e-9 in the bias of its body vectors, and so in gamma.
 template <class S>
 struct Off : RP<S> {
   static constexpr std::string_view name = "r-p-off";

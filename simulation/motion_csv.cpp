@@ -36,14 +36,14 @@ std::vector<double> motion_numbers(const MotionSample& sample, bool has_raw_lamb
   }
   put(sample.lambda);
   numbers.insert(numbers.end(), {sample.energy, sample.phi, sample.phi_dot});
-  // at the start an implicit method has none but those of (q, v)
+  // at the start an implicit method has not computed any: lambda of (q, v) is written instead
   if (has_raw_lambda) put(sample.raw_lambda.size() > 0 ? sample.raw_lambda : sample.lambda);
   return numbers;
 }
 
 namespace {
 
-/// The file that the path names, through links.
+/// The file that the path names, after links are followed.
 std::filesystem::path target_of(const std::string& path) {
   const auto target = file_to_write(path);
   if (!target)

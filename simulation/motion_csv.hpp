@@ -1,7 +1,7 @@
 #pragma once
-/// A motion as CSV, a line an output: t, then of every body its place, Euler parameters, velocity and
-/// body-frame angular velocity, of every joint its reaction on body j, lambda, energy and the largest
-/// violations; then the method's own lambda, if it has any. Numbers have all digits of a double.
+/// A motion as a CSV file, one line per output: t; per body r, p, r' and omega_bar (13 columns); per joint
+/// the force and torque on body j; lambda; energy and the largest violations; then the method's own lambda,
+/// if it has one. Numbers are written with 17 digits, so that a reader gets the same double.
 
 #include <optional>
 #include <string>
@@ -13,26 +13,27 @@
 
 namespace trivium {
 
-/// What a line of it holds: names, and the numbers of an output. Without `has_raw_lambda` the method's own
-/// lambda is left out.
+/// The names of the columns. If not `has_raw_lambda`, the method's own lambda is left out.
 std::vector<std::string> motion_columns(const Mechanism<double>& mechanism, bool has_raw_lambda);
+/// The numbers of one line, in the same order.
 std::vector<double> motion_numbers(const MotionSample& sample, bool has_raw_lambda);
 
 class MotionCsv {
  public:
-  /// The file stays as it was until `keep`.
+  /// Opens a temporary file; `keep` replaces `file` by it. Throws std::filesystem::filesystem_error if `file`
+  /// exists and is not a regular file.
   MotionCsv(const Mechanism<double>& mechanism, bool has_raw_lambda, const std::string& file);
 
   void add(const MotionSample& sample);
-  /// Throws std::filesystem::filesystem_error.
+  /// Replaces the file by the lines added so far. Throws std::filesystem::filesystem_error if that fails.
   void keep();
 
  private:
   std::string name_;
   GrowingFile file_;
   bool has_raw_lambda_;
-  std::vector<Vector4<double>>
-      p_;  ///< as written last: p and -p are one orientation, and one of them is near
+  /// Euler parameters of the last line. p and -p are the same orientation; the one near the last is written.
+  std::vector<Vector4<double>> p_;
 };
 
 }  // namespace trivium

@@ -1,10 +1,10 @@
 #pragma once
-/// What a run tells of its motion. `watch` looks at every state that the motion reaches: drift off the
-/// constraints and energy, for the report. `show` looks at every output: also lambda and the joint reactions,
-/// for the observer.
+/// Observation of a run. `watch` is called at every accepted state; it enters constraint violations and
+/// energy into the report. `show` is called at every output; it also computes lambda and the joint reactions,
+/// and passes a sample to the observer.
 ///
-/// Where rows are dependent, lambda is the choice of least |E lambda|. Where that choice does not exist, as
-/// beside a singular position, lambda is that of the solver.
+/// If rows are dependent, lambda is the one with the least |E lambda|. Near a singular position that choice
+/// may not exist; lambda is then that of the solver, which is 0 in dependent rows.
 
 #include <cmath>
 #include <limits>
@@ -24,8 +24,7 @@ class MotionWatch {
   using S = typename F::Scalar;
   using StateVector = VectorX<S>;
 
-  /// From the start of the equations, whose energy is what later ones are compared with. All must outlive
-  /// this.
+  /// Later energies are compared with that of the start, at time t. All arguments must outlive this object.
   MotionWatch(ConstrainedEquations<F>& equations, const integrators::AnyMethod<S>& method,
               const SimulationOptions& options, SimulationObserver& observer, SimulationReport& report,
               const S& t)
@@ -39,13 +38,13 @@ class MotionWatch {
     report_.energy_start = static_cast<double>(at_start_.total());
   }
 
-  /// What a state's report and sample both say.
+  /// The values of a state that both the report and a sample contain.
   struct Seen {
     MotionEnergy<S> energy;
     double phi, phi_dot;
   };
 
-  /// What the report says of every state.
+  /// Enters an accepted state into the report.
   Seen watch(const S& t, const StateVector& y) {
     const Seen seen{first_order().energy(t, y),
                     static_cast<double>(first_order().position_violation(t, y).size),
@@ -57,13 +56,13 @@ class MotionWatch {
     raise(report_.largest_kinetic, static_cast<double>(seen.energy.kinetic));
     report_.energy_end = static_cast<double>(seen.energy.total());
     report_.work = static_cast<double>(seen.energy.work);
-    // a chart that is kept may be followed through a place where it has no rates, to anywhere
+    // steps across the singularity of a chart that is kept can lead to any wrong state without an error
     if (!options_.charts.reframe && report_.near_singular_chart.empty())
       report_.near_singular_chart = first_order().diagnose(t, y);
     return seen;
   }
 
-  /// A sample with all that there is to say of a state.
+  /// Passes a complete sample of a state to the observer. Returns whether to go on.
   bool show(const S& t, const StateVector& y) {
     const Seen seen = watch(t, y);
     MotionSample sample;
@@ -105,14 +104,14 @@ class MotionWatch {
     return observer_.sample(sample);
   }
 
-  /// A sample of the state alone.
+  /// Passes a sample with poses and twists alone, for runs that are timed. Returns whether to go on.
   bool show_state(const S& t, const StateVector& y) {
     MotionSample sample;
     sample.state = state_at(t, y);
     return observer_.sample(sample);
   }
 
-  /// Where the run stands, for another to go on from.
+  /// The end of the run, from which another run can continue.
   RunEnd end(const S& start, const S& t, const StateVector& y) {
     RunEnd end{state_at(t, y), {}, first_order().save(y)};
     end.run.t = static_cast<double>(t);
@@ -131,7 +130,7 @@ class MotionWatch {
     return in_double(first_order().to_mechanism_state(t, y),
                      [](const auto& x) { return scalar_cast<double>(x); });
   }
-  /// What `part` makes of each of its vectors.
+  /// The state in double, each of its vectors converted by `part`.
   template <class Part>
   static MechanismState<double> in_double(const MechanismState<S>& state, const Part& part) {
     MechanismState<double> shown{static_cast<double>(state.t), {}, {}};
@@ -142,7 +141,7 @@ class MotionWatch {
   }
   static constexpr bool is_beyond_double =
       std::numeric_limits<S>::digits > std::numeric_limits<double>::digits;
-  /// What double leaves of it; nothing where S is no more.
+  /// The rounding error of x in double; empty if S has no more digits than double.
   static VectorX<double> rest_of(const VectorX<S>& x) {
     if constexpr (is_beyond_double)
       return scalar_cast<double>(VectorX<S>(x - scalar_cast<S>(scalar_cast<double>(x))));
@@ -150,7 +149,7 @@ class MotionWatch {
       return {};
   }
 
-  /// The choice of least |E lambda| where rows are dependent; beside a singular position it may not exist.
+  /// lambda at (t, y), chosen as the head of this file says.
   VectorX<S> lambda_at(const S& t, const StateVector& y) {
     auto& solver = first_order().solved(t, y);
     if (solver.factors().dependent_row_count() == 0) return solver.lambda();

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double least_distance = 1e-11, largest_distance = 1e-4;
 
-/// Lengths and speeds by which differences of states are relative.
+/// The length [m], speed [m/s] and angular velocity [rad/s] to which differences of states are relative.
 struct Scales {
   double length = 0, speed = 0, rate = 0;
 
@@ -26,7 +26,7 @@ struct Scales {
     length = extent.length > 0 ? extent.length : 1;
     speed = extent.speed;
     for (const Twist<double>& twist : model.state.twist) raise(rate, twist.omega_bar.norm());
-    // a mechanism at rest begins to move within a second, or so
+    // a mechanism at rest: its length per second, as it begins to move within about a second
     if (!(speed > 0)) speed = length;
     if (!(rate > 0)) rate = speed / length;
   }
@@ -43,7 +43,7 @@ double distance(const Scales& scales, const MechanismState<double>& a, const Mec
   return largest;
 }
 
-/// A state at about `size` from the model's, relative, that meets the constraints.
+/// A state at a relative distance of about `size` from the model's state that satisfies the constraints.
 MechanismState<double> neighbour(const Model<double>& model, const Scales& scales, double size) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -72,7 +72,7 @@ NeighbouringStart neighbouring_start(const Model<double>& model, double toleranc
   for (int tries = 3;; size /= 30) {
     try {
       NeighbouringStart start{neighbour(model, scales, size), 0};
-      // what assembling moves by its own rounding is no neighbour
+      // a smaller distance is the rounding of the assembly: the constraints leave no neighbour
       if (const double apart = distance(scales, start.state, model.state); apart > 1e-3 * size)
         start.distance = apart;
       return start;

@@ -51,7 +51,7 @@ OtherMotion read_motion(const std::string& file, const std::map<std::string, std
   std::vector<std::vector<std::string>> lines;
   try {
     std::string text = read_whole(file);
-    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a mark of UTF-8
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // the byte order mark of UTF-8
     if (!text.empty() && text.back() != '\n') text += '\n';
     lines = parse_csv(text);
   } catch (const Error& error) {
@@ -63,7 +63,7 @@ OtherMotion read_motion(const std::string& file, const std::map<std::string, std
 
   OtherMotion motion;
   std::optional<std::size_t> time;
-  std::vector<std::size_t> place;  // of every column
+  std::vector<std::size_t> place;  // per recognised column: its index in the file
   for (std::string& name : lines[0]) {
     while (!name.empty() && (name.back() == '\r' || name.back() == ' ')) name.pop_back();
     name.erase(0, name.find_first_not_of(' '));

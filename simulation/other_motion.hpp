@@ -1,6 +1,6 @@
 #pragma once
-/// A motion of another code, as a CSV file has it: columns of numbers at times. Columns have the names of the
-/// library's own files (motion_csv.hpp), or are given them.
+/// A motion of another code, read from a CSV file: a column of times and columns of numbers. Columns are
+/// recognised by the names in the library's own files (motion_csv.hpp), or by a map from other names to them.
 
 #include <map>
 #include <string>
@@ -10,16 +10,17 @@ namespace trivium {
 
 struct OtherMotion {
   struct Column {
-    std::string theirs, ours;   ///< names
-    std::vector<double> value;  ///< at every time
+    std::string theirs, ours;   ///< the name in the file, and the library's name
+    std::vector<double> value;  ///< one number per time
   };
-  std::vector<double> t;  ///< [s], ascending
+  std::vector<double> t;  ///< times [s], ascending
   std::vector<Column> columns;
-  std::vector<std::string> unknown;  ///< columns whose names are none of ours
+  std::vector<std::string> unknown;  ///< names of columns that are not recognised
 };
 
-/// `ours`: the library's names, of which "t" must be there. `names`: ours by theirs. Throws an Error of kind
-/// input that names the file, the place in it, what was found and what is accepted.
+/// Reads a file. `names` maps names of the file to names of the library; `ours` lists the library's names.
+/// Throws an Error of kind input that names the file, the line and column, the text found and what is
+/// accepted; also if the file has no column "t".
 OtherMotion read_motion(const std::string& file, const std::map<std::string, std::string>& names,
                         const std::vector<std::string>& ours);
 

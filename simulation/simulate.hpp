@@ -1,6 +1,6 @@
 #pragma once
-/// A model's motion in one formulation by one method, both chosen by name. The motion is shown to an observer
-/// (simulation/motion.hpp).
+/// Simulation of a model in one formulation by one integrator, both chosen by name. An observer receives the
+/// motion (simulation/motion.hpp).
 
 #include <optional>
 #include <string>
@@ -16,33 +16,31 @@ namespace trivium {
 
 struct SimulationOptions {
   std::string formulation = "r-omega", integrator = "dopri5";
-  /// A method of the caller's, in the place of the one of that name.
+  /// A method provided by the caller, instead of the one named by `integrator`; in double only.
   std::optional<integrators::MethodEntry<double>> own_method = {};
-  double end = 10;
-  std::optional<double> step;         ///< else the method chooses, to the tolerances
-  std::optional<double> output_step;  ///< else the start and the end
+  double end = 10;                    ///< end time [s]
+  std::optional<double> step;         ///< constant step size [s]; none: the method controls its step size
+  std::optional<double> output_step;  ///< time between outputs [s]; none: outputs at start and end
   integrators::Tolerances tolerances;
   integrators::MethodParameters parameters;
-  bool projects = true;  ///< methods that do not meet constraints by their own equations
-  /// Whether drift and energy are looked at after every step, and lambda and reactions at outputs; a run that
-  /// is timed leaves them out.
+  bool projects = true;  ///< project after every step, if the method does not satisfy the constraints itself
+  /// Evaluate drift and energy after every step, and lambda and reactions at outputs. Timed runs do not.
   bool watches = true;
-  std::optional<Baumgarte> baumgarte;
+  std::optional<Baumgarte> baumgarte;  ///< stabilisation of the accelerations, instead of projection
   ChartOptions charts;
-  /// A run that ended at the model's state, to go on from in its own numbers: methods that keep nothing from
-  /// step to step then take given steps as if it had not ended. Of another formulation than this one: not
-  /// used.
+  /// The saved run that ended at the model's state, to continue with its numbers. One-step methods with given
+  /// steps then give the same bits as without interruption. A saved run in another formulation is ignored.
   std::optional<SavedRun> from;
 };
 
-/// Whether the mass matrix of a formulation does not depend on positions. Throws a ModelError where there is
-/// no such formulation.
+/// Whether a formulation's mass matrix is independent of positions. Throws a ModelError for an unknown name.
 bool inertia_is_constant(const std::string& formulation);
-/// Whether the method can move it.
+/// Whether the method can be used with the formulation: some methods need a constant mass matrix.
 bool goes_with(const integrators::MethodInfo& method, const std::string& formulation);
 
-/// From the model's state, at its time. Throws a ModelError or an IntegrationError that says
-/// where and why it ended; the samples until then were shown.
+/// Simulates from the model's state and time to options.end. Throws a ModelError or an IntegrationError with
+/// the time and the reason if the motion cannot continue, and a UsageError (kind input) if options contradict
+/// each other. The observer has received all samples before the error.
 template <class Scalar>
 SimulationReport simulate(const Model<Scalar>& model, const SimulationOptions& options,
                           SimulationObserver& observer);

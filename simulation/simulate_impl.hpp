@@ -1,6 +1,6 @@
 #pragma once
-/// The one definition behind the simulations in each formulation and Scalar. The equations, a method and a
-/// watch are set up, the method integrates, and the report is filled.
+/// The definition of simulate_in, for every formulation and Scalar. It sets up the equations, the method and
+/// the watch, integrates, and fills the report.
 
 #include <fmt/format.h>
 
@@ -81,7 +81,8 @@ class Simulation {
       throw integrators::UsageError("a method given as own_method computes in double precision only");
   }
 
-  /// Throws a UsageError where what is asked for does not go with it.
+  /// Whether the method satisfies the position constraints by its own equations. Throws a UsageError if
+  /// projection or Baumgarte's stabilisation was requested in a way that contradicts the method.
   static bool is_implicit(const integrators::MethodInfo& method, const SimulationOptions& options) {
     const bool is = method.meets_constraints;
     if (is && !options.projects && !options.baumgarte)
@@ -109,7 +110,7 @@ class Simulation {
     return given;
   }
 
-  /// The method begins with what it kept of its last step.
+  /// Gives the method the memory of the saved run, such as an auxiliary acceleration.
   void recall(integrators::AnySystem<S>& system, const SavedRun& from) {
     if (from.memory.empty()) return;
     try {

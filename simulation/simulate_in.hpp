@@ -1,6 +1,6 @@
 #pragma once
-/// A simulation in one formulation and Scalar, compiled once each (simulation/instances). Others call
-/// simulate, which chooses the formulation by its name.
+/// Simulation in one formulation and Scalar, each compiled once (simulation/instances). Callers normally use
+/// simulate() of simulate.hpp, which chooses the formulation by its name.
 
 #include "formulations/formulation.hpp"
 #include "mechanism/model.hpp"

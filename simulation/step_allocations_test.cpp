@@ -1,5 +1,5 @@
-/// Steps allocate nothing once a method and its system have made their vectors. Counted at malloc, where
-/// Eigen and operator new get their memory from. Methods of other libraries (Odeint, ARKODE) are not counted.
+/// After the first steps, a step allocates no memory. Allocations are counted at malloc, which serves both
+/// Eigen and operator new. Methods of other libraries (Odeint, ARKODE) are not tested.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 namespace trivium {
 namespace {
 
-/// Of 20 steps, their projections and what the system does at a state that is reached, after 10 others.
+/// The number of allocations in 20 steps, projections and accepted states, after 10 steps that do not count.
 template <class F>
 long long allocations_of(const std::string& scene, const std::string& name) {
   const auto model = make_model<double>(test::catalogue_scene(scene));

@@ -1,6 +1,6 @@
 #pragma once
-/// Choices by name, as the front door and the program take them: a formulation, a sequence of Euler angles. A
-/// name that there is not is an Error of kind input that says which there are.
+/// Checks of choices that a caller makes by name: a formulation, a sequence of Euler angles. An unknown name
+/// is an Error of kind input whose message lists the accepted names.
 
 #include <string>
 #include <string_view>
@@ -10,11 +10,14 @@
 
 namespace trivium {
 
-/// Throws the error: what a name is of, the name, and those that there are.
+/// Throws an Error of kind input for an unknown name. `noun` says what the name should be the name of, such
+/// as "formulation"; the message proposes the nearest of the accepted names.
 [[noreturn]] void refuse_name(std::string_view noun, std::string_view name,
                               const std::vector<std::string>& accepted);
 
+/// The chart options of a sequence such as "313". Throws an Error of kind input if there is no such sequence.
 ChartOptions chart_options(const std::string& sequence, bool reframe);
+/// Throws an Error of kind input if there is no formulation of this name.
 void require_formulation(const std::string& name);
 
 }  // namespace trivium

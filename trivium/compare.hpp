@@ -1,7 +1,10 @@
 #pragma once
-/// One motion in several formulations, each stepped by itself, side by side through time: that of the program
-/// `trivium compare`. Along the motion lambda agrees to the tolerance asked for, times what the motion makes
-/// of a difference; at one state to 100 u kappa.
+/// Comparison of one motion in several formulations, as in the program `trivium compare`. Every formulation
+/// is integrated separately. Two questions are answered. Along the motion: do the multipliers lambda of the
+/// separate runs agree within steps . tolerance . amplification (with given steps: within the change that
+/// half the step makes)? At one state: do all formulations give the same lambda and accelerations at the same
+/// positions and velocities, within 100 u kappa? Here u is the unit roundoff of double and kappa the
+/// condition number of the equilibrated Phi M^-1 Phi^T; where loads cancel, the bound is larger.
 
 #include <optional>
 #include <string>
@@ -11,48 +14,55 @@
 
 namespace trivium {
 
+/// What to compare. `run` holds the integrator, end time, tolerances and output step; its fields
+/// `formulation` and `at_step` are ignored, and without `output_step` the run has 100 output intervals.
 struct CompareSettings {
-  std::vector<std::string> formulations = {};  ///< two or more; none: all that go with the integrator
-  SimulateSettings run = {};  ///< its formulation and at_step are not used; without output_step 100 outputs
-  int states = 10;  ///< so many outputs, evenly, are solved in every formulation at every one's state
+  std::vector<std::string> formulations = {};  ///< at least two names; empty: all that the integrator accepts
+  SimulateSettings run = {};                   ///< settings that all runs share
+  int states = 10;  ///< number of outputs, evenly spread, that are also compared at one state; at least 1
 };
 
-/// One formulation's run.
+/// The run of one formulation: its counters and warnings.
 struct ComparedMotion {
-  std::string formulation, error;   ///< error: why it did not come to the end; empty where it did
-  std::vector<std::string> charts;  ///< that bodies had at outputs
+  std::string formulation, error;   ///< error: why the run stopped before its end; empty if it did not
+  std::vector<std::string> charts;  ///< names of all charts that bodies used at outputs, each once
   long steps = 0, rejected_steps = 0, right_sides = 0, newton_iterations = 0, factorisations = 0;
   int chart_changes = 0;
-  double seconds = 0;  ///< of processor time
-  std::vector<std::string> warnings;
+  double seconds = 0;                 ///< processor time of the run [s]
+  std::vector<std::string> warnings;  ///< warnings about this run, as in Motion::warnings
 };
 
-/// All formulations at one time. Differences are the largest between two, those of lambda and of
-/// accelerations relative, in the norm of E and in the mass metric.
+/// All formulations at one output time. Every difference is the largest between any two formulations.
+/// Differences of lambda are relative, in the norm |E lambda| with E^2 = diag(Phi M^-1 Phi^T), over the
+/// unique multipliers; differences of accelerations are relative, in the metric of the mass matrix.
 struct ComparedOutput {
-  double t = 0;
-  double lambda_difference = 0, lambda_bound = 0;  ///< along the motion
-  double amplification = 1;                        ///< of a relative difference of the start, in lambda
-  double position_difference = 0;                  ///< [m]
-  double rotation_difference = 0;                  ///< [rad]
-  bool is_judged = true;  ///< not beside singular positions, nor where neighbouring motions are elsewhere
+  double t = 0;                                    ///< time [s]
+  double lambda_difference = 0, lambda_bound = 0;  ///< between the separate runs, and its bound [-]
+  double amplification = 1;        ///< largest growth so far of a relative difference of the start, in lambda
+  double position_difference = 0;  ///< distance of centres of mass [m]
+  double rotation_difference = 0;  ///< angle theta between orientations, as 4 sin(theta / 4) [rad]
+  /// Whether lambda_difference is held to its bound. It is not near a singular position, where lambda is not
+  /// unique, nor after a neighbouring motion has diverged.
+  bool is_judged = true;
+  /// Every formulation solved at the states of all the others: relative differences, their bound, and kappa.
   struct OneState {
     double lambda_difference = 0, lambda_bound = 0, acceleration_difference = 0, condition = 1;
   };
-  std::optional<OneState> one_state;  ///< every formulation at the states of all others
+  std::optional<OneState> one_state;  ///< only at the outputs that CompareSettings::states selects
 };
 
+/// The result of compare().
 struct ComparedMotions {
-  std::vector<ComparedMotion> motions;
-  std::vector<ComparedOutput> outputs;
-  bool has_unique_lambda = true;  ///< else there is nothing to compare
-  bool complete = false;          ///< every formulation came to the end
-  bool holds_along = false;       ///< lambda is within its bound at every output that is judged
-  bool holds_at_states = false;   ///< and at every state
+  std::vector<ComparedMotion> motions;  ///< one per formulation
+  std::vector<ComparedOutput> outputs;  ///< in time order; empty unless all runs are complete
+  bool has_unique_lambda = true;        ///< false: no multiplier is unique, so no lambda can be compared
+  bool complete = false;                ///< every formulation reached the end
+  bool holds_along = false;             ///< complete, and lambda is within its bound at every judged output
+  bool holds_at_states = false;         ///< complete, and the one-state differences are within their bounds
 };
 
-/// Throws an Error of kind input where the state does not satisfy its constraints, or what is asked for does
-/// not go together. What keeps one formulation from the end stands with it.
+/// Runs and compares. Throws an Error of kind input if the state violates its constraints or if settings
+/// contradict each other. An error that stops only one formulation is stored in its ComparedMotion::error.
 ComparedMotions compare(const Scene& scene, const CompareSettings& settings = {});
 
 }  // namespace trivium

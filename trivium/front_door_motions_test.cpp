@@ -1,5 +1,5 @@
-/// Motions through the front door: what an observer sees, how a run ends and goes on, and lambda side by
-/// side.
+/// Motions through the public interface: observers, the end of a run and its continuation, and the comparison
+/// of lambda in several formulations.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 using test::path_of, test::scene_of, test::temporary;
 
-/// Of p and -p, which are one orientation, that with a first number that is not negative.
+/// All numbers of an output. p and -p are the same orientation; the one with e0 >= 0 is taken.
 std::vector<double> numbers_of(const Output& at) {
   std::vector<double> all{at.t, at.energy, at.phi, at.phi_dot};
   for (const BodyInstant& body : at.bodies) {
@@ -33,7 +33,7 @@ std::vector<double> numbers_of(const Output& at) {
   return all;
 }
 
-/// The largest difference of a position or velocity of a body.
+/// The largest difference of a component of r [m] or r_dot [m/s].
 double apart(const Output& a, const Output& b) {
   double largest = 0;
   for (std::size_t n = 0; n < a.bodies.size(); ++n)
@@ -46,7 +46,8 @@ double apart(const Output& a, const Output& b) {
 
 bool keeps_more_than_a_step(std::string_view method) { return method == "abm" || method == "bdf"; }
 
-/// How a scene goes on from a file in the middle of a run of given steps, by every method and formulation.
+/// Interrupts a run with given steps in the middle, continues it from a file, and compares the end with that
+/// of the whole run, for every method and formulation. One-step methods must agree in every bit.
 void expect_to_go_on(const Scene& scene, double step, int steps) {
   for (const integrators::MethodInfo& method : integrators::methods())
     for (const std::string& formulation : formulation_names()) {
@@ -83,7 +84,7 @@ TEST(FrontDoorMotions, GoOnToTheSameBitsInOtherCharts) {
   expect_to_go_on(read_scene(path_of("heavy_top")), 0.0005, 30);
 }
 
-/// The first run ends on a kink of the driver's function.
+// the driver's function has a kink at t0 = 0.02, which is also the end of the first run
 TEST(FrontDoorMotions, GoOnToTheSameBitsBesideAnEvent) {
   Scene scene("driven arm");
   scene.add_body({.name = "arm", .mass = 2, .inertia = {0.1, 0.2, 0.15}, .position = {0.5, 0, 0}});
@@ -101,12 +102,12 @@ TEST(FrontDoorMotions, GoOnToTheSameBitsBesideAnEvent) {
 }
 
 TEST(FrontDoorMotions, CountTheTurnsOfASpringOn) {
-  // 30 rad/s: the spring is wound by several turns at the end of the first run
+  // at 30 rad/s the spring is wound by several full turns when the first run ends
   const Scene wheel = scene_of(test::sprung_wheel(1, 30, 0.5, 0.01));
   const Motion first = simulate(wheel, {.end = 1});
   const Motion rest = simulate(first.end, {.end = 2}), whole = simulate(wheel, {.end = 2});
   EXPECT_NEAR(rest.outputs.back().energy, whole.outputs.back().energy, 1e-6);
-  // in other numbers it goes on from the bodies and the turns that the file says
+  // another formulation cannot use the saved state vector: it starts from the bodies and turns in the file
   const fs::path file = temporary("json");
   first.end.write(file);
   const Motion other = simulate(read_scene(file), {.formulation = "r-p", .end = 2});

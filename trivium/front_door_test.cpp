@@ -1,4 +1,4 @@
-/// The front door: scenes that are built, states, errors. Every number is that of the rooms behind it.
+/// The public interface: scenes built in C++, states, errors. Its numbers equal those of the templates.
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ Scene pendulum() {
   return scene;
 }
 
-/// What a call throws.
+/// The Error that a call throws.
 template <class Call>
 Error error_of(const Call& call) {
   try {
@@ -204,7 +204,8 @@ TEST(FrontDoor, SettingsThatCannotBeAreErrorsThatNameThem) {
 }
 
 TEST(FrontDoor, ASceneThatWasMovedFromIsAnError) {
-  EXPECT_EQ(error_of([&] { Solution().body("x"); }).kind(), ErrorKind::input);  // and an answer to nothing
+  EXPECT_EQ(error_of([&] { Solution().body("x"); }).kind(),
+            ErrorKind::input);  // a default Solution: no names
   Scene scene = pendulum();
   const Scene taken = std::move(scene);
   EXPECT_EQ(taken.bodies().size(), 1u);

@@ -14,7 +14,7 @@ std::size_t find(std::string_view noun, const std::vector<std::string>& names, s
   refuse_name(noun, name, names);
 }
 
-/// Of one that no state or motion gave, none.
+/// The names of an instant; an instant that was only default-constructed has none.
 const Names& names_of(const Instant& instant) {
   static const Names none;
   return instant.names ? *instant.names : none;

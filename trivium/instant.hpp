@@ -1,6 +1,7 @@
 #pragma once
-/// A mechanism at an instant: how every body is and moves, by name. Solutions and the outputs of motions are
-/// instants with more beside them.
+/// The state of a mechanism at one time, with its accelerations, multipliers and joint reactions. Solution
+/// (trivium/solve.hpp) and Output (trivium/simulate.hpp) are instants with more members. Numbers are found by
+/// the names of bodies, joints and rows.
 
 #include <array>
 #include <memory>
@@ -12,44 +13,49 @@
 
 namespace trivium {
 
-/// The names of a scene's parts, in its order. A joint is a constraint of any type; a row is one scalar
-/// equation of one, with one multiplier lambda.
+/// The names of a scene's parts, in the order of the scene. A joint here is a constraint of any type. A row
+/// is one scalar equation of a constraint, such as "tip.cd(e_y)"; it has one multiplier lambda.
 struct Names {
   std::vector<std::string> bodies, joints, rows;
 };
 
-/// A body at an instant; r is its centre of mass.
+/// Motion of a body at an instant. r is the position of its centre of mass.
 struct BodyInstant {
-  Components r{}, r_dot{}, r_ddot{};        ///< [m, m/s, m/s^2], global
-  std::array<double, 4> p{1, 0, 0, 0};      ///< Euler parameters (e0, e), unit
+  Components r{}, r_dot{}, r_ddot{};        ///< [m, m/s, m/s^2], global frame
+  std::array<double, 4> p{1, 0, 0, 0};      ///< unit Euler parameters (e0, e1, e2, e3) of A, body to global
   Components omega_bar{}, omega_bar_dot{};  ///< [rad/s, rad/s^2], body frame
 };
 
-/// What a joint does to its body j, about its point on i: global frame.
+/// Force and torque that a joint exerts on its body j, in the global frame. The torque is about `point`, the
+/// joint's point on body i.
 struct JointReaction {
-  Components force{}, torque{}, point{};  ///< [N, N m, m]
+  Components force{}, torque{}, point{};  ///< [N, N m, m], global frame
 };
 
-/// A body-fixed point, global.
+/// Motion of a body-fixed point, in the global frame.
 struct PointMotion {
   Components position{}, velocity{}, acceleration{};  ///< [m, m/s, m/s^2]
 };
 
+/// Everything that is known at one time. Vectors are in the order of `names`.
 struct Instant {
-  std::shared_ptr<const Names> names;
-  double t = 0;  ///< [s]
-  std::vector<BodyInstant> bodies;
-  std::vector<double> lambda;  ///< per row; where rows depend on others, the choice of least |E lambda|
-  std::vector<bool> lambda_is_unique;               ///< per row
-  std::vector<JointReaction> reactions;             ///< per joint
-  std::vector<std::string> charts;                  ///< per body; empty for formulations without
-  double lambda_error = 0, acceleration_error = 0;  ///< estimates, relative
+  std::shared_ptr<const Names> names;  ///< shared by all outputs of a motion
+  double t = 0;                        ///< time [s]
+  std::vector<BodyInstant> bodies;     ///< per body
+  /// Multiplier of every row in M q'' + Phi_q^T lambda = Q [N or N m, divided by the unit of the row's
+  /// scale]. Where rows are dependent: the lambda with the least |E lambda|, E^2 = diag(Phi M^-1 Phi^T); if
+  /// that does not exist, one with zeros in dependent rows.
+  std::vector<double> lambda;
+  std::vector<bool> lambda_is_unique;  ///< per row: false if dependent rows leave its multiplier undetermined
+  std::vector<JointReaction> reactions;  ///< per joint
+  std::vector<std::string> charts;  ///< per body: its chart of Euler angles; empty for other formulations
+  double lambda_error = 0, acceleration_error = 0;  ///< estimated relative errors [-]
 
-  // By name. Throw an Error that says what there is.
+  // Access by name. An unknown name throws an Error of kind input that lists the known names.
   const BodyInstant& body(std::string_view name) const;
   const JointReaction& reaction(std::string_view joint) const;
   double lambda_of(std::string_view row) const;
-  /// The point s_bar [m] in the frame of a body.
+  /// Motion of the point with the body-frame coordinates s_bar [m], from the centre of mass.
   PointMotion point(std::string_view body, const Components& s_bar) const;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-/// What of a run deserves a warning: singular positions passed, energy that is not accounted for, drift off
-/// the constraints. The front door and the program say the same.
+/// Warnings about a run: singular positions that it passed, energy that is not accounted for, constraint
+/// drift. The public interface and the program report the same warnings.
 
 #include <string>
 #include <vector>
@@ -9,6 +9,7 @@
 
 namespace trivium {
 
+/// One sentence per warning; empty if the run gives no reason for one.
 std::vector<std::string> warnings_of(const SimulationReport& report);
 
 }  // namespace trivium

@@ -1,5 +1,6 @@
 #pragma once
-/// From the library's types to the plain ones of the front door. The library's own sources include this.
+/// Conversions from the library's types (Eigen vectors) to the plain types of the public interface. Only the
+/// library's own sources include this header.
 
 #include "bodies/reaction.hpp"
 #include "mechanism/model.hpp"
@@ -20,7 +21,7 @@ inline Names names_of(const Mechanism<double>& mechanism) {
   return names;
 }
 
-/// Poses, twists and accelerations. Without accelerations, as where none were asked for, these are 0.
+/// Poses, twists and accelerations per body. Accelerations are 0 if the vectors of accelerations are empty.
 inline std::vector<BodyInstant> plain_bodies(const MechanismState<double>& state,
                                              const std::vector<Vector3<double>>& r_ddot,
                                              const std::vector<Vector3<double>>& omega_bar_dot) {

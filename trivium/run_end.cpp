@@ -6,7 +6,8 @@ namespace trivium {
 
 namespace {
 
-/// Turns are listed by the types of effects, and within one as the scene has them.
+/// Gives every joint angle of an effect the next number of full turns from the list. RunEnd::turns lists them
+/// type by type, and within one type in the order of the scene.
 struct TakeTurns : KeyVisitor {
   std::vector<int>::const_iterator& next;
   explicit TakeTurns(std::vector<int>::const_iterator& from) : next(from) {}

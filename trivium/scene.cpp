@@ -26,7 +26,8 @@ void require_time(const std::string& source, double t) {
                 fmt::format("the time of the state is {}; accepted: a finite time", t));
 }
 
-/// What is no number is left for the reader to find.
+/// JSON text of a number. JSON has no NaN or infinity: such a value becomes a string, which the reader of the
+/// scene rejects with the place of the value.
 std::string number(double x) { return std::isfinite(x) ? scenes::shortest(x) : fmt::format("\"{}\"", x); }
 
 std::string joined(char open, const std::vector<std::string>& parts, char close) {
@@ -39,7 +40,7 @@ std::string numbers(const double* first, std::size_t count) {
   return joined('[', parts, ']');
 }
 
-/// An object of the keys that have a value.
+/// JSON text of an object. Keys without a value are left out.
 class Object {
  public:
   Object& add(std::string_view key, const Value& value) {
@@ -86,13 +87,13 @@ Value list(std::initializer_list<Value> values) {
   return all;
 }
 
-/// Of what is built: each part as a file has it.
+/// A scene under construction: the JSON text of every part.
 struct Scene::Parts {
   std::string name;
   double t = 0;
   std::vector<std::string> bodies, constraints, effects;
 
-  /// Read once, whichever thread asks first.
+  /// Parses and checks the parts at the first call; later calls, from any thread, return the same contents.
   const Contents& contents() const;
 
   std::string json() const {
@@ -116,7 +117,8 @@ Scene::Scene(std::string name, double t) {
 }
 
 Scene::Parts& Scene::parts() {
-  // copies share what they were built of until one is added to; what was read is taken apart
+  // copies of a scene share their parts until one of them changes, so a change begins with a copy; a scene
+  // that was read is first split into the JSON text of its parts
   auto own = std::make_shared<Parts>();
   if (parts_) {
     own->name = parts_->name;

@@ -1,6 +1,7 @@
 #pragma once
-/// Scenes from files and scenes built in C++. What is built is what a file of the scene format could hold,
-/// with its words and its checks: keys, types and defaults are those of scenes/format/scene.schema.json.
+/// Scenes, read from files or built in C++. A scene holds bodies, constraints between them and effects
+/// (forces, springs, gravity), with the state of the bodies at one time. Keys, types and defaults are those
+/// of the scene format, scenes/format/scene.schema.json; scenes built in C++ pass the same checks as files.
 
 #include <array>
 #include <filesystem>
@@ -13,17 +14,17 @@
 
 namespace trivium {
 
-/// Of a vector.
+/// Components of a vector [3]; units and frame are those of the quantity.
 using Components = std::array<double, 3>;
 
 struct Key;
 using Keys = std::initializer_list<Key>;
 
-/// A value of the scene format: a number, a text, yes or no, a list, or keys with values of their own (a
-/// function of time, say).
+/// A value of the scene format: a number, a text, a flag, a list of numbers, or an object of keys and values
+/// such as a function of time, {{"kind", "cos"}, {"of", 2}}.
 class Value {
  public:
-  Value() = default;  ///< none: the key is left out
+  Value() = default;  ///< no value: the key is left out, so its default applies
   Value(double number);
   Value(int number) : Value(static_cast<double>(number)) {}
   Value(bool flag);
@@ -34,7 +35,7 @@ class Value {
   Value(std::initializer_list<double> numbers);
   Value(Keys keys);
 
-  /// As a file has it; empty for none.
+  /// The value as JSON text; empty if there is no value.
   const std::string& json() const { return json_; }
 
  private:
@@ -42,52 +43,60 @@ class Value {
   std::string json_;
 };
 
+/// A key of the scene format and its value.
 struct Key {
   std::string name;
   Value value;
 };
 
-/// A list of values that are not all numbers.
+/// A list whose elements are not all numbers, such as the rows of a matrix or functions of time.
 Value list(std::initializer_list<Value> values);
 
+/// A rigid body, whose frame has its origin at the centre of mass. Default: A = identity, velocities 0.
 struct Body {
-  std::string name;
+  std::string name;               ///< unique in the scene; not "ground"
   double mass = 0;                ///< [kg]
-  Value inertia = {};             ///< three principal moments, or three rows [kg m^2], body frame
-  Value position = {0., 0., 0.};  ///< of the centre of mass [m], global
-  Value orientation = {};         ///< of one key, as {{"euler_parameters", {1, 0, 0, 0}}}; else the identity
-  Value velocity = {};            ///< [m/s], global
-  Value angular_velocity = {};    ///< omega_bar [rad/s], body frame
-  bool unphysical_inertia = false;
+  Value inertia = {};             ///< diagonal {Jxx, Jyy, Jzz}, or list of 3 rows [kg m^2], body frame
+  Value position = {0., 0., 0.};  ///< position of the centre of mass [m], global frame
+  /// Body to global, in one of four ways: {{"euler_parameters", {1, 0, 0, 0}}}, euler_angles with sequence
+  /// [rad], axis_angle [rad], or matrix (the rotation matrix A).
+  Value orientation = {};
+  Value velocity = {};              ///< velocity of the centre of mass [m/s], global frame
+  Value angular_velocity = {};      ///< omega_bar [rad/s], body frame
+  bool unphysical_inertia = false;  ///< true: accept principal moments that violate the triangle inequality
 };
 
-/// A side of a constraint: a body or "ground", and what the type of constraint asks for, in the body's frame.
+/// One side of a constraint: the name of a body, or "ground", and the geometry that the type of constraint
+/// needs, all in the frame of that body. The joint's second axis u is `x` made orthonormal to `axis`.
 struct Side {
   std::string body;
-  Value point = {}, vector = {}, axis = {}, x = {};
+  Value point = {}, vector = {}, axis = {}, x = {};  ///< point [m]; the others are directions [-]
 };
 
+/// A scene. Copies are cheap: they share their parts until one of them changes.
 class Scene {
  public:
-  /// Without bodies. Its state is that at time t [s].
+  /// An empty scene. The positions and velocities of its bodies are those at time t [s].
   explicit Scene(std::string name, double t = 0);
 
-  // What is added is checked when the scene is used: an Error then says which part is wrong and what is
-  // accepted.
+  // Functions that add a part return the scene, for further calls. Parts are checked at the first use of the
+  // scene, which throws an Error of kind input that names the wrong part and lists the accepted values.
   Scene& add_body(const Body& body);
+  /// `type` is a constraint type of the scene format, such as "revolute"; `more` are its further keys.
   Scene& add_constraint(std::string_view type, std::string_view name, const Side& i, const Side& j,
                         Keys more = {});
+  /// `type` is an effect type of the scene format, such as "gravity"; `keys` are its keys.
   Scene& add_effect(std::string_view type, Keys keys = {});
 
-  /// The time [s] of the state.
+  /// Time of the state [s].
   double t() const;
-  std::vector<std::string> bodies() const, constraints() const;  ///< names, in order
+  std::vector<std::string> bodies() const, constraints() const;  ///< names, in the order of the scene
 
-  /// As a file of the scene format, whole or not at all. Throws an Error.
+  /// Writes a file of the scene format. If an Error is thrown, an existing file is left as it was.
   void write(const std::filesystem::path& file) const;
 
   struct Contents;
-  /// For the library's own sources (trivium/scene_contents.hpp).
+  /// For the library's own sources only (trivium/scene_contents.hpp).
   const Contents& contents() const;
   explicit Scene(std::shared_ptr<const Contents> contents) : contents_(std::move(contents)) {}
 
@@ -95,17 +104,18 @@ class Scene {
   struct Parts;
   Parts& parts();
 
-  // one of the two: what was built is read as a file would be, when it is first asked for
+  // One of the two is set (none after a move). parts_: a scene under construction, parsed at its first use;
+  // contents_: a scene that was read or simulated.
   std::shared_ptr<const Parts> parts_;
   std::shared_ptr<const Contents> contents_;
 };
 
-/// A scene file, or a scene of the catalogue by name, whose state is taken as that at t [s]; by default that
-/// of the motion's end if it is one, else 0. Throws an Error that names the file, the place in it, what was
-/// found and what is accepted.
+/// Reads a scene file, or a scene of the catalogue by name. Its state is taken as the state at time t [s];
+/// the default is the time of the saved run that the file holds, else 0. Throws an Error of kind input that
+/// names the file, the place in it, the value found and the accepted ones.
 Scene read_scene(const std::string& path_or_name, std::optional<double> t = {});
 
-/// The names of the catalogue's scenes.
+/// The names of the scenes that are delivered with the library.
 std::vector<std::string> catalogue_scenes();
 
 }  // namespace trivium

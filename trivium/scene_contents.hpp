@@ -1,6 +1,6 @@
 #pragma once
-/// What stands behind a Scene of the front door: the scene as the library has it. The library's own sources
-/// include this; its users see trivium/scene.hpp.
+/// The contents of a public trivium::Scene: the scene in the library's own type. Only the library's own
+/// sources include this header; users include trivium/scene.hpp.
 
 #include <string>
 
@@ -11,8 +11,8 @@ namespace trivium {
 
 struct Scene::Contents {
   scenes::Scene scene;
-  double t = 0;        ///< of its state [s]
-  std::string source;  ///< as messages name it: a file, or the name of what was built
+  double t = 0;        ///< time of the state [s]
+  std::string source;  ///< name of the scene in error messages: its file, or `scene "name"` if it was built
 };
 
 }  // namespace trivium

@@ -18,7 +18,7 @@ namespace trivium {
 
 namespace {
 
-/// Numbers as the command line takes them.
+/// Throws an Error of kind input for a number that the command line would not accept either.
 void check_settings(const SimulateSettings& s) {
   const auto require = [](bool holds, const char* setting, double found, const char* accepted) {
     if (!holds)
@@ -64,7 +64,7 @@ SimulationOptions simulation_options(const SimulateSettings& s) {
 
 namespace {
 
-/// Shows outputs as the front door has them; keeps them where nobody looks.
+/// Converts every sample to a plain Output, and passes it to the user's observer, or keeps it without one.
 class PlainObserver : public SimulationObserver {
  public:
   PlainObserver(const Mechanism<double>& mechanism, const SimulateSettings& settings,

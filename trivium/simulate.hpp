@@ -1,6 +1,7 @@
 #pragma once
-/// A scene's motion in one formulation by one method: that of the program `trivium simulate`, with the same
-/// checks and warnings. A motion is seen output by output, may be stopped, and goes on from where it ended.
+/// Simulation of a scene's motion in one formulation by one integrator, as in the program `trivium simulate`,
+/// with the same checks and warnings. An observer receives every output and may stop the run. A run can
+/// continue from the end of another one.
 
 #include <array>
 #include <functional>
@@ -12,69 +13,77 @@
 
 namespace trivium {
 
+/// Settings of a run. With `step` the tolerances are not used. Not every integrator supports both kinds of
+/// steps.
 struct SimulateSettings {
-  std::string formulation = "r-omega";
-  std::string integrator = "dopri5";
-  double end = 10;                  ///< [s]
-  std::optional<double> step = {};  ///< steps of this length [s]; else the method chooses, to the tolerances
-  std::optional<double> output_step = {};      ///< time between outputs [s]; else the start and the end
-  double rtol = 1e-8, atol = 1e-10;            ///< of a step
-  std::optional<int> order = {};               ///< of bdf and ARKODE's
-  std::optional<double> rho = {}, alpha = {};  ///< of generalized-alpha, of hht
-  bool full_newton = false;                    ///< a matrix for every iteration, of implicit methods
-  bool projects = true;                        ///< after every step, back onto the constraints
-  std::optional<std::array<double, 2>> baumgarte = {};  ///< alpha, beta [1/s], instead of projection
-  std::string sequence = "313";                         ///< Euler angles of r-epsilon
-  bool reframe = true;                                  ///< other charts near their singularity
-  std::function<bool(double t)> at_step = {};           ///< asked after every step whether to go on
+  std::string formulation = "r-omega";  ///< one of formulation_names()
+  std::string integrator = "dopri5";    ///< one of integrators::method_names()
+  double end = 10;                      ///< end time [s]; the start is the time of the scene
+  std::optional<double> step = {};      ///< constant step size [s]; none: the method controls its step size
+  std::optional<double> output_step = {};      ///< time between outputs [s]; none: outputs at start and end
+  double rtol = 1e-8, atol = 1e-10;            ///< allowed error per step of a number x of y: atol + rtol |x|
+  std::optional<int> order = {};               ///< order of bdf, arkode-erk or arkode-dirk
+  std::optional<double> rho = {}, alpha = {};  ///< of generalized-alpha (0 to 1); of hht (-1/3 to 0)
+  bool full_newton = false;  ///< implicit methods: a new Newton matrix in every iteration, not every step
+  /// Project onto the constraints after every step. Must be true for implicit methods and with baumgarte.
+  bool projects = true;
+  std::optional<std::array<double, 2>> baumgarte = {};  ///< alpha, beta [1/s]; replaces the projection
+  std::string sequence = "313";                         ///< sequence of the Euler angles of r-epsilon
+  bool reframe = true;                         ///< change a chart of Euler angles near its singularity
+  std::function<bool(double t)> at_step = {};  ///< called after every step; false stops the run
 };
 
-/// What is seen at an output.
+/// The state at an output time, with energy and constraint violations.
 struct Output : Instant {
-  std::vector<double> own_lambda;  ///< the method's own; empty where it has none
-  double energy = 0;               ///< kinetic and potential [J]
-  double phi = 0, phi_dot = 0;     ///< largest violation of a row [m or rad, per second]
+  std::vector<double> own_lambda;  ///< multipliers that the method itself computes; empty if it has none
+  double energy = 0;               ///< kinetic plus potential energy [J]
+  double phi = 0, phi_dot = 0;     ///< largest violation of a row [m or rad, m/s or rad/s]
 };
 
-/// Returns whether to go on.
+/// Called at every output; false stops the run.
 using Observer = std::function<bool(const Output&)>;
 
-/// Velocities that jumped with a driver's.
+/// A jump of velocities: a driver whose function of time has a kink demands another velocity.
 struct Jump {
-  double t = 0;
-  std::vector<double> impulse;  ///< per row [N s, N m s]: the integral of its multiplier
+  double t = 0;  ///< [s]
+  std::vector<double>
+      impulse;  ///< per row: integral of its multiplier over the jump [unit of lambda times s]
 };
 
+/// The result of a run. Counters are those of the integrator.
 struct Motion {
   std::string formulation, integrator;
-  double reached = 0;           ///< [s]
-  bool complete = false;        ///< it came to its end, not stopped before
-  std::vector<Output> outputs;  ///< where there was no observer
+  double reached = 0;           ///< time reached [s]
+  bool complete = false;        ///< the end was reached; false if the observer or at_step stopped the run
+  std::vector<Output> outputs;  ///< all outputs; empty if an observer was given
   long steps = 0, rejected_steps = 0, right_sides = 0, newton_iterations = 0, factorisations = 0;
   int chart_changes = 0;
-  double phi = 0, phi_dot = 0, normalisation = 0;  ///< the largest after any step
-  double energy_start = 0, energy_end = 0;         ///< kinetic and potential [J]
-  double work = 0;                                 ///< of drivers and of what is not stored [J]
-  double unaccounted_energy = 0;                   ///< the largest change of energy that is not work [J]
-  std::vector<double> singular_positions;          ///< passed, when [s]
+  /// Largest values after any step: violation of a row [m or rad, m/s or rad/s]; in r-p | p . p - 1 | [-].
+  double phi = 0, phi_dot = 0, normalisation = 0;
+  double energy_start = 0, energy_end = 0;  ///< kinetic plus potential energy [J]
+  double work = 0;                          ///< work of drivers and of non-conservative effects [J]
+  double unaccounted_energy = 0;            ///< largest |change of energy - work| after any step [J]
+  std::vector<double> singular_positions;   ///< times of the singular positions that the motion passed [s]
   std::vector<Jump> jumps;
-  double seconds = 0;  ///< of processor time
-  std::vector<std::string> warnings;
-  /// The scene where the motion ended: to simulate on and to write; to solve, where the method meets the rows
-  /// of velocities, or once it is assembled.
+  double seconds = 0;                 ///< processor time of the run [s]
+  std::vector<std::string> warnings;  ///< singular positions passed, energy lost, constraint drift
+  /// The scene at the end of the motion. It can be written to a file, and simulate() continues from it.
+  /// solve() needs velocities that satisfy their rows: after a method that does not enforce them (index 3),
+  /// call assemble() first.
   Scene end = Scene("end");
 };
 
-/// Throws an Error: of kind input where the state does not satisfy its constraints, or what is asked for does
-/// not go together; of another where the motion cannot go on. What the observer saw until then it has.
+/// Simulates from the scene's state to settings.end. Throws an Error of kind input if the state violates its
+/// constraints or if settings contradict each other; of kind model or integration if the motion cannot
+/// continue. The observer has received the outputs before the error; its own exceptions pass through.
 ///
-/// A scene that is the end of a motion goes on in the same numbers if the formulation is the same: methods
-/// that keep nothing from step to step take given steps as if there had been no end, bit for bit; others to
-/// their tolerances.
+/// If `scene` is the end of another motion in the same formulation, the run continues from the saved numbers
+/// of that motion. One-step methods with given steps then give the same bits as a run without interruption;
+/// multistep methods and chosen steps agree within their tolerances.
 Motion simulate(const Scene& scene, const SimulateSettings& settings = {}, const Observer& observer = {});
 
 namespace integrators {
-/// The names of the methods in time.
+/// The names of the integrators.
 std::vector<std::string> method_names();
 }  // namespace integrators
 

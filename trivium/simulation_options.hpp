@@ -1,5 +1,5 @@
 #pragma once
-/// From the front door's settings to the library's options of a run. The library's own sources include this.
+/// Conversion of the public settings of a run to the library's options. For the library's own sources.
 
 #include <string>
 #include <vector>
@@ -9,11 +9,12 @@
 
 namespace trivium {
 
-/// Throws an Error of kind input for a name that there is not.
+/// The options of a run. Throws an Error of kind input for an unknown name, a number out of its range, or
+/// projection together with Baumgarte's stabilisation.
 SimulationOptions simulation_options(const SimulateSettings& settings);
 
-/// Those of these names (all where there are none) that go with the integrator. Throws an Error of kind input
-/// where fewer than `least`, one or two, are left.
+/// The formulations among `names` (empty: among all) that the integrator can be used with. Throws an Error of
+/// kind input for an unknown name, or if they are fewer than `least`, which is 1 or 2.
 std::vector<ComparedFormulation> formulations_to_compare(const std::vector<std::string>& names,
                                                          const std::string& integrator,
                                                          std::size_t least = 2);

@@ -51,7 +51,7 @@ Solution solution_of(const FormulationResult<double>& result, const SolvedState&
   return out;
 }
 
-/// Of the formulations named; of all where none is.
+/// Solves in the named formulations, or in all if the list is empty.
 Solutions solve_in(const Scene::Contents& scene, const SolveSettings& settings,
                    std::vector<std::string> formulations) {
   const Model<double> model = model_of(scene);

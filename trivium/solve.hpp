@@ -1,6 +1,7 @@
 #pragma once
-/// A scene at one state: whether it holds together, and its accelerations and lambda. Both are those of the
-/// programs `trivium check` and `trivium solve`, with the same checks and warnings.
+/// A scene at one state: its rank, consistency and energy (check), the projection of the state onto the
+/// constraints (assemble), and accelerations, multipliers and reactions (solve). Checks, warnings and numbers
+/// are those of the programs `trivium check` and `trivium solve`.
 
 #include <optional>
 #include <string>
@@ -10,67 +11,73 @@
 
 namespace trivium {
 
-/// A row of the constraints at a state. A violation is in m or rad (per second), whatever the row's scaling.
+/// One row of the constraints at a state.
 struct RowCheck {
-  double position_residual = 0, velocity_residual = 0;    ///< Phi, and Phi_q q' - nu
-  double position_violation = 0, velocity_violation = 0;  ///< their sizes [m or rad, per second]
-  bool is_unique = true;                                  ///< its multiplier
-  bool is_redundant = false;                              ///< it follows from other rows
+  double position_residual = 0, velocity_residual = 0;  ///< Phi, and Phi_q q' - nu, in the row's own scale
+  /// |residual| / |gradient of the row| [m or rad, m/s or rad/s]: independent of the scale of the row.
+  double position_violation = 0, velocity_violation = 0;
+  bool is_unique = true;      ///< its multiplier is unique
+  bool is_redundant = false;  ///< dependent row: at this state it follows from other rows
 };
 
+/// The result of check().
 struct Check {
-  std::string scene, solver;  ///< solver: "printed" (dense), or "structured" beyond what that is done for
+  std::string scene, solver;  ///< solver: "printed" (dense), or "structured" above 6000 unknowns (6 nb + nc)
   Names names;
-  double t = 0;
-  std::vector<RowCheck> rows;
-  /// None where the structured solver cannot decide the rank, as the state misses its rows.
+  double t = 0;                ///< time of the state [s]
+  std::vector<RowCheck> rows;  ///< per row
+  /// Rank of Phi_q and 6 nb - rank. None if the structured solver cannot decide: the state violates its rows.
   std::optional<int> rank, degrees_of_freedom;
-  std::optional<double> condition;  ///< kappa of Phi M^-1 Phi^T; none where the solver is the structured one
-  std::vector<double> mu;  ///< per row: where M is singular, norms use M + Phi^T diag(mu) Phi; else 0
-  std::vector<std::string>
-      contradictory;  ///< rows that no acceleration satisfies beside the rows before them
-  std::vector<std::string> wrong_branches;  ///< joints whose rows hold on a branch that is not the joint's
-  std::vector<std::string> unphysical_inertia;  ///< bodies, by their own word
+  /// kappa, the condition number of the equilibrated Phi M^-1 Phi^T; none from the structured solver.
+  std::optional<double> condition;
+  std::vector<double> mu;  ///< per row: if M is singular, norms use M + Phi^T diag(mu) Phi; otherwise 0
+  std::vector<std::string> contradictory;       ///< dependent rows that contradict the rows before them
+  std::vector<std::string> wrong_branches;      ///< joints whose rows hold on another branch than the joint's
+  std::vector<std::string> unphysical_inertia;  ///< bodies that declare an unphysical inertia
   bool is_consistent = false;                   ///< positions, velocities and branches hold
-  std::string inconsistency;                    ///< what does not, line by line; empty where all holds
+  std::string inconsistency;  ///< the violated rows and branches, one per line; empty if none
   double kinetic_energy = 0, potential_energy = 0, effect_power = 0;  ///< [J, J, W]
 };
 
-/// What there is to say of a state, consistent or not. Throws an Error where it cannot be looked at.
+/// Analyses a state, consistent or not. Rows hold within 1e-8 of the scene's own lengths and speeds. Throws
+/// an Error if the scene is wrong or if its rows cannot be analysed at this state.
 Check check(const Scene& scene);
 
-/// The scene with its state projected onto its constraints, positions and then velocities, by the least
-/// change in the mass metric. Throws an Error that names the rows that cannot be met.
+/// A copy of the scene whose state satisfies its constraints: positions, then velocities, are projected by
+/// the least change in the metric of the mass matrix. Throws an Error that names rows that cannot be met.
 Scene assemble(const Scene& scene);
 
+/// Settings of solve() and solve_in_all().
 struct SolveSettings {
-  std::string formulation = "r-omega";  ///< one of formulations()
-  std::string sequence = "313";         ///< Euler angles of r-epsilon
-  bool reframe = true;                  ///< take another chart where the sequence is near its singularity
+  std::string formulation = "r-omega";  ///< one of formulation_names(); solve_in_all ignores it
+  std::string sequence = "313";         ///< sequence of the Euler angles of r-epsilon
+  bool reframe = true;                  ///< take another chart if the sequence is near its singularity
 };
 
-/// A state solved in one formulation.
+/// Accelerations, multipliers and reactions at a state, in one formulation.
 struct Solution : Instant {
-  std::string formulation, solver;
-  std::vector<double> lambda_p;        ///< of r-p, per body; else empty
-  std::optional<double> condition;     ///< kappa
-  std::vector<std::string> redundant;  ///< rows that follow from others
-  std::vector<std::string> warnings;
+  std::string formulation, solver;     ///< solver: "printed" or "structured", as in Check
+  std::vector<double> lambda_p;        ///< r-p: multiplier of p . p = 1 of every body; otherwise empty
+  std::optional<double> condition;     ///< kappa, as in Check
+  std::vector<std::string> redundant;  ///< names of the dependent rows
+  std::vector<std::string> warnings;   ///< uncertain numbers, unmet equations, unphysical inertias
 };
 
-/// Throws an Error: of kind input where the state does not satisfy its constraints.
+/// Solves the equations of motion at the scene's state. Throws an Error: of kind input if the state violates
+/// its constraints or a setting is wrong, of kind model if the formulation has no solution there.
 Solution solve(const Scene& scene, const SolveSettings& settings = {});
 
-/// A state in every formulation.
+/// A state solved in every formulation.
 struct Solutions {
   std::vector<Solution> solved;
-  std::vector<std::string> failed;  ///< "formulation: why"
-  /// The largest difference between two, relative, in the norm of E and in the mass metric.
+  std::vector<std::string> failed;  ///< "formulation: reason", one per formulation that has no solution
+  /// Largest relative differences between two formulations: lambda in the norm |E lambda|, accelerations in
+  /// the metric of the mass matrix [-]. NaN if these norms are not known.
   double lambda_difference = 0, r_ddot_difference = 0, omega_bar_dot_difference = 0;
-  /// Of lambda's difference: 100 u kappa. None where kappa is not known.
-  std::optional<double> lambda_bound;
+  std::optional<double> lambda_bound;  ///< of lambda_difference: 100 u kappa; none if kappa is not known
 };
 
+/// Solves in every formulation. Throws as solve() does, but `failed` lists formulations without solution.
 Solutions solve_in_all(const Scene& scene, const SolveSettings& settings = {});
 
 /// The names of the formulations.

@@ -16,8 +16,8 @@ namespace trivium {
 
 namespace {
 
-/// An estimated error or a residual above this is warned about; a residual only where it is not rounding of a
-/// narrow Scalar. Neighbour: the drift that motion_warnings.cpp warns about.
+/// Estimated relative errors and residuals above 1e-6 give a warning. A residual is allowed 1e6 u as well: in
+/// float (u = 6e-8) rounding alone exceeds 1e-6. Related constant: warn_above in motion_warnings.cpp.
 constexpr double warn_above = 1e-6, rounding_units = 1e6;
 
 }  // namespace
@@ -52,7 +52,8 @@ void require_consistent(const std::string& source, const Model<double>& model,
                         const std::optional<SavedRun>& saved, const std::string& formulation) {
   const Consistency consistency = check_consistency(model.mechanism, model.state);
   if (consistency.holds()) return;
-  // by another measure of rows than here; whoever moved a body by hand is found where the run goes on
+  // The saved violations are measured with other row scales than those here, hence a factor of 10. A body
+  // that was moved by hand within that margin is found later: the run compares its saved y with the bodies.
   constexpr double measures = 10, floor = 1e-12;
   const bool is_as_left = saved && saved->formulation == formulation && consistency.wrong_branches.empty() &&
                           worst_size(consistency.positions) <= saved->phi * measures + floor &&

@@ -1,6 +1,6 @@
 #pragma once
-/// What the front door and the program ask of a scene's state before they work on it, and how their errors
-/// name the scene. The library's own sources include this.
+/// Checks of a scene's state before it is solved or simulated, and the warnings about a solution. The public
+/// interface and the program share them. Only the library's own sources include this header.
 
 #include <filesystem>
 #include <string>
@@ -13,31 +13,33 @@
 
 namespace trivium {
 
-/// All that `check` says of a state.
+/// The analysis behind trivium::check and `trivium check`.
 Check check_state(const scenes::Scene& scene, const Model<double>& model);
 
-/// Throws an Error of kind input that says which rows do not hold and what to do.
+/// Throws an Error of kind input, with the violated rows and advice, if the state violates its constraints.
 void require_consistent(const std::string& source, const Model<double>& model,
                         const std::optional<SavedRun>& saved);
-/// The same of a state to simulate from: one that a run left may miss its rows by what the run says, as
-/// velocities do in methods on index 3, if it goes on in the same numbers.
+/// The same for the start of a simulation in `formulation`. If the state is the end of a saved run in that
+/// formulation, it may violate its rows by as much as that run reported. Index-3 methods leave such
+/// violations of the velocity rows.
 void require_consistent(const std::string& source, const Model<double>& model,
                         const std::optional<SavedRun>& saved, const std::string& formulation);
 
-/// A state in the formulations asked for, by the dense solver or, for mechanisms too large for it, the
-/// structured one.
+/// A state solved in the chosen formulations, by the dense solver or, if the mechanism is too large for that,
+/// by the structured one.
 struct SolvedState {
   const char* solver;  ///< "printed" or "structured"
   SideBySide<double> answer;
 };
 SolvedState solve_state(const scenes::Scene& scene, const Model<double>& model, const SolveOptions& options);
 
-/// What of an answer deserves a warning: uncertain numbers, equations that are not met, bodies that declare
-/// an unphysical inertia.
+/// Warnings about a solution: large estimated errors, equations of motion with a large residual, bodies that
+/// declare an unphysical inertia.
 template <class Scalar>
 std::vector<std::string> warnings_of(const scenes::Scene& scene, const SideBySide<Scalar>& answer);
 
-/// What `work` gives; its errors name the scene, and none is of another type than Error.
+/// Returns the result of `work`. An Error thrown by `work` gets the source of the scene in front; a
+/// filesystem_error becomes an Error of kind input.
 template <class Work>
 auto naming_errors(const std::string& source, const Work& work) {
   try {

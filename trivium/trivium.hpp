@@ -1,7 +1,8 @@
 #pragma once
-/// Trivium's front door: scenes, their states and their motions, in three formulations of the equations of
-/// motion. All of it is compiled once; who wants the templates themselves takes trivium::templates
-/// (docs/library.md).
+/// The public interface of Trivium in one header: read or build a scene, check and solve its state, simulate
+/// its motion, and compare formulations. The library behind it is compiled; link trivium::trivium. Programs
+/// that need the templates themselves link trivium::templates (docs/library.md). All quantities are in SI
+/// units. Every error is a trivium::Error (base/error.hpp), which carries its kind, place and time.
 ///
 ///     trivium::Scene scene = trivium::read_scene("four_bar");
 ///     trivium::Solution at = trivium::solve(scene, {.formulation = "r-p"});

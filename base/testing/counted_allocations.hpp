@@ -1,10 +1,10 @@
 #pragma once
-/// How often a program has asked for memory. A support of tests that count it; trivium_count_allocations
-/// (cmake/TriviumTargets.cmake) links it in.
+/// Counts memory allocations, for tests which prove that an inner loop allocates nothing. A test target links
+/// it by trivium_count_allocations (cmake/TriviumTargets.cmake).
 
 namespace trivium::test {
 
-/// Calls of malloc, aligned_alloc and operator new since the program began.
+/// Number of calls of malloc, aligned_alloc and operator new since the start of the program.
 long long allocations();
 
 }  // namespace trivium::test

@@ -1,8 +1,8 @@
 #pragma once
-/// A Scalar that carries N numbers at once, each its own state: the same code then walks N states of one
-/// scene in lockstep, on the processor's vector units. Every operation is that of each number alone, so
-/// results are those of the numbers one by one, up to how the compiler fuses a multiplication with an
-/// addition.
+/// `Batch<T, N>`: a scalar type that holds N numbers of type T, its lanes. Code over Batch computes N states
+/// of one scene at once, with the vector instructions of the processor. Every operation acts on each lane
+/// alone. The results therefore equal those of N separate computations, except where the compiler fuses a
+/// multiplication and an addition into one rounding.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -15,7 +15,7 @@
 
 namespace trivium {
 
-/// As many numbers as a vector register of this build holds.
+/// Number of values of type T in one vector register of the processor that this build targets.
 template <class T>
 inline constexpr int native_lanes =
 #if defined(__AVX512F__)
@@ -32,7 +32,8 @@ class Batch {
   static constexpr int lanes = N;
   using Lanes [[gnu::vector_size(sizeof(T) * N)]] = T;
 
-  /// What a comparison says of every lane. As a condition it must be the same for all.
+  /// Result of a comparison, one truth value per lane. In an `if` all lanes must agree; otherwise the
+  /// conversion to bool throws MixedLanes.
   class Mask {
    public:
     using Bits = decltype(Lanes{} < Lanes{});
@@ -49,7 +50,7 @@ class Batch {
       for (int k = 0; k < N; ++k) every = every && bits_[k] != 0;
       return every;
     }
-    operator bool() const {  // NOLINT: an if over numbers stays an if over batches
+    operator bool() const {  // NOLINT: implicit, so that code written for plain numbers compiles
       if (all()) return true;
       if (any()) throw MixedLanes();
       return false;
@@ -61,13 +62,13 @@ class Batch {
 
   Batch() = default;
   template <class Number>
-  requires std::is_arithmetic_v<Number> Batch(Number value) {  // NOLINT: a number is the same in all lanes
+  requires std::is_arithmetic_v<Number> Batch(Number value) {  // NOLINT: implicit; same value in all lanes
     for (int k = 0; k < N; ++k) lanes_[k] = static_cast<T>(value);
   }
 
   T operator[](int lane) const { return lanes_[lane]; }
   void set(int lane, T value) { lanes_[lane] = value; }
-  /// The first lane, for messages.
+  /// The value of the first lane, for messages.
   explicit operator double() const { return static_cast<double>(lanes_[0]); }
 
   Batch operator-() const { return Batch(-lanes_, 0); }
@@ -93,13 +94,14 @@ class Batch {
   }
   friend bool any(const Mask& condition) { return condition.any(); }
   friend bool all(const Mask& condition) { return condition.all(); }
-  /// The least of all lanes, in all lanes.
+  /// The minimum over the lanes.
   friend T least_lane(const Batch& x) {
     T least = x[0];
     for (int k = 1; k < N; ++k) least = x[k] < least ? x[k] : least;
     return least;
   }
 
+  /// The maximum over the lanes; NaN if a lane is NaN.
   friend double largest_lane(const Batch& x) {
     T largest = x[0];
     for (int k = 1; k < N; ++k) largest = largest >= x[k] || std::isnan(largest) ? largest : x[k];
@@ -186,7 +188,8 @@ struct NumTraits<trivium::Batch<T, N>> : GenericNumTraits<T> {
 };
 // Doxygen loses the scope of this specialisation
 /// @cond
-/// Arrays keep the alignment of their lanes: Eigen would ask for less, which clang++ refuses.
+/// 0: a fixed-size Eigen array of Batch gets the alignment of Batch itself. Eigen's default can be smaller,
+/// which clang++ rejects.
 template <class T, int N, int size>
 requires(size != Dynamic) struct internal::compute_default_alignment<trivium::Batch<T, N>, size> {
   enum { value = 0 };
@@ -196,7 +199,7 @@ requires(size != Dynamic) struct internal::compute_default_alignment<trivium::Ba
 
 namespace trivium {
 
-/// One lane of a vector or a matrix.
+/// The values of one lane (from 0) of a vector or matrix of batches.
 template <class T, int N, int rows, int columns>
 Eigen::Matrix<T, rows, columns> lane_of(const Eigen::Matrix<Batch<T, N>, rows, columns>& all, int lane) {
   return all.unaryExpr([lane](const Batch<T, N>& x) { return x[lane]; });

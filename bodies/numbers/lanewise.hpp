@@ -1,12 +1,13 @@
 #pragma once
-/// Decisions in code over any Scalar: select, larger, all, any. They are spelt so that a Scalar which carries
-/// many numbers at once (batch.hpp) takes them lane by lane; for a plain number they are what they say.
+/// Conditions in code over any Scalar: select, larger, all, any. For a plain number they are the usual
+/// operations. For a Batch (batch.hpp), which holds several numbers, they decide for each lane separately.
 
 #include <stdexcept>
 
 namespace trivium {
 
-/// A branch asked for one answer and the lanes gave two: these states cannot go in lockstep.
+/// Thrown by an `if` whose condition differs between the lanes of a Batch: these states take different
+/// branches and cannot be computed together.
 class MixedLanes : public std::runtime_error {
  public:
   MixedLanes()
@@ -19,25 +20,25 @@ inline bool any(bool condition) { return condition; }
 inline bool all(bool condition) { return condition; }
 inline bool either(bool one, bool other) { return one || other; }
 
-/// a where the condition holds, b elsewhere; both are evaluated.
+/// `a` if the condition holds, otherwise `b`, in each lane. Both are always evaluated.
 template <class Scalar>
 Scalar select(bool condition, const Scalar& a, const Scalar& b) {
   return condition ? a : b;
 }
 
-/// What is not a number is larger than any.
+/// max(a, b), in each lane; NaN if either is NaN.
 template <class Scalar>
 Scalar larger(const Scalar& a, const Scalar& b) {
   return select(either(a > b, a != a), a, b);
 }
 
-/// The worst of all lanes, for reports; a NaN is worst.
+/// The maximum over all lanes, for reports; NaN if a lane is NaN. The value itself for a plain number.
 template <class Scalar>
 double largest_lane(const Scalar& x) {
   return static_cast<double>(x);
 }
 
-/// The least of all lanes.
+/// The minimum over all lanes; the value itself for a plain number.
 template <class Scalar>
 const Scalar& least_lane(const Scalar& x) {
   return x;

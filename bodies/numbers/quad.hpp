@@ -1,6 +1,6 @@
 #pragma once
-/// Quad, the scalar of IEEE binary128: u = 2^-113, about 34 digits. It judges results computed in long
-/// double.
+/// Quad, the scalar type of IEEE binary128: unit roundoff u = 2^-113, about 34 decimal digits. Results in
+/// long double are compared with results in Quad.
 
 #include <Eigen/Core>
 #include <boost/multiprecision/float128.hpp>
@@ -20,7 +20,8 @@ struct NextPrecision<long double> {
 };
 
 namespace detail {
-/// Eigen's view of a Boost number. Boost 1.74 ships one whose lowest() is positive and that has no infinity.
+/// Eigen's traits of a Boost.Multiprecision number. The traits of Boost 1.74 are not used: their lowest() is
+/// positive and they have no infinity.
 template <class Number>
 struct MultiprecisionTraits : Eigen::GenericNumTraits<Number> {
   using Limits = std::numeric_limits<Number>;

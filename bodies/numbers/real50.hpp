@@ -1,6 +1,6 @@
 #pragma once
-/// Real50, the scalar of 50 decimal digits: the top of the ladder, which judges results computed in Quad.
-/// Real100 judges Real50.
+/// Real50, the scalar type with 50 decimal digits: the most precise one in which the library computes.
+/// Results in Quad are compared with results in Real50, and these with results in Real100.
 
 #include <Eigen/Core>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -12,7 +12,7 @@ namespace trivium {
 /// 50 decimal digits.
 using Real50 =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-/// 100 decimal digits: judges Real50.
+/// 100 decimal digits, to check results in Real50.
 using Real100 =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 

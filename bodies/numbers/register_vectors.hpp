@@ -1,6 +1,7 @@
 #pragma once
-/// Vectors of three that fill a vector register: in double and float each gets a fourth place, always 0, so
-/// that a column is added or scaled by one instruction. For innermost loops.
+/// 3-vectors padded to a vector register, for innermost loops. In float, double and long double a padded
+/// vector has a fourth entry, always 0, so that in float and double one instruction adds or scales a vector.
+/// Products of 3 x n matrices work on padded columns.
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -9,7 +10,7 @@
 
 #include "bodies/numbers/vectors.hpp"
 
-/// Calls of such small functions would pass their blocks through memory.
+/// Forces inlining: a function call would pass the vectors through memory instead of registers.
 #define TRIVIUM_INLINE [[gnu::always_inline]] inline
 
 namespace trivium {
@@ -18,7 +19,7 @@ template <class S>
 inline constexpr int padded_size = std::is_floating_point_v<S> ? 4 : 3;
 template <class S>
 using Padded = Vector<S, padded_size<S>>;
-/// n vectors of three.
+/// A 3 x n matrix whose columns are padded vectors.
 template <class S, int n>
 using PaddedColumns = Matrix<S, padded_size<S>, n>;
 
@@ -28,9 +29,9 @@ inline constexpr std::size_t register_bytes = 32;
 inline constexpr std::size_t register_bytes = 16;
 #endif
 
-/// The four places as one register, for doubles and floats that fit into it. Numbers stored one by one cannot
-/// be loaded as one register before all stores are through, a dozen cycles each time; so vectors are put
-/// together here.
+/// The four entries of a padded vector as one register; `exists` if S is float or double and four of them
+/// fit. Vectors are assembled in the register: four separate stores to memory, followed by one load of all
+/// four, would stall the processor for about a dozen cycles.
 template <class S>
 struct Register {
   static constexpr bool exists =
@@ -50,7 +51,7 @@ struct Register {
     return stored;
   }
 
-  // every other place, and the halves, of two registers
+  // (a0, b0, a2, b2), (a1, b1, a3, b3), (a0, a1, b0, b1) and (a2, a3, b2, b3)
   TRIVIUM_INLINE static Register even(const Register& a, const Register& b) {
     return {__builtin_shufflevector(a.places, b.places, 0, 4, 2, 6)};
   }
@@ -63,7 +64,7 @@ struct Register {
   TRIVIUM_INLINE static Register back(const Register& a, const Register& b) {
     return {__builtin_shufflevector(a.places, b.places, 2, 3, 6, 7)};
   }
-  /// (y, z, x)
+  /// (y, z, x), a cyclic shift of (x, y, z).
   TRIVIUM_INLINE Register turned() const { return {__builtin_shufflevector(places, places, 1, 2, 0, 3)}; }
 
   TRIVIUM_INLINE friend Register operator+(const Register& a, const Register& b) {
@@ -98,7 +99,7 @@ TRIVIUM_INLINE PaddedColumns<S, 3> padded_columns(const Matrix3<S>& M) {
   return columns;
 }
 
-/// M N, of N the first n rows.
+/// M N [3 x columns], with M [3 x n]; uses only the first n rows of N.
 template <class S, int n, class Derived>
 TRIVIUM_INLINE PaddedColumns<S, Derived::ColsAtCompileTime> times(const PaddedColumns<S, n>& M,
                                                                   const Eigen::MatrixBase<Derived>& N) {
@@ -116,14 +117,14 @@ TRIVIUM_INLINE PaddedColumns<S, Derived::ColsAtCompileTime> times(const PaddedCo
   return product;
 }
 
-/// M N^T.
+/// M N^T [3x3], with M and N [3 x n].
 template <class S, int n>
 TRIVIUM_INLINE PaddedColumns<S, 3> times_transpose(const PaddedColumns<S, n>& M,
                                                    const PaddedColumns<S, n>& N) {
   return times<S, n>(M, N.transpose().template leftCols<3>());
 }
 
-/// M^T v.
+/// M^T v [n], with M [3 x n].
 template <class S, int n>
 TRIVIUM_INLINE Vector<S, n> transpose_times(const PaddedColumns<S, n>& M, const Padded<S>& v) {
   using R = Register<S>;
@@ -137,7 +138,7 @@ TRIVIUM_INLINE Vector<S, n> transpose_times(const PaddedColumns<S, n>& M, const 
   }
   return product;
 }
-/// The same in a register.
+/// M^T v as a padded vector, with M [3x3].
 template <class S>
 TRIVIUM_INLINE Padded<S> padded_transpose_times(const PaddedColumns<S, 3>& M, const Padded<S>& v) {
   using R = Register<S>;
@@ -161,7 +162,7 @@ TRIVIUM_INLINE Padded<S> cross_product(const Padded<S>& a, const Padded<S>& b) {
   }
 }
 
-/// M times the rotation by `angle` about coordinate axis k: two columns mix.
+/// M := M R_k(angle), with R_k the rotation about coordinate axis k, angle in rad. Changes two columns of M.
 template <class S>
 TRIVIUM_INLINE void turn(PaddedColumns<S, 3>& M, int k, const S& angle) {
   using std::cos, std::sin;
@@ -188,7 +189,7 @@ TRIVIUM_INLINE PaddedColumns<S, 3> transposed(const PaddedColumns<S, 3>& M) {
   return T;
 }
 
-/// Adds M + M^T to a symmetric block.
+/// sum += M + M^T.
 template <class S>
 TRIVIUM_INLINE void add_with_transpose(const PaddedColumns<S, 3>& M, PaddedColumns<S, 3>& sum) {
   sum += M + transposed<S>(M);

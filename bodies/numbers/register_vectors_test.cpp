@@ -1,4 +1,4 @@
-/// Padded vectors calculate as plain ones do, whatever register they pass through, and stay padded.
+/// Operations on padded vectors give the same results as those on plain vectors, and keep the padding zero.
 
 #include "bodies/numbers/register_vectors.hpp"
 
@@ -21,7 +21,7 @@ Matrix3<S> draw_matrix() {
   for (int k = 0; k < 3; ++k) M.col(k) = draw_vector<S, 3>(9);
   return M;
 }
-/// The place beyond the third, if there is one, is 0.
+/// Whether the fourth entry of every column, if there is one, is 0.
 template <class S, int n>
 bool is_padded(const PaddedColumns<S, n>& M) {
   return (M.bottomRows(padded_size<S> - 3).array() == S(0)).all();

@@ -1,15 +1,15 @@
 #pragma once
-/// The scalars that every formula of the library is written over: float, double, long double, Quad
-/// (quad.hpp), Real50 (real50.hpp). Here stand their order, the unit roundoff and the cast of a matrix from
-/// one scalar to another. A file that names Quad or Real50 includes their header, so that
-/// no other file depends on Boost.Multiprecision.
+/// The scalar types of the library, in order of precision: float, double, long double, Quad (quad.hpp) and
+/// Real50 (real50.hpp). All formulas are templates over them. This file defines their order, the unit
+/// roundoff and the cast of a matrix to another scalar. Quad and Real50 have headers of their own, so that
+/// only files which name them depend on Boost.Multiprecision.
 
 #include <Eigen/Core>
 #include <limits>
 
 namespace trivium {
 
-/// The next rung of the ladder: precise enough to judge a result computed in Scalar.
+/// The next more precise scalar type, used to measure the error of a result computed in Scalar.
 template <class Scalar>
 struct NextPrecision;
 template <>
@@ -23,13 +23,13 @@ struct NextPrecision<double> {
 template <class Scalar>
 using NextPrecisionT = typename NextPrecision<Scalar>::type;
 
-/// u: half the distance from 1 to the next number.
+/// Unit roundoff u [-]: half the distance from 1 to the next greater number.
 template <class Scalar>
 Scalar unit_roundoff() {
   return std::numeric_limits<Scalar>::epsilon() / 2;
 }
 
-/// Matrix entries from one Scalar to another.
+/// The vector or matrix `m` with its entries converted to the scalar type To.
 template <class To, class Derived>
 auto scalar_cast(const Eigen::MatrixBase<Derived>& m) {
   return m.unaryExpr([](const typename Derived::Scalar& x) { return static_cast<To>(x); }).eval();

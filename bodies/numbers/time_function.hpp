@@ -1,7 +1,7 @@
 #pragma once
-/// f(t), f' and f'' exactly: the functions of time that a scene may prescribe
-/// (scenes/format/scene.schema.json). A driver's row needs f in Phi, f' in nu and f'' in gamma, so none is
-/// formed by differences.
+/// The functions of time f(t) that a scene may prescribe (scenes/format/scene.schema.json), with their
+/// analytic derivatives f' and f''. A driving constraint needs f in Phi, f' in nu and f'' in gamma;
+/// difference quotients would lose half of the digits.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace trivium {
 
-/// A value with its first and second time derivative.
+/// A value f with its first and second time derivative; + and * follow the sum and product rule.
 template <class Scalar>
 struct Jet {
   Scalar f{0}, f_t{0}, f_tt{0};
@@ -25,14 +25,15 @@ struct Jet {
   }
 };
 
-/// A phase and what rounding left out of it: after many turns that rest is what its sine feels.
+/// An angle g + rest [rad], the argument of a sine or cosine. After many revolutions g is large, and without
+/// `rest` its rounding error, |g| u, would become an error of the same size in sin(g).
 template <class Scalar>
 struct Phase {
-  Jet<Scalar> g;
-  Scalar rest{0};
+  Jet<Scalar> g;   ///< the rounded angle with its time derivatives
+  Scalar rest{0};  ///< correction of g.f for its rounding error [rad], where known
 
-  /// g = first t + constant, exactly rounded where Scalar is a hardware number: x y = p + fma(x, y, -p), and
-  /// the error of a sum by Knuth's two-sum.
+  /// sum + rest = x y + constant, with `sum` the rounded value. The error of the product is fma(x, y, -p),
+  /// that of the sum follows from Knuth's two-sum. `rest` is 0 unless Scalar is a hardware type.
   static void add_product(const Scalar& x, const Scalar& y, const Scalar& constant, Scalar& sum,
                           Scalar& rest) {
     const Scalar product = x * y;
@@ -45,7 +46,7 @@ struct Phase {
   }
 };
 
-/// The sine and cosine of a phase, by the chain rule.
+/// The sine and cosine of a phase with their first and second time derivatives, by the chain rule.
 template <class Scalar>
 struct SineCosine {
   Jet<Scalar> sine, cosine;
@@ -53,7 +54,7 @@ struct SineCosine {
   explicit SineCosine(const Phase<Scalar>& phase) {
     using std::cos, std::sin;
     const Jet<Scalar>& g = phase.g;
-    // turned on by the rest, whose own sine and cosine end with these terms
+    // addition theorem for g + r with |r| of size |g| u: sin r = r - r^3/6, 1 - cos r = r^2/2 to rounding
     const Scalar s_0 = sin(g.f), c_0 = cos(g.f), r = phase.rest, r_cos = r * r / 2, r_sin = r - r * r_cos / 3;
     const Scalar s = s_0 + (r_sin * c_0 - r_cos * s_0), c = c_0 - (r_sin * s_0 + r_cos * c_0);
     sine = {s, c * g.f_t, c * g.f_tt - s * g.f_t * g.f_t};
@@ -61,11 +62,12 @@ struct SineCosine {
   }
 };
 
-/// A function of time as a scene states it: a tree of plain doubles, evaluated in any Scalar.
+/// A function of time as a scene defines it: a tree with double coefficients that can be evaluated in any
+/// Scalar. Angles are in rad and times in s; the unit of f depends on its use.
 class TimeFunction {
  public:
   struct Polynomial {
-    std::vector<double> coefficients;  ///< c0 + c1 t + c2 t^2 + ...
+    std::vector<double> coefficients;  ///< c0, c1, c2, ... of c0 + c1 t + c2 t^2 + ...
     bool operator==(const Polynomial&) const = default;
   };
   struct Harmonic {  ///< offset + amplitude sin(angular_frequency t + phase)
@@ -73,11 +75,11 @@ class TimeFunction {
     bool operator==(const Harmonic&) const = default;
   };
   struct Sin {
-    std::vector<TimeFunction> of;  ///< exactly one
+    std::vector<TimeFunction> of;  ///< the argument [rad], exactly one; a vector since the type is recursive
     bool operator==(const Sin&) const = default;
   };
   struct Cos {
-    std::vector<TimeFunction> of;  ///< exactly one
+    std::vector<TimeFunction> of;  ///< the argument [rad], exactly one
     bool operator==(const Cos&) const = default;
   };
   struct Sum {
@@ -88,21 +90,21 @@ class TimeFunction {
     std::vector<TimeFunction> factors;
     bool operator==(const Product&) const = default;
   };
-  struct Step5 {  ///< the quintic from (t0, f0) to (t1, f1), constant outside, twice continuously
-                  ///< differentiable
+  /// Smooth step by a quintic polynomial: f0 up to t0, f1 from t1 on; f' and f'' are continuous.
+  struct Step5 {
     double t0 = 0, f0 = 0, t1 = 1, f1 = 0;
     bool operator==(const Step5&) const = default;
   };
-  /// pieces[0] before times[0], pieces[k] from times[k - 1] on: f, f' or f'' may jump there, and each is then
-  /// that of the later piece.
+  /// pieces[0] for t < times[0], pieces[k] for times[k - 1] <= t < times[k]. f, f' and f'' may jump at these
+  /// times; the value at the time itself is that of the later piece.
   struct Piecewise {
-    std::vector<double> times;
-    std::vector<TimeFunction> pieces;  ///< one more than times
+    std::vector<double> times;         ///< ascending [s]
+    std::vector<TimeFunction> pieces;  ///< functions of t, one more than `times`
     bool operator==(const Piecewise&) const = default;
   };
   using Kind = std::variant<double, Polynomial, Harmonic, Sin, Cos, Sum, Product, Step5, Piecewise>;
 
-  TimeFunction(double constant = 0) : kind_(constant) {}  // NOLINT: a number is a function of time
+  TimeFunction(double constant = 0) : kind_(constant) {}  // NOLINT: implicit, a number is a constant function
   template <class K>
   requires(!std::is_arithmetic_v<std::decay_t<K>> && std::is_constructible_v<Kind, K>) TimeFunction(K kind)
       : kind_(std::move(kind)) {}  // NOLINT
@@ -110,15 +112,14 @@ class TimeFunction {
   const Kind& kind() const { return kind_; }
   bool operator==(const TimeFunction&) const = default;
 
-  /// A plain number: its derivatives are known to be zero and need not be computed.
+  /// Whether the function is given as a plain number, so that its derivatives are zero.
   bool is_number() const { return std::holds_alternative<double>(kind_); }
 
-  /// Whether f is the same at all times.
+  /// Whether f is recognised as constant from its coefficients; sin^2 + cos^2 is not.
   bool is_constant() const {
     return std::visit([](const auto& kind) { return constant(kind); }, kind_);
   }
-  /// Appends the times where f'' has a kink or f, f' or f'' jumps: a method that lands there keeps its order
-  /// across.
+  /// Appends the times where f'' has a kink or f, f' or f'' jumps; steps that end there keep their order.
   void append_kinks(std::vector<double>& times) const {
     std::visit([&](const auto& kind) { add_kinks(kind, times); }, kind_);
   }
@@ -128,7 +129,7 @@ class TimeFunction {
   Jet<Scalar> operator()(const Scalar& t) const {
     return std::visit([&](const auto& kind) { return evaluate(kind, t); }, kind_);
   }
-  /// The same as a phase: what rounding leaves out of a polynomial is kept.
+  /// f, f' and f'' at time t, with the rounding error of f in `rest` if the function is a polynomial.
   template <class Scalar>
   Phase<Scalar> phase(const Scalar& t) const {
     if (const auto* polynomial = std::get_if<Polynomial>(&kind_)) return polynomial_phase(*polynomial, t);
@@ -184,7 +185,7 @@ class TimeFunction {
       y = {y.f * t + Scalar(*c), y.f_t * t + y.f, y.f_tt * t + 2 * y.f_t};
     return y;
   }
-  /// Horner with the rounding of every step carried along.
+  /// Compensated Horner scheme: the rounding error of every step is propagated in `rest`.
   template <class Scalar>
   static Phase<Scalar> polynomial_phase(const Polynomial& k, const Scalar& t) {
     Phase<Scalar> phase{evaluate(k, t)};

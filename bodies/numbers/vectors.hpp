@@ -1,6 +1,6 @@
 #pragma once
-/// The vectors and matrices of the formulas: Eigen's own, of any Scalar, by short names. Formulas then read
-/// as they are printed.
+/// Short names for Eigen's column vectors and matrices over any Scalar. Formulas in the code then look like
+/// the printed ones.
 
 #include <Eigen/Core>
 

@@ -1,9 +1,10 @@
 #pragma once
-/// Euler angles of any body-fixed sequence: from angles to a rotation, A = R_s1(a) R_s2(b) R_s3(c), and back.
-/// Haug (1989), section 9.3.
+/// Euler angles of any body-fixed sequence: the rotation matrix of three angles,
 ///
-/// Decided here: the branch of the middle angle, and at a singular A, where only a sum of the other two is
-/// determined, the first of them.
+///     A = R_s1(a) R_s2(b) R_s3(c),
+///
+/// and the angles of a rotation matrix. Haug (1989), section 9.3. At a singular A only the sum or difference
+/// of the first and third angle is determined.
 
 #include <cmath>
 
@@ -12,20 +13,21 @@
 
 namespace trivium {
 
-/// A = R_s1(a) R_s2(b) R_s3(c).
+/// A = R_s1(a) R_s2(b) R_s3(c) [3x3], body to global; angles (a, b, c) [rad].
 template <class Scalar>
 Matrix3<Scalar> euler_rotation(const EulerSequence& s, const Vector3<Scalar>& angles) {
   return axis_rotation(s.axis[0], angles[0]) * axis_rotation(s.axis[1], angles[1]) *
          axis_rotation(s.axis[2], angles[2]);
 }
 
-/// The angles of A in the sequence, the middle one in [0, pi] (iji) or [-pi/2, pi/2] (ijk). At a singular A
-/// the first angle is arbitrary and the last makes up for it.
+/// The angles (a, b, c) [rad] of the rotation matrix A in the sequence s. The middle angle b lies in [0, pi]
+/// for symmetric sequences (iji) and in [-pi/2, pi/2] for the others (ijk). At a singular A the angle a is
+/// arbitrary, and c is such that the angles reproduce A.
 template <class Scalar>
 Vector3<Scalar> euler_angles(const EulerSequence& s, const Matrix3<Scalar>& A) {
   using std::atan2, std::hypot, std::sqrt;
   const auto [i, j, k3] = s.axis;
-  const int k = 3 - i - j;                                          // the axis that the first two leave
+  const int k = 3 - i - j;                                          // the axis that is neither i nor j
   const Scalar sign = (j == (i + 1) % 3) ? Scalar(1) : Scalar(-1);  // +1 where (i, j, k) is right-handed
   const auto norm2 = [](const Scalar& x, const Scalar& y) { return Scalar(sqrt(x * x + y * y)); };
   Vector3<Scalar> angles;
@@ -38,7 +40,7 @@ Vector3<Scalar> euler_angles(const EulerSequence& s, const Matrix3<Scalar>& A) {
     angles[1] = atan2(Scalar(sign * A(i, k3)), cos_b);
     angles[0] = atan2(Scalar(-sign * A(j, k3)), A(k, k3));
   }
-  // the last angle from what is left when the first two are undone: well defined at every A
+  // R_s3(c) = (R_s1(a) R_s2(b))^T A: gives c at every A, also at a singular one
   const Matrix3<Scalar> R3 = (axis_rotation(i, angles[0]) * axis_rotation(j, angles[1])).transpose() * A;
   const int m = (k3 + 1) % 3, n = (k3 + 2) % 3;
   angles[2] = atan2(R3(n, m), R3(m, m));

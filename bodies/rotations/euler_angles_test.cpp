@@ -31,7 +31,7 @@ TEST(EulerSequences, AreTheirAxesAsConstants) {
 
 TYPED_TEST(EulerAngles, RotationIsTheProductOfThreeTurnsInTheStatedOrder) {
   using S = TypeParam;
-  // 3-1-3, written out (Haug 9.3.41): the third column depends on the first two angles alone
+  // 3-1-3 (Haug 9.3.41): column 3 of A depends only on the first two angles, row 3 only on the last two
   const Vector3<S> angles(S(0.3), S(0.5), S(0.7));
   const Matrix3<S> A = euler_rotation<S>({{2, 0, 2}}, angles);
   using std::cos, std::sin;

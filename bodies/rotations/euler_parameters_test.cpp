@@ -34,7 +34,7 @@ TYPED_TEST(EulerParameters, AngularVelocityIsTwiceGPDot) {
     const Vector4<S> p_dot = G_matrix(p).transpose() * omega_bar / 2;
     RC_ASSERT(distance(2 * G_matrix(p) * p_dot, omega_bar) <= roundings<S>(100));
     RC_ASSERT(distance(-2 * G_matrix(p_dot) * p, omega_bar) <= roundings<S>(100));
-    // A' = A tilde(omega_bar), A' by the product rule on A = E G^T
+    // A' = A tilde(omega_bar), with A' from the product rule on A = E G^T
     const Matrix3<S> A_dot =
         E_matrix(p_dot) * G_matrix(p).transpose() + E_matrix(p) * G_matrix(p_dot).transpose();
     RC_ASSERT(distance(A_dot, rotation_matrix(p) * tilde(omega_bar)) <= roundings<S>(100));
@@ -47,7 +47,7 @@ TYPED_TEST(EulerParameters, AngularAccelerationIsTwiceGPDdot) {
     const Vector4<S> p = draw_euler_parameters<S>();
     const Vector3<S> omega_bar = draw_vector<S, 3>(4), omega_bar_dot = draw_vector<S, 3>(4);
     const Vector4<S> p_dot = G_matrix(p).transpose() * omega_bar / 2;
-    // p'' of a path on the sphere; A'' by the product rule gives omega_bar' independently
+    // p'' of a path with |p| = 1; A'' from the product rule gives omega_bar' independently
     const Vector4<S> p_ddot = G_matrix(p).transpose() * omega_bar_dot / 2 - omega_bar.squaredNorm() / 4 * p;
     RC_ASSERT(distance(2 * G_matrix(p) * p_ddot, omega_bar_dot) <= roundings<S>(300));
     const Matrix3<S> A = rotation_matrix(p);

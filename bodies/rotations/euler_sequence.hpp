@@ -1,7 +1,7 @@
 #pragma once
-/// The twelve body-fixed sequences of Euler angles, as run-time data: A = R_s1(a) R_s2(b) R_s3(c). Each is
-/// singular where its middle angle makes the first and the third axis parallel; euler_chart_choice.hpp
-/// decides which sequence a body gets.
+/// The twelve body-fixed sequences of Euler angles, A = R_s1(a) R_s2(b) R_s3(c), as run-time data. A sequence
+/// is singular where its middle angle makes the first and the third axis parallel. euler_chart_choice.hpp
+/// chooses the sequence of each body.
 
 #include <array>
 #include <optional>
@@ -11,13 +11,14 @@
 
 namespace trivium {
 
-/// Successive body-fixed axes s1, s2, s3 (0 = x, 1 = y, 2 = z): A = R_s1(a) R_s2(b) R_s3(c).
+/// A sequence of Euler angles: the axes of its three successive rotations.
 struct EulerSequence {
-  std::array<int, 3> axis{2, 0, 2};
+  std::array<int, 3> axis{2, 0, 2};  ///< body-fixed axes s1, s2, s3 (0 = x, 1 = y, 2 = z); default 3-1-3
 
-  /// iji: singular where sin(theta) = 0. The others (ijk) are singular where cos(theta) = 0.
+  /// Whether the sequence is iji, singular where sin(theta) = 0 with theta the middle angle. The others (ijk)
+  /// are singular where cos(theta) = 0.
   constexpr bool is_symmetric() const { return axis[0] == axis[2]; }
-  /// "313" and the like.
+  /// The axes as digits from 1, e.g. "313".
   std::string name() const {
     std::string s;
     for (int a : axis) s += static_cast<char>('1' + a);
@@ -29,7 +30,8 @@ struct EulerSequence {
 template <int i, int j, int k>
 using Axes = std::integer_sequence<int, i, j, k>;
 
-/// use(Axes<i, j, k>{}): the axes as constants, for code that would look columns up by them.
+/// Returns `use(Axes<i, j, k>{})`: passes the axes as compile-time constants, so that matrix columns which
+/// they select need no run-time index.
 template <class Use>
 auto with_axes(const EulerSequence& sequence, const Use& use) {
   const auto from = [&]<int i>(std::integral_constant<int, i>) {
@@ -51,7 +53,7 @@ auto with_axes(const EulerSequence& sequence, const Use& use) {
 inline constexpr std::array<std::string_view, 12> euler_sequence_names{
     "121", "131", "212", "232", "313", "323", "123", "132", "213", "231", "312", "321"};
 
-/// The sequence of that name; none if it is not one of the twelve.
+/// The sequence with that name; none if the name is not one of the twelve.
 inline std::optional<EulerSequence> parse_euler_sequence(std::string_view name) {
   for (std::string_view known : euler_sequence_names)
     if (name == known) return EulerSequence{{name[0] - '1', name[1] - '1', name[2] - '1'}};

@@ -19,7 +19,7 @@ TYPED_TEST(Exponential, TurnsByItsNormAboutItsAxis) {
   using std::sin, std::cos;
   Random random(2);
   for (int n = 0; n < 300; ++n) {
-    // sizes down to far below the root of u, where a series would have to take over from sin(x)/x
+    // sizes down to far below sqrt(u), where implementations often replace sin(x)/x by a series
     const S size = S(std::pow(10.0, -random.uniform(0, 12)));
     const Vector3<S> axis = random.direction<S>();
     const Vector4<S> p = exponential_parameters<S>(size * axis);
@@ -61,13 +61,13 @@ TYPED_TEST(Exponential, IsInvertedByTheRotationVector) {
                            : S(std::pow(10.0, -random.uniform(0, 12)));
     const Vector3<S> phi = size * random.direction<S>();
     const Vector4<S> p = exponential_parameters(phi);
-    for (const int sign : {1, -1})  // p and -p are the same rotation
+    for (const int sign : {1, -1})  // p and -p describe the same rotation
       EXPECT_LE(distance(rotation_vector<S>(S(sign) * p), phi), roundings<S>(40) * static_cast<double>(size))
           << size;
   }
 }
 
-// A(t) = exp(tilde(phi + t phi')) turns with omega_bar, by differences in quad
+// A(t) = exp(tilde(phi + t phi')) has angular velocity omega_bar: checked by central differences in Quad
 TYPED_TEST(Exponential, RotationVectorRateIsThatOfATurningBody) {
   using S = TypeParam;
   Random random(4);

@@ -1,10 +1,12 @@
 #pragma once
-/// Rotations as matrices A, Euler parameters p = (e0, e) and rotation vectors phi, and the maps between them.
-/// A bar means body components; A maps body components to global ones. Haug, Computer Aided Kinematics and
-/// Dynamics (1989), chapter 9.
+/// Rotations as matrices A [3x3], Euler parameters p = (e0, e) [4, -] and rotation vectors phi [3, rad], and
+/// the maps between them:
 ///
-/// Decided here: of the two p of a matrix A, the one whose largest component is positive; of all phi of a p,
-/// one of at most half a turn.
+///     A = E G^T = exp(tilde(phi)),   p = (cos(|phi|/2), sin(|phi|/2) phi/|phi|),   omega_bar = 2 G p'
+///
+/// A maps body components (with a bar) to global components. Haug, Computer Aided Kinematics and Dynamics
+/// (1989), chapter 9. Two conventions are fixed here: euler_parameters returns, of p and -p, the one whose
+/// largest component is positive; rotation_vector returns a vector with |phi| <= pi.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -15,7 +17,7 @@
 
 namespace trivium {
 
-/// tilde(a) b = a x b.
+/// tilde(a) [3x3], skew-symmetric: tilde(a) b = a x b.
 template <class Scalar>
 Matrix3<Scalar> tilde(const Vector3<Scalar>& a) {
   Matrix3<Scalar> m;
@@ -23,7 +25,7 @@ Matrix3<Scalar> tilde(const Vector3<Scalar>& a) {
   return m;
 }
 
-/// e0 I + tilde(e), the 3x3 part that E and B(p, abar) share.
+/// e0 I + tilde(e) [3x3], which E and the derivative B(p, a_bar) of A a_bar by p have in common.
 template <class Scalar>
 Matrix3<Scalar> euler_parameter_block(const Vector4<Scalar>& p) {
   Matrix3<Scalar> block;
@@ -33,7 +35,7 @@ Matrix3<Scalar> euler_parameter_block(const Vector4<Scalar>& p) {
   return block;
 }
 
-/// E = [-e, e0 I + tilde(e)], 3x4.
+/// E = [-e, e0 I + tilde(e)] [3x4]: global omega = 2 E p'. Haug (1989), section 9.3.
 template <class Scalar>
 Matrix<Scalar, 3, 4> E_matrix(const Vector4<Scalar>& p) {
   Matrix<Scalar, 3, 4> E;
@@ -42,7 +44,7 @@ Matrix<Scalar, 3, 4> E_matrix(const Vector4<Scalar>& p) {
   return E;
 }
 
-/// G = [-e, e0 I - tilde(e)], 3x4: omega_bar = 2 G p'.
+/// G = [-e, e0 I - tilde(e)] [3x4]: omega_bar = 2 G p'. Haug (1989), section 9.3.
 template <class Scalar>
 Matrix<Scalar, 3, 4> G_matrix(const Vector4<Scalar>& p) {
   Matrix<Scalar, 3, 4> G;
@@ -51,13 +53,14 @@ Matrix<Scalar, 3, 4> G_matrix(const Vector4<Scalar>& p) {
   return G;
 }
 
-/// A = E G^T for unit p.
+/// A = E G^T [3x3], body to global; p must have norm 1.
 template <class Scalar>
 Matrix3<Scalar> rotation_matrix(const Vector4<Scalar>& p) {
   return E_matrix(p) * G_matrix(p).transpose();
 }
 
-/// p of a rotation matrix, unit, its largest component positive; well conditioned for every A.
+/// Euler parameters of a rotation matrix A [3x3]: |p| = 1, the component of largest magnitude is positive.
+/// Well conditioned for every A, since only this component, at least 1/2, is divided by.
 template <class Scalar>
 Vector4<Scalar> euler_parameters(const Matrix3<Scalar>& A) {
   using std::sqrt;
@@ -66,7 +69,7 @@ Vector4<Scalar> euler_parameters(const Matrix3<Scalar>& A) {
                           1 + 2 * A(2, 2) - trace);
   Eigen::Index k;
   squares.maxCoeff(&k);
-  Vector4<Scalar> p;  // row k of the symmetric matrix 4 p p^T, read off A
+  Vector4<Scalar> p;  // row k of the symmetric matrix 4 p p^T, whose entries are sums of entries of A
   const Vector3<Scalar> skew(A(2, 1) - A(1, 2), A(0, 2) - A(2, 0), A(1, 0) - A(0, 1));
   if (k == 0) {
     p << squares[0], skew;
@@ -83,7 +86,7 @@ Vector3<Scalar> unit_axis(int k) {
   return Vector3<Scalar>::Unit(k);
 }
 
-/// R_k(angle): rotation about coordinate axis k.
+/// R_k(angle) [3x3]: rotation by `angle` [rad] about coordinate axis k (0 = x, 1 = y, 2 = z).
 template <class Scalar>
 Matrix3<Scalar> axis_rotation(int k, const Scalar& angle) {
   using std::cos, std::sin;
@@ -97,7 +100,7 @@ Matrix3<Scalar> axis_rotation(int k, const Scalar& angle) {
   return R;
 }
 
-/// M tilde(a), a column at a time; of a its first three places.
+/// M tilde(a) [rows x 3], column by column; uses only the first three entries of a.
 template <class Scalar, int rows, int size>
 Matrix<Scalar, rows, 3> times_tilde(const Matrix<Scalar, rows, 3>& M, const Vector<Scalar, size>& a) {
   Matrix<Scalar, rows, 3> product;
@@ -107,19 +110,19 @@ Matrix<Scalar, rows, 3> times_tilde(const Matrix<Scalar, rows, 3>& M, const Vect
   return product;
 }
 
-/// exp(tilde(phi)) as Euler parameters; exact at phi = 0.
+/// Unit Euler parameters of exp(tilde(phi)), the rotation by |phi| [rad] about phi. Exact for phi = 0.
 template <class Scalar>
 Vector4<Scalar> exponential_parameters(const Vector3<Scalar>& phi) {
   using std::cos, std::sin;
   const Scalar half = phi.norm() / 2;
   Vector4<Scalar> p;
-  // sin(x)/x needs no series: sin(x) is good to rounding however small x is, in every Scalar
+  // sin(x)/x needs no series for small x: the relative error of sin(x) is of size u for every x
   const Scalar sinc = half == Scalar(0) ? Scalar(1) : Scalar(sin(half) / half);
   p << Scalar(cos(half)), (sinc / 2) * phi;
   return p / p.norm();
 }
 
-/// Product of rotations in Euler parameters: A(result) = A(p) A(q).
+/// Product of two rotations (quaternion product): A(result) = A(p) A(q).
 template <class Scalar>
 Vector4<Scalar> multiply_parameters(const Vector4<Scalar>& p, const Vector4<Scalar>& q) {
   Vector4<Scalar> out;
@@ -128,13 +131,13 @@ Vector4<Scalar> multiply_parameters(const Vector4<Scalar>& p, const Vector4<Scal
   return out;
 }
 
-/// The inverse rotation.
+/// The inverse rotation: A(result) = A(p)^T.
 template <class Scalar>
 Vector4<Scalar> conjugate_parameters(const Vector4<Scalar>& p) {
   return {p[0], -p[1], -p[2], -p[3]};
 }
 
-/// phi of at most half a turn with A(p) = exp(tilde(phi)): the inverse of exponential_parameters.
+/// phi [rad], |phi| <= pi, with exp(tilde(phi)) = A(p). p and -p give the same phi if |phi| < pi.
 template <class Scalar>
 Vector3<Scalar> rotation_vector(const Vector4<Scalar>& p) {
   using std::atan2;
@@ -143,16 +146,17 @@ Vector3<Scalar> rotation_vector(const Vector4<Scalar>& p) {
   return sine > Scalar(0) ? Vector3<Scalar>(2 * atan2(sine, cosine) / sine * e) : Vector3<Scalar>(2 * e);
 }
 
-/// T(phi)^-1 omega_bar = phi', where A = A_0 exp(tilde(phi)) turns with omega_bar; phi short of a full turn.
+/// phi' = T(phi)^-1 omega_bar [rad/s], for A = A_0 exp(tilde(phi)) with angular velocity omega_bar [rad/s,
+/// body frame]. Requires |phi| < 2 pi, where T becomes singular.
 ///
-///   T^-1 = I + 1/2 tilde(phi) + (1 - x cot x) / phi^2 tilde(phi)^2,   x = |phi| / 2
+///     T^-1 = I + 1/2 tilde(phi) + (1 - x cot x) / |phi|^2 tilde(phi)^2,   x = |phi| / 2
 template <class Scalar>
 Vector3<Scalar> rotation_vector_rate(const Vector3<Scalar>& phi, const Vector3<Scalar>& omega_bar) {
   using std::abs, std::cos, std::sin;
   const Scalar squared = phi.squaredNorm() / 4;
   Scalar share;
   if (squared < Scalar(0.25)) {
-    // sin x - x cos x by its series, as its terms of first order cancel
+    // power series of sin x - x cos x, divided by x^3: the terms of first order would cancel
     Scalar sum = Scalar(1) / 3, power = Scalar(1) / 6, sine = 1 - squared / 6, term = -squared / 6;
     for (int k = 2; abs(power) > sum * std::numeric_limits<Scalar>::epsilon(); ++k) {
       power *= -squared / Scalar((2 * k) * (2 * k + 1));

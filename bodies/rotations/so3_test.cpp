@@ -48,7 +48,7 @@ TYPED_TEST(Rotations, EulerParametersInvertTheRotationMatrix) {
         Eigen::Index largest;
         found.cwiseAbs().maxCoeff(&largest);
         RC_ASSERT(found[largest] > S(0));
-        // p and -p are the same rotation
+        // p and -p describe the same rotation
         RC_ASSERT(std::min(distance(found, p), distance(found, -p)) <= roundings<S>(20));
       },
       1000);
@@ -59,7 +59,7 @@ TYPED_TEST(Rotations, EulerParametersOfHalfTurnsAndTheirNeighbours) {
   Random random(1);
   for (int n = 0; n < 300; ++n) {
     Vector3<S> axis = n < 3 ? Vector3<S>(Vector3<S>::Unit(n)) : random.direction<S>();
-    if (n % 7 == 3) axis[n % 3] = S(0);  // an axis in a coordinate plane: one of the four vanishes too
+    if (n % 7 == 3) axis[n % 3] = S(0);  // an axis in a coordinate plane: a second component of p is 0
     Vector4<S> p;
     p << (n % 2 ? S(0) : S(random.uniform(-1e-5, 1e-5))), axis;
     p /= p.norm();

@@ -1,6 +1,6 @@
 #pragma once
-/// Laws over drawn arguments, and the distances and roundings in which tests state them. A support of the
-/// tests.
+/// Property tests with random arguments: the test driver, generators of arguments, and measures of distance
+/// in units of rounding errors. Used by tests only.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -15,8 +15,8 @@
 
 namespace trivium::test {
 
-/// A law that must hold for everything it draws (`*rc::gen...` inside); the seed is fixed so that every run
-/// sees the same cases, and a failure is shrunk to a simple one.
+/// Tests `law` in `cases` random cases; the law draws its arguments by `*rc::gen...`. The seed is fixed, so
+/// every run tests the same cases. RapidCheck reduces a failing case to a simpler one before it reports it.
 template <class Law>
 void for_all(const Law& law, int cases = 200) {
   const testing::TestInfo* info = testing::UnitTest::GetInstance()->current_test_info();
@@ -33,7 +33,7 @@ void for_all(const Law& law, int cases = 200) {
   ADD_FAILURE() << text.str();
 }
 
-/// A multiple of 2^-10 in [-size, size]: exact in every Scalar, and simple once shrunk.
+/// A random multiple of 2^-10 in [-size, size]: exact in every Scalar.
 template <class S>
 S draw_number(int size = 1) {
   return S(*rc::gen::inRange(-1024 * size, 1024 * size + 1)) / 1024;
@@ -54,7 +54,7 @@ inline EulerSequence draw_sequence() {
   return *parse_euler_sequence(euler_sequence_names[*rc::gen::inRange<std::size_t>(0, 12)]);
 }
 
-/// The largest |a[k] - b[k]|; not a number where one of them is none.
+/// max |a[k] - b[k]|; NaN if an entry is NaN.
 template <class S>
 double distance(const S* a, const S* b, Eigen::Index n) {
   using std::abs, std::isnan;
@@ -66,14 +66,14 @@ double distance(const S* a, const S* b, Eigen::Index n) {
   }
   return static_cast<double>(largest);
 }
-/// The largest entry of |a - b|. Both are evaluated first: more expressions are dear to compile.
+/// The largest entry of |a - b|. Evaluates both first: more template instances are expensive to compile.
 template <class A, class B>
 double distance(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
   const Eigen::Matrix<typename A::Scalar, A::RowsAtCompileTime, A::ColsAtCompileTime> value = a, other = b;
   return distance(value.data(), other.data(), value.size());
 }
 
-/// `multiple` roundings of S, as a double.
+/// `multiple` times the unit roundoff of S, as a double.
 template <class S>
 double roundings(double multiple) {
   return multiple * static_cast<double>(unit_roundoff<S>());

@@ -1,5 +1,5 @@
 #pragma once
-/// A seeded source of numbers, vectors, directions and Euler parameters. A support of the tests.
+/// A seeded generator of random numbers, vectors, directions and Euler parameters. Used by tests only.
 
 #include <cstdint>
 #include <random>
@@ -8,8 +8,8 @@
 
 namespace trivium::test {
 
-/// Numbers from a fixed seed, the same on every machine (the standard's distributions are not). All are
-/// doubles, so that every Scalar starts from exactly the same values.
+/// Uses no distributions of the C++ standard, as these differ between machines. Draws doubles, so that every
+/// Scalar gets exactly the same values.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -17,7 +17,7 @@ class Random {
   double uniform(double low = -1, double high = 1) {
     return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
   }
-  /// 0 ... n - 1.
+  /// A random index in 0 ... n - 1.
   int index(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
   bool chance(double probability) { return uniform(0, 1) < probability; }
 
@@ -27,7 +27,7 @@ class Random {
     for (int k = 0; k < N; ++k) v[k] = S(uniform(-size, size));
     return v;
   }
-  /// A direction, unit to the last bit of S.
+  /// A random direction, with norm 1 up to the rounding of S; uniform, by rejection outside the unit ball.
   template <class S, int N = 3>
   Vector<S, N> direction() {
     for (;;) {

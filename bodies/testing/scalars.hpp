@@ -1,5 +1,5 @@
 #pragma once
-/// The Scalars in which laws of rotations are tried. A support of the tests.
+/// The scalar types in which the laws of rotations are tested. Used by tests only.
 
 #include <gtest/gtest.h>
 

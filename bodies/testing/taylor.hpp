@@ -1,7 +1,7 @@
 #pragma once
-/// A value with its first and second derivative along one parameter, as a Scalar of its own: what the library
-/// computes over Taylor<S> comes back differentiated exactly, whatever formulas the library itself derived. A
-/// support of the tests.
+/// Forward-mode automatic differentiation of second order. Taylor is a scalar type that holds a value and its
+/// first and second derivative with respect to one parameter. Library code evaluated over Taylor yields exact
+/// derivatives, independent of the derivatives that the library programs. Used by tests only.
 
 #include <cmath>
 #include <concepts>
@@ -20,7 +20,7 @@ struct Taylor {
   requires std::constructible_from<Base, Number> Taylor(const Number& value)  // NOLINT: a constant
       : d0(static_cast<Base>(value)) {}
   Taylor(const Base& value, const Base& first, const Base& second) : d0(value), d1(first), d2(second) {}
-  /// The parameter itself.
+  /// The parameter itself: its first derivative is 1, its second 0.
   static Taylor parameter(const Base& value) { return {value, Base(1), Base(0)}; }
 
   Taylor operator-() const { return {-d0, -d1, -d2}; }
@@ -48,7 +48,7 @@ struct Taylor {
   friend bool operator<(const Taylor& a, const Taylor& b) { return a.d0 < b.d0; }
   friend bool operator>(const Taylor& a, const Taylor& b) { return a.d0 > b.d0; }
 
-  /// g(a) from g and its derivatives at a.d0.
+  /// g(a) by the chain rule, from g, g' and g'' at a.d0.
   static Taylor chain(const Taylor& a, const Base& g, const Base& g_1, const Base& g_2) {
     return {g, g_1 * a.d1, g_1 * a.d2 + g_2 * a.d1 * a.d1};
   }
@@ -69,7 +69,7 @@ struct Taylor {
   }
 };
 
-/// A vector or matrix from its value and its derivatives.
+/// A vector or matrix over Taylor from its value and its first and second derivative.
 template <class Base, int R, int C>
 Matrix<Taylor<Base>, R, C> taylor(const Matrix<Base, R, C>& value, const Matrix<Base, R, C>& first,
                                   const Matrix<Base, R, C>& second) {
@@ -84,7 +84,7 @@ Matrix<Taylor<Base>, R, C> constant(const Matrix<Base, R, C>& value) {
   return taylor<Base, R, C>(value, zero, zero);
 }
 
-/// The derivatives of every entry.
+/// The first or second derivative of every entry.
 template <class Base, int R, int C>
 Matrix<Base, R, C> first_derivative(const Matrix<Taylor<Base>, R, C>& m) {
   return m.unaryExpr([](const Taylor<Base>& x) { return x.d1; }).eval();

@@ -1,5 +1,6 @@
 #pragma once
-/// Plain bodies on smooth paths: a constraint knows nothing of formulations. A support of the tests.
+/// Bodies of type PlainBody on smooth paths, to test constraints without any formulation. Used by tests only.
+/// The path is given by its derivatives up to second order at one instant.
 
 #include "bodies/rotations/so3.hpp"
 #include "constraints/plain_body.hpp"
@@ -10,7 +11,7 @@ namespace trivium::test {
 template <class S>
 using MovingPlainBody = MovingBody<PlainBody<S>, PlainBody<Taylor<S>>>;
 
-/// On the path with these derivatives of r and of the global rotation: A' = omega~ A.
+/// A body with the given r, A, velocity (r', omega) and acceleration (r'', omega') [global].
 template <class S>
 MovingPlainBody<S> moving_plain_body(const Vector3<S>& r, const Matrix3<S>& A,
                                      const typename MovingPlainBody<S>::Motion& velocity,

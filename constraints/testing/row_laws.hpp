@@ -1,11 +1,12 @@
 #pragma once
-/// The laws of a constraint row, the same for whatever coordinates the bodies move in. A support of the
-/// tests.
+/// The laws that relate Phi, nu, gamma and the Jacobian of a constraint row, in the coordinates of any
+/// formulation. Used by tests only: Phi over Taylor numbers gives Phi' and Phi'' independently.
 
 #include <array>
 #include <type_traits>
 #include <variant>
 
+#include "base/raise.hpp"
 #include "base/variants.hpp"
 #include "bodies/testing/random.hpp"
 #include "bodies/testing/taylor.hpp"
@@ -14,15 +15,14 @@
 
 namespace trivium::test {
 
-/// A body on a smooth path: its kinematics now, the same along the path as a Taylor expansion, and the first
-/// and second derivative of its unknowns.
+/// A body on a smooth path at one instant.
 template <BodyKinematics Body, BodyKinematics BodyAlong>
 struct MovingBody {
   using S = typename Body::Scalar;
   using Motion = BodyAcceleration<S, Body::rotational_unknowns>;
-  Body now;
-  BodyAlong along;
-  Motion velocity, acceleration;
+  Body now;                       ///< kinematics at the instant
+  BodyAlong along;                ///< kinematics over Taylor, differentiated along the path
+  Motion velocity, acceleration;  ///< first and second derivatives of the coordinates
 };
 
 inline constexpr int basic_kinds = std::variant_size_v<BasicConstraint<double>>;
@@ -37,14 +37,14 @@ inline const char* basic_kind_name(int kind) {
 }
 
 inline TimeFunction sample_function(Random& random) {
-  // draws in statements of their own: arguments are evaluated in any order
+  // drawn one after the other, since C++ does not fix the order in which arguments are evaluated
   std::array<double, 7> x;
   for (double& drawn : x) drawn = random.uniform();
   return TimeFunction::Sum{{TimeFunction::Harmonic{x[0], x[1], 1.5 + x[2] / 2, x[3]},
                             TimeFunction::Polynomial{{x[4], x[5], x[6]}}}};
 }
 
-/// A basic constraint with every number drawn, f(t) and alpha(t) among them; the same one in every Scalar.
+/// A basic constraint with random vectors, points and functions of time; the same for a seed in every Scalar.
 template <class S>
 BasicConstraint<S> sample_constraint(int kind, std::uint64_t seed) {
   Random random(seed);
@@ -65,7 +65,7 @@ BasicConstraint<S> sample_constraint(int kind, std::uint64_t seed) {
   return sample;
 }
 
-/// Phi_q q' of a row for given derivatives of its bodies' unknowns.
+/// Phi_q q' (or Phi_q q'') of a row for given first (second) derivatives of the coordinates of its bodies.
 template <class S, int N>
 S row_times(const ConstraintRow<S, N>& row, const BodyAcceleration<S, N>& on_i,
             const BodyAcceleration<S, N>& on_j) {
@@ -73,12 +73,12 @@ S row_times(const ConstraintRow<S, N>& row, const BodyAcceleration<S, N>& on_i,
          row.rot_j.dot(on_j.q_ddot);
 }
 
-/// The largest violations over the cases seen.
+/// The largest errors of the laws over all cases.
 struct RowErrors {
   double value = 0, velocity = 0, acceleration = 0, row_acceleration = 0;
 };
 
-/// Phi' = Phi_q q' - nu and Phi'' = Phi_q q'' - gamma along the path, and row_acceleration is Phi''.
+/// Updates `worst` with the errors of Phi' = Phi_q q' - nu, Phi'' = Phi_q q'' - gamma and row_acceleration.
 template <class Moving, class S>
 void measure_row(int kind, std::uint64_t seed, const Moving& i, const Moving& j, const Taylor<S>& t,
                  RowErrors& worst) {
@@ -86,11 +86,10 @@ void measure_row(int kind, std::uint64_t seed, const Moving& i, const Moving& j,
   const Taylor<S> phi = evaluate_row(sample_constraint<Taylor<S>>(kind, seed), i.along, j.along, t).phi;
   const auto row = evaluate_row(constraint, i.now, j.now, t.d0);
   const auto raise = [](double& error, const S& difference) {
-    const double size = std::abs(static_cast<double>(difference));
-    if (!(size <= error)) error = size;
+    trivium::raise(error, std::abs(static_cast<double>(difference)));
   };
   raise(worst.value, row.phi - phi.d0);
-  // a frozen t (d1 = 0) leaves the Jacobian alone
+  // with t constant along the path (d1 = 0), this tests the Jacobian alone
   raise(worst.velocity, row_times(row, i.velocity, j.velocity) - t.d1 * row.nu - phi.d1);
   if (t.d1 == S(0)) return;
   raise(worst.acceleration, row_times(row, i.acceleration, j.acceleration) - row.gamma - phi.d2);

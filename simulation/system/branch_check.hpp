@@ -1,9 +1,9 @@
 #pragma once
-/// Decides whether the projection of a step would leave the branch of the motion. Constraints may be met on
-/// several branches, as a four-bar's two ways of closing. A projection is a small correction of a step, so
-/// one that moves some component (bodies that rows connect) by more than a tenth of what the step did, and
-/// by more than a share of its own numbers, is not trusted. integrators/integrate.cpp then
-/// takes the step back and has the method take a shorter one.
+/// Decides whether the projection of a step may have left the branch of the motion. Constraints can be
+/// satisfied on several branches: a four-bar, for example, closes in two ways. A correct projection is a
+/// small correction of its step. It is rejected if, in some component (set of bodies connected by rows), it
+/// changes the state by more than a tenth of the change made by the step plus a small share of the state
+/// itself. integrators/integrate.cpp then rejects the step and asks the method for a shorter one.
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ class BranchCheck {
 
   explicit BranchCheck(int nb) : way_(nb + 1) {}
 
-  /// Of y before the step, after the step, and after the projection.
+  /// The arguments are y before the step, after the step, and after its projection.
   bool projection_is_too_large(const StateLayout<F>& layout, const ConstraintViolation<S>& components,
                                const StateVector& before, const StateVector& stepped,
                                const StateVector& projected) {
@@ -45,13 +45,13 @@ class BranchCheck {
   }
 
  private:
-  /// A projection is to be so many times smaller than the step that it corrects.
+  /// A trusted projection is at least this many times smaller than the step that it corrects.
   static constexpr int times_smaller = 10;
-  /// Shares of a component's numbers that a projection may always move. Velocities may move more: another
-  /// branch of velocities is as far as they are large.
+  /// Relative changes of a component that a projection may always make. Velocities are allowed more, because
+  /// velocities on another branch differ from these by as much as their own size.
   static constexpr double little_position = 1e-4, little_velocity = 1e-2;
 
-  /// Of a component, squares: how far a projection, a step moved its numbers, and how large they are.
+  /// Sums of squares over a component: change by the projection, change by the step, and values of the state.
   struct Way {
     S back{0}, step{0}, size{0};
   };

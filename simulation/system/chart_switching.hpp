@@ -1,8 +1,8 @@
 #pragma once
-/// Changes of chart along a motion. A body whose Euler angles come nearer to their singularity than
-/// reframing_distance gets another chart, chosen as at the start (formulations/euler_chart_choice.hpp), and
-/// its numbers in y are written anew. Where charts are kept instead, `near_singularity` names such a body.
-/// Formulations without charts (NoChart) have nothing to change.
+/// Changes of chart (re-framing) along a motion. A body whose Euler angles come nearer to their singularity
+/// than reframing_distance gets another chart, chosen as at the start (formulations/euler_chart_choice.hpp).
+/// Its orientation and rates in y are then rewritten in the new chart. If the user keeps the charts,
+/// `near_singularity` reports such a body. Formulations without charts (NoChart) do nothing here.
 
 #include <fmt/format.h>
 
@@ -24,11 +24,12 @@ class ChartSwitching {
   explicit ChartSwitching(const ChartOptions& options) : options_(options) {}
 
   bool is_on() const { return options_.reframe; }
-  /// How many changes there were.
+  /// The number of changes so far.
   int changes() const { return changes_; }
 
-  /// Changes the charts of bodies that are near their singularity. The bodies' states are y's. Returns
-  /// whether y is in other coordinates now. Throws a ModelError where there is no chart.
+  /// Changes the charts of bodies that are near their singularity, in `state`, which must be the state of y,
+  /// and in y. Returns whether any coordinates of y changed. Throws a ModelError that names the body if no
+  /// chart is far enough from its singularity.
   bool change(const MechanismOf<F>& mechanism, const S& t, const StateLayout<F>& layout,
               std::vector<BodyState<F>>& state, StateVector& y) {
     if constexpr (std::same_as<typename F::Chart, NoChart>) return false;
@@ -53,7 +54,7 @@ class ChartSwitching {
     return changed;
   }
 
-  /// Says which body is near its chart's singularity; empty where none is.
+  /// A message about the first body that is near the singularity of its chart; empty if there is none.
   static std::string near_singularity(const MechanismOf<F>& mechanism, const std::vector<BodyState<F>>& state,
                                       const S& t) {
     if constexpr (!std::same_as<typename F::Chart, NoChart>)

@@ -1,21 +1,21 @@
 #pragma once
 /// The equations of motion of one formulation with their constraints, for implicit methods:
 ///
-///   M(q) v' + Phi_q^T lambda = Q(q, v, t),   Phi(q, t) = 0
+///     M(q) v' + Phi_q^T lambda = Q(q, v, t),   Phi(q, t) = 0
 ///
-/// in the same y = (q, v, work) as the equations of first order, which this owns. Residuals are in the
-/// reduced unknowns (three of rotation a body: r-p's internal row is met by `normalise_step`), and so is
-/// Newton's system
+/// The state is y = (q, v, work), as in FirstOrderEquations, which this class owns. Residuals are in reduced
+/// unknowns, with three numbers of rotation per body; the internal row p . p = 1 of r-p is met by
+/// `normalise_step`. Newton's system of a step is in reduced unknowns as well:
 ///
-///   [ M + gamma' C + beta' K   Phi_q^T ] [ dv'     ]     [ M v' + Phi_q^T lambda - Q ]
-///   [ Phi_q                    0       ] [ dlambda ] = - [ Phi / beta'               ]
+///     [ M + gamma' C + beta' K   Phi_q^T ] [ dv'     ]     [ M v' + Phi_q^T lambda - Q ]
+///     [ Phi_q                    0       ] [ dlambda ] = - [ Phi / beta'               ]
 ///
-/// where q moves with v' by beta' and v by gamma'. With its rows scaled so, its condition does not grow as
-/// the steps get small. K and C are those of springs and dampers along their own directions
-/// (spring_rows.hpp); what gyroscopic and geometric terms would add is left to the iteration, which falls by
-/// about the angle that bodies turn in a step.
+/// Here beta' = dq/dv' and gamma' = dv/dv' within the step, of order h^2 and h. The division of Phi by beta'
+/// keeps the condition number bounded as h -> 0. K and C hold the stiffness and damping of springs along
+/// their directions (spring_rows.hpp). Gyroscopic and geometric terms are left out of the matrix; the Newton
+/// iteration therefore converges linearly, with a rate of about the angle [rad] that bodies turn in a step.
 ///
-/// Models integrators' ConstrainedSystem.
+/// The class is a model of the concept integrators::ConstrainedSystem, which defines its functions.
 
 #include <algorithm>
 #include <memory>
@@ -60,12 +60,12 @@ class ConstrainedEquations {
         motion_(nb() + 1),
         wrenches_(nb() + 1) {}
 
-  /// The same motion as y' = f(t, y): its energies, its state as poses and twists, what happened to it.
+  /// The same motion as y' = f(t, y), with its energies, its poses and twists, and the log of its events.
   FirstOrderEquations<F>& first_order() { return first_order_; }
   const FirstOrderEquations<F>& first_order() const { return first_order_; }
   int nb() const { return mechanism_.nb(); }
 
-  // what a FirstOrderSystem has
+  // the functions of integrators::FirstOrderSystem
   int size() const { return first_order_.size(); }
   const StateVector& start() const { return first_order_.start(); }
   void derivative(const S& t, const StateVector& y, StateVector& y_dot) {
@@ -95,12 +95,12 @@ class ConstrainedEquations {
   }
   std::string diagnose(const S& t, const StateVector& y) { return first_order_.diagnose(t, y); }
 
-  // y = (q, v, work): how many numbers q and v have, and lambda
+  // the lengths of q, v and lambda; y = (q, v, work)
   int position_size() const { return layout_.position_size(); }
   int velocity_size() const { return layout_.velocity_size(); }
   int multipliers() const { return mechanism_.nc(); }
 
-  /// v' and lambda of index 1. Throws a ModelError.
+  /// v' and lambda from the equations of index 1. Throws a ModelError if they have no solution.
   void accelerations(const S& t, const StateVector& y, StateVector& v_dot, StateVector& lambda) {
     const AccelerationSolver<F>& solved = first_order_.solved(t, y);
     v_dot.resize(velocity_size());
@@ -109,7 +109,7 @@ class ConstrainedEquations {
     solved.copy_lambda(lambda);
   }
 
-  // steps between states (displacements.hpp)
+  // displacements between states (displacements.hpp)
   void displace(const StateVector& from, const StateVector& displacement, StateVector& y) const {
     displacements_.displace(from, displacement, y);
   }
@@ -132,7 +132,7 @@ class ConstrainedEquations {
     displacements_.normalise_step_velocity(share, y, v_dot);
   }
 
-  // the model at a state (evaluation.hpp)
+  // the equations at a state (evaluation.hpp)
   void evaluate(const S& t, const StateVector& y, Evaluation& at) {
     first_order_.load(y);
     auto& model =
@@ -149,39 +149,40 @@ class ConstrainedEquations {
   void inertia_force(const Factors& factors, const StateVector& x, StateVector& force) const {
     inertia_force(factors.at().body(), x, force);
   }
-  /// What effects do.
+  /// Generalised force of the effects, without gyroscopic terms; in the places of v.
   void applied_force(const Evaluation& at, StateVector& force) {
     apply_effects(*at);
     force.resize(velocity_size());
     for (int b = 0; b < nb(); ++b)
       Layout::of(force, b) << wrenches_[b].F, F::applied_force(at->body()[b], wrenches_[b].n_bar);
   }
-  /// Q - force - Phi_q^T lambda, where the force stands in the place of M v', reduced. Returns the largest
-  /// imbalance of a body, as a share of the forces or moments on the bodies that it is connected with.
+  /// The reduced residual Q - force - Phi_q^T lambda in `left`, where `force` stands for M v'. Returns the
+  /// largest residual of a body relative to the forces or moments in its component [-] (force_balance.hpp).
   S residual(const Evaluation& at, const StateVector& force, const StateVector& lambda, StateVector& left) {
     apply_effects(*at);
     assemble(*at);
     return balance_.measure(*at, wrenches_, force, lambda, left);
   }
-  /// Phi, and Phi' = Phi_q q' - nu, by the numbers of rows.
+  /// Phi in the order of the mechanism's rows. Returns the violation of positions.
   Violation position_rows(const Evaluation& at, StateVector& phi) {
     at->assembly.positions(at->t, given_);
     matrix_.take_rows(given_, phi);
     return at->violation.measure_positions(given_);
   }
+  /// Phi' = Phi_q q' - nu in the same order. Returns the violation of velocities.
   Violation velocity_rows(const Evaluation& at, StateVector& phi_dot) {
     at->assembly.velocities(at->t, given_);
     matrix_.take_rows(given_, phi_dot);
     return at->violation.measure_velocities(given_);
   }
   const std::string& row_name(int row) const { return violation_.row_name(row); }
-  /// The rate of the work [W].
+  /// The rate of the work done on the mechanism [W].
   S work_rate(const Evaluation& at, const StateVector& lambda) {
     return first_order_.account().power(view(*at), at->body(), lambda);
   }
 
-  // linear systems (newton_matrix.hpp)
-  /// Throws a ModelError.
+  // linear systems with Newton's matrix (newton_matrix.hpp)
+  /// Throws a ModelError that names the body whose block is singular.
   void factor(const Evaluation& at, const integrators::Shares<S>& shares, Factors& factors) {
     assemble(*at);
     springs_.let_resist(at->assembly, shares.velocity, shares.position);
@@ -198,7 +199,7 @@ class ConstrainedEquations {
   }
   // springs (spring_rows.hpp)
   int springs() const { return springs_.count(); }
-  /// [N/m, N s/m], or of moments by angles [N m, N m s].
+  /// Stiffness and damping per spring [N/m, N s/m]; of torsional springs [N m, N m s].
   void spring_constants(StateVector& stiffness, StateVector& damping) const {
     springs_.constants(stiffness, damping);
   }
@@ -218,7 +219,7 @@ class ConstrainedEquations {
   }
 
   long factorisations() const { return first_order_.factorisations() + newton_matrices(); }
-  /// Newton's alone, each made anew.
+  /// The number of factored Newton matrices.
   long newton_matrices() const { return matrix_.factorisations(); }
 
  private:
@@ -239,7 +240,8 @@ class ConstrainedEquations {
     for (Wrench<S>& w : wrenches_) w = {};
     mechanism_.effects.apply(view(model), wrenches_);
   }
-  /// Once a state: factors go on using what is assembled.
+  /// Assembles rows and mass blocks, once per evaluation. Factors go on using them, so an evaluation that has
+  /// been factored must not be assembled again.
   void assemble(EvaluatedModel<F>& model) {
     if (model.is_factored)
       throw std::logic_error("residuals or factors are requested from an evaluation that has been factored");
@@ -256,12 +258,12 @@ class ConstrainedEquations {
   const MechanismOf<F>& mechanism_;
   const Layout& layout_;
   const Displacements<F> displacements_;
-  const std::shared_ptr<const EliminationPlan> plan_;  ///< evaluations and factors share it
+  const std::shared_ptr<const EliminationPlan> plan_;  ///< shared by evaluations and factors
   const SpringRows<F> springs_;
   NewtonMatrix<F> matrix_;
   ForceBalance<F> balance_;
-  const ConstraintViolation<S> violation_;  ///< of no state: evaluations begin with it
-  GraphVector<S> given_;                    ///< a right side
+  const ConstraintViolation<S> violation_;  ///< prototype that every new evaluation copies
+  GraphVector<S> given_;                    ///< scratch storage: a right side
   std::vector<BodyMotion<S>> motion_;
   std::vector<Wrench<S>> wrenches_;
 };

@@ -1,4 +1,4 @@
-/// The equations of motion with their constraints, as implicit methods ask for them.
+/// The equations of motion with constraints, as implicit methods use them.
 
 #include "simulation/system/constrained_equations.hpp"
 
@@ -25,7 +25,7 @@ ConstrainedEquations<F> form_of(const scenes::Scene& scene) {
   return {make_mechanism<double>(scene), make_state<double>(scene)};
 }
 
-/// What a step's equations are at a state.
+/// The equations of a step at a state, with v', lambda and the residuals.
 template <class F>
 struct Step {
   ConstrainedEquations<F>& form;
@@ -40,7 +40,7 @@ struct Step {
     return form.residual(at, force, lambda, left);
   }
   double violation() { return form.position_rows(at, phi).relative; }
-  /// A Newton correction of v' and lambda, where v' moves positions by a share.
+  /// One Newton correction of v' and lambda; `position_share` is beta' = dq/dv'.
   void correct(const integrators::Shares<double>& shares, double position_share) {
     violation();
     form.factor(at, shares, factors);
@@ -54,24 +54,24 @@ TYPED_TEST(Constrained, ForcesBalanceWhereTheMotionIs) {
     Step<TypeParam> step(form);
     EXPECT_LE(step.imbalance(form.start()), 1e-12) << seed;
     EXPECT_LE(step.violation(), 1e-13) << seed;
-    // states of random scenes need not move as drivers would have it
+    // random scenes may start with velocities that violate the rows of drivers, so only equality is tested
     EXPECT_NEAR(form.velocity_rows(step.at, step.phi_dot).relative,
                 form.velocity_violation(0, form.start()).relative, 1e-12)
         << seed;
-    // and nowhere else
+    // a changed acceleration is not in balance
     step.v_dot[0] += 1e-3 * (1 + step.v_dot.cwiseAbs().maxCoeff());
     EXPECT_GT(step.imbalance(form.start()), 1e-7) << seed;
   }
 }
 
-// the equations are linear in v' and lambda, and where q and v hardly move with them, that is all
+// the equations are linear in v' and lambda; shares near 0 leave q and v fixed, so one iteration is exact
 TYPED_TEST(Constrained, NewtonFindsAccelerationsAndLambdaInOneIteration) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     auto form = form_of<TypeParam>(test::varied_scene(seed));
     Step<TypeParam> step(form);
     const StateVector v_dot = step.v_dot, lambda = step.lambda;
     Random random(seed);
-    // off by what keeps the rows, so that Phi = 0 asks nothing: lambda alone, of rows that are not redundant
+    // only lambda is perturbed, in independent rows: Phi stays 0, so the rows demand no correction of v'
     for (double& x : step.lambda) x += x == 0 ? 0 : random.uniform();
     step.imbalance(form.start());
     step.correct({1e-12, 1e-12}, 1e30);
@@ -100,7 +100,7 @@ TYPED_TEST(Constrained, NewtonMeetsPositionsByTheirShare) {
     step.correct({h * h / 2, h}, h * h / 2);
     place();
     step.imbalance(y);
-    // what is left is of the square of that, or of the angle that bodies turn in the step
+    // the remaining violation is quadratic in the first one, plus the part from the rotation in the step
     double turned = 0;
     for (const Twist<double>& twist : form.first_order().to_mechanism_state(0, from).twist)
       raise(turned, h * twist.omega_bar.norm());
@@ -108,7 +108,7 @@ TYPED_TEST(Constrained, NewtonMeetsPositionsByTheirShare) {
   }
 }
 
-// v' and lambda of a step that a stiff spring rules: by the matrix of M alone this would go up by h^2 k / m
+// a step dominated by a stiff spring: without K in the matrix, errors would grow by h^2 k / m per iteration
 TYPED_TEST(Constrained, SpringsAreInNewtonsMatrix) {
   auto form = form_of<TypeParam>(catalogue_scene("flyball_governor"));
   Step<TypeParam> step(form);
@@ -197,7 +197,7 @@ TYPED_TEST(Constrained, WorkRateIsThatOfTheFirstOrderForm) {
   }
 }
 
-// what was asked of one state is not changed by what is asked of another
+// evaluations and factors are values: work at one state does not change the results at another
 TYPED_TEST(Constrained, EvaluationsAndFactorsOfTwoStatesStandSideBySide) {
   for (const char* name : {"flyball_governor", "spatial_slider_crank"}) {
     auto form = form_of<TypeParam>(catalogue_scene(name));
@@ -213,7 +213,7 @@ TYPED_TEST(Constrained, EvaluationsAndFactorsOfTwoStatesStandSideBySide) {
     beside.violation();
     form.factor(beside.at, shares, beside.factors);
     other.correct({}, 1);
-    other.imbalance(form.start());  // the storage of factors in use is left alone
+    other.imbalance(form.start());  // must not reuse storage that factors still use
     form.solve(beside.factors, beside.at, beside.left, -beside.phi, beside.v_dot, beside.lambda);
     EXPECT_EQ(beside.v_dot, alone.v_dot) << name;
     EXPECT_EQ(beside.lambda, alone.lambda) << name;
@@ -230,7 +230,7 @@ TYPED_TEST(Constrained, AnEvaluationIsMadeBeforeItIsAskedAndFactoredOnce) {
   EXPECT_THROW(form.factor(step.at, {}, step.factors), std::logic_error);
 }
 
-// storage of another mechanism is not used
+// the storage of another mechanism does not fit and is replaced
 TYPED_TEST(Constrained, AnEvaluationServesAnotherMechanism) {
   auto door = form_of<TypeParam>(catalogue_scene("door")),
        top = form_of<TypeParam>(catalogue_scene("heavy_top"));
@@ -255,7 +255,7 @@ TYPED_TEST(Constrained, RedundantRowsAreLeftOutAsTheMotionHasThem) {
     step.v_dot.setZero();
     step.lambda.setZero();
     step.imbalance(form.start());
-    step.correct({1e-12, 1e-12}, 1e30);  // Phi_q v' = 0: no accelerations but those across the rows
+    step.correct({1e-12, 1e-12}, 1e30);  // a share of 1e30 makes the right side of the rows 0: Phi_q v' = 0
     EXPECT_TRUE(step.v_dot.allFinite()) << name;
     EXPECT_LE(step.lambda.cwiseAbs().maxCoeff(), 1e6) << name;
   }

@@ -1,11 +1,11 @@
 #pragma once
-/// One linear step back onto the constraints: the change x of a state that is least in the metric of the mass
-/// matrix, x^T M x,
+/// One linear correction of a state towards its constraints: the change x with the least x^T M x that
+/// satisfies the linearised rows,
 ///
-///   M x + Phi_q^T mu = 0,   Phi_q x = -Phi  (positions)   or   Phi_q x = -(Phi_q q' - nu)  (velocities)
+///     M x + Phi_q^T mu = 0,   Phi_q x = -Phi  (positions)   or   Phi_q x = -(Phi_q q' - nu)  (velocities)
 ///
-/// The matrix is the acceleration solver's own. How often the step is repeated, and when the violation is
-/// small enough, is decided in integrators/projection_iteration.hpp.
+/// The matrix is that of the acceleration solver. integrators/projection_iteration.hpp repeats the correction
+/// and decides when the violation is small enough.
 
 #include <span>
 #include <vector>
@@ -21,36 +21,38 @@ class ConstraintProjection {
  public:
   using S = typename F::Scalar;
 
-  /// Shares the solver's factors; dependent rows are those that it found last. The solver must outlive this.
+  /// Uses the solver's matrix and factors, and the dependent rows that the solver found last. The solver must
+  /// outlive this object. `t` is the start of the run [s], at which the scales of the rows are taken.
   ConstraintProjection(AccelerationSolver<F>& solver, const S& t)
       : solver_(solver),
         measure_(solver.mechanism(), solver.plan().graph, t),
         violation_(solver.plan().graph),
         change_(violation_) {}
 
-  /// To a state; what follows speaks of it.
+  /// Moves the bodies to a state; the functions below refer to it.
   void move(std::span<const BodyState<F>> state, const S& t) {
     t_ = t;
     for (int b = 0; b < solver_.mechanism().nb(); ++b) solver_.assembly().move_body(b, state[b]);
     measure_.move(solver_.assembly().body());
   }
-  /// The motion has reached the state that the solver's bodies are in.
+  /// Tells the measure that the motion has reached the state of the solver's bodies.
   void accept_state() {
     measure_.move(solver_.assembly().body());
     measure_.accept_state();
   }
 
-  /// The largest |Phi_k| and |Phi_k'|, in metres or radians (per second) whatever a row's scale.
+  /// The violation of positions at the current state (constraint_violation.hpp).
   integrators::Violation<S> measure_positions() {
     solver_.assembly().positions(t_, violation_);
     return measure_.measure_positions(violation_);
   }
+  /// The violation of velocities at the current state.
   integrators::Violation<S> measure_velocities() {
     solver_.assembly().velocities(t_, violation_);
     return measure_.measure_velocities(violation_);
   }
-  /// How far Phi_q q' - nu at the state's time is from what it was at a time just before, in the place of the
-  /// velocities' violation: what jumps of nu leave.
+  /// The jump of the velocity residual Phi_q q' - nu between the time `before` and the state's time, at the
+  /// same positions and velocities, caused by jumps of nu alone. solve() then uses it as its right side.
   integrators::Violation<S> measure_jump(const S& before) {
     solver_.assembly().velocities(before, change_);
     solver_.assembly().velocities(t_, violation_);
@@ -60,7 +62,7 @@ class ConstraintProjection {
   const ConstraintViolation<S>& measure() const { return measure_; }
   ConstraintViolation<S>& measure() { return measure_; }
 
-  /// Factors the matrix at the state.
+  /// Factors the matrix at the current state. Throws a ModelError that names a singular body.
   void factor() {
     GraphAssembly<F>& assembly = solver_.assembly();
     for (const auto& link : assembly.links()) assembly.assemble_link(link, t_, change_);
@@ -74,13 +76,13 @@ class ConstraintProjection {
     }
   }
   long factorisations() const { return factorisations_; }
-  /// The change that undoes what was measured last, by the factors at hand.
+  /// The change that removes the residual measured last, by the current factors.
   void solve() {
     for (Vector6<S>& row : violation_.edge) row = -row;
     solver_.factors().solve(violation_, change_);
   }
-  /// Undoes what was measured last, in y, whose bodies are in these states; the matrix is factored there
-  /// where asked, else it is that of before.
+  /// Corrects the positions of y by the residual measured last; `state` must be the state of y. If `factors`,
+  /// the matrix is factored at the current state first; otherwise the last factors are used.
   void correct_positions(const StateLayout<F>& layout, const std::vector<BodyState<F>>& state, VectorX<S>& y,
                          bool factors) {
     if (factors) factor();
@@ -99,7 +101,7 @@ class ConstraintProjection {
       layout.rate(y, b) << state[b].r_dot + r_change(b), v;
     }
   }
-  /// mu of the change, by the mechanism's rows.
+  /// The multipliers mu of the last change, in the order of the mechanism's rows.
   void copy_multipliers(VectorX<S>& mu) const {
     const auto& edges = solver_.plan().graph.edges;
     for (std::size_t e = 0; e < edges.size(); ++e)

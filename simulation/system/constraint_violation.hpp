@@ -1,10 +1,10 @@
 #pragma once
-/// How far a state is from its constraints: the largest |Phi_k| or |Phi_k'| in metres or radians (per
-/// second), whatever a row's scale. It is also measured relative to the component (bodies that rows connect)
-/// that the row belongs to: a row of lengths by the component's lengths or speeds, a row of angles by 1 or
-/// its angular velocities. Rounding is then a few u, whatever the size of a mechanism.
-/// integrators/projection_iteration.hpp decides by the relative measure; the metric of the way back is that
-/// of constraint_projection.hpp.
+/// Measures how far a state violates its constraints. The absolute measure is the largest |Phi_k| or |Phi_k'|
+/// divided by the row's scale [m or rad, m/s or rad/s]. The relative measure divides further by the size of
+/// the component, which is the set of bodies connected by rows: a row of lengths by the component's lengths
+/// or speeds, a row of angles by 1 or by its angular velocities. The relative violation caused by rounding is
+/// then a few u, whatever the size of the mechanism. integrators/projection_iteration.hpp decides by the
+/// relative measure.
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ namespace trivium {
 template <class S>
 class ConstraintViolation {
  public:
-  /// Both must outlive this.
+  /// The mechanism and the graph must outlive this object. `t` is the time at which row scales are taken [s].
   template <class Types>
   ConstraintViolation(const Mechanism<S, Types>&, const BodyJointGraph&&, const S&) = delete;
   template <class Types>
@@ -47,26 +47,27 @@ class ConstraintViolation {
     }
   }
 
-  /// To where the bodies are.
+  /// Measures the sizes of all components for the given body states.
   template <class Body>
   void move(const std::vector<Body>& body) {
     for (Extent& extent : extent_) {
       extent.length = S(0);
-      // at rest for a moment, velocities are the rounding of what they were
+      // a component that is momentarily at rest has velocities of rounding size: the scale stays at a
+      // thousandth of its fastest speed so far
       extent.speed = extent.fastest / 1000;
       extent.spin = extent.fastest_spin / 1000;
     }
     for (int b = 0; b < nb_; ++b) {
       Extent& extent = extent_[component_[b]];
-      // sizes alone: where one of these is no number, neither are the rows that are measured beside it
+      // std::max may drop a NaN; the rows of such a body are NaN themselves, and so is their violation
       extent.length = std::max(extent.length, S(body[b].r.norm() + extent.reach));
       const S v = body[b].r_dot.norm(), omega = body[b].omega_bar.norm();
       extent.speed = std::max(extent.speed, S(v + omega * extent.reach));
-      // what is at rest turns by the rounding of how its joints' points move
+      // the rounding of its speed v gives a body that does not rotate an angular velocity of v / arm
       extent.spin = std::max(extent.spin, extent.arm > S(0) ? S(omega + v / extent.arm) : S(omega + v));
     }
   }
-  /// The speeds [m/s, rad/s] that its parts have reached, for a motion to go on with.
+  /// The largest speeds so far, two per component [m/s, rad/s], for a saved run.
   std::vector<double> fastest() const {
     std::vector<double> speeds;
     for (const Extent& extent : extent_)
@@ -74,7 +75,7 @@ class ConstraintViolation {
                     {static_cast<double>(extent.fastest), static_cast<double>(extent.fastest_spin)});
     return speeds;
   }
-  /// Returns whether there are as many.
+  /// Restores the speeds of a saved run. Returns false if their number does not fit.
   bool set_fastest(const std::vector<double>& speeds) {
     if (speeds.size() != 2 * extent_.size()) return false;
     for (std::size_t k = 0; k < extent_.size(); ++k) {
@@ -83,7 +84,7 @@ class ConstraintViolation {
     }
     return true;
   }
-  /// The motion has reached the bodies' state.
+  /// The motion has reached the state given to `move`: its speeds count among the fastest.
   void accept_state() {
     for (Extent& extent : extent_) {
       raise(extent.fastest, extent.speed);
@@ -91,31 +92,31 @@ class ConstraintViolation {
     }
   }
 
-  /// The largest |Phi_k| or |Phi_k'| of values as assembled.
+  /// The largest violation among the assembled values, here Phi, in the next function Phi'.
   integrators::Violation<S> measure_positions(const GraphVector<S>& phi) const {
     return largest(phi, [](const Extent& of, bool is_turn) { return is_turn ? S(1) : of.length; });
   }
   integrators::Violation<S> measure_velocities(const GraphVector<S>& phi_dot) const {
     return largest(phi_dot, [](const Extent& of, bool is_turn) { return is_turn ? of.spin : of.speed; });
   }
-  /// "none" where there are none.
+  /// The name of a row; "none" for a negative number, which means that there are no rows.
   const std::string& row_name(int row) const {
     static const std::string none = "none";
     return row < 0 ? none : row_names_[row];
   }
 
-  /// Bodies that rows connect, not through the ground, have the same number, below nb.
+  /// The number of a body's component, below nb. Rows connect bodies, but not through the ground.
   int component_of(int body) const { return component_[body]; }
-  /// The largest distance [m] of a joint's point from the centre of its body, in the body's component; the
-  /// ground has no centre.
+  /// The largest distance of a joint's point from the centre of its body, in the component of a body [m].
+  /// Points on the ground do not count.
   const S& arm_of(int body) const { return extent_[component_[body]].arm; }
-  /// How far [m] from the origin the points of the body's component are.
+  /// A bound of the distance of the component's points from the global origin [m].
   const S& length_of(int body) const { return extent_[component_[body]].length; }
 
  private:
-  /// How large a component's numbers are.
+  /// The size of a component: lengths [m], speeds [m/s], angular velocities [rad/s], the fastest so far.
   struct Extent {
-    S arm{0}, reach{0};  ///< of the points of its joints: on bodies, and on the ground, too
+    S arm{0}, reach{0};  ///< largest |joint point| in its frame: on bodies alone; on bodies and ground
     S length{0}, speed{0}, fastest{0}, spin{0}, fastest_spin{0};
   };
 
@@ -143,7 +144,7 @@ class ConstraintViolation {
         if (!(size <= most.relative * made_of))
           raise(most.relative, made_of > S(0) ? S(size / made_of) : size);
         if (most.row < 0) most.row = edge.rows[k];
-        if (size <= most.size || most.size != most.size) continue;  // a NaN goes in and stays
+        if (size <= most.size || most.size != most.size) continue;  // a NaN is taken, and then kept
         most.size = size;
         most.row = edge.rows[k];
       }
@@ -155,8 +156,8 @@ class ConstraintViolation {
   const std::vector<std::string>& row_names_;
   const BodyJointGraph& graph_;
   std::vector<Vector6<S>> scale_;
-  std::vector<std::array<bool, 6>> turns_;  ///< whether the row is an angle's
-  std::vector<int> component_;              ///< by body, the ground last
+  std::vector<std::array<bool, 6>> turns_;  ///< per edge and row: whether the row is about an angle
+  std::vector<int> component_;              ///< per body, the ground last
   std::vector<Extent> extent_;
 };
 

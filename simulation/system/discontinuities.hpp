@@ -1,12 +1,12 @@
 #pragma once
-/// Jumps of velocities. Where a driver's function of time has a kink, its row asks for other velocities from
-/// there on. Here it is decided whether they jump, and the impulse Lambda that the rows then give the bodies
-/// is computed:
+/// Jumps of velocities. At a kink of a driver's function of time the right side nu of its row can jump, and
+/// the velocities then jump with it. The function below decides whether they jump, and computes the change of
+/// velocities dv and the impulse Lambda of the rows:
 ///
-///   M dv + Phi_q^T Lambda = 0,   Phi_q dv = jump of nu
+///     M dv + Phi_q^T Lambda = 0,   Phi_q dv = jump of nu
 ///
-/// It does the work -Lambda . (nu before + nu after) / 2. FirstOrderEquations::pass_discontinuity asks here
-/// and enters the impulse in its MotionLog (motion_log.hpp).
+/// The impulse does the work -Lambda . (nu before + nu after) / 2. FirstOrderEquations::pass_discontinuity
+/// calls the function and enters the impulse in its MotionLog (motion_log.hpp).
 
 #include <optional>
 
@@ -16,11 +16,12 @@
 
 namespace trivium {
 
-/// A jump of nu, beside the speeds of the bodies that rows connect, up to which it is rounding.
+/// The jump of nu, relative to the speeds of the row's component, up to which a jump counts as rounding.
 inline constexpr double smallest_jump = 1e-9;
 
-/// Over a time t where functions may jump, from just before it: changes y's velocities and adds the work. The
-/// bodies' states are y's. No impulse where velocities do not jump. Throws a ModelError.
+/// Passes the time t, where functions of time may have a kink; `before` is a time just before t. Changes the
+/// velocities of y and adds the work of the impulse. `state` must be the state of y. Returns no impulse if
+/// the velocities do not jump. Throws a ModelError if the matrix is singular.
 template <Formulation F>
 std::optional<Impulse<typename F::Scalar>> pass_discontinuity(
     const StateLayout<F>& layout, const std::vector<BodyState<F>>& state, AccelerationSolver<F>& solver,

@@ -1,8 +1,8 @@
 #pragma once
-/// Steps between states as implicit methods take them. A displacement d has the places of v: r moves by its
-/// own part of d, an orientation as the formulation says (Lie-group formulations by a rotation vector, the
-/// others by addition). Formulations with an internal row (r-p: p . p = 1) get back onto the row here, by a
-/// change of v' that is part of the step.
+/// Displacements between states, for implicit methods. A displacement d has as many numbers as v, in the same
+/// order. The position r moves by addition. The orientation moves as the formulation defines: by a rotation
+/// vector in Lie-group formulations, by addition in the others. By a change of v', this file also enforces
+/// internal rows within a step, such as p . p = 1 in r-p.
 
 #include <vector>
 
@@ -17,44 +17,45 @@ class Displacements {
   using StateVector = VectorX<S>;
   using Layout = StateLayout<F>;
 
-  /// In the charts that the bodies' states have. Both must outlive this.
+  /// Charts are those of the body states. Both arguments must outlive this object.
   Displacements(const Layout& layout, const std::vector<BodyState<F>>& state)
       : layout_(layout), state_(state) {}
 
-  /// y's positions, step from those of `from` as far as by velocities in one unit of time.
+  /// Sets the positions of y to those of `from`, moved by the displacement. A displacement equals the motion
+  /// with the constant velocity v = d during one unit of time.
   void displace(const StateVector& from, const StateVector& displacement, StateVector& y) const {
     for (int b = 0; b < nb(); ++b)
       layout_.place(y, b) << r_at(from, b) + Layout::r_of(displacement, b),
           F::step(state_[b].chart, layout_.orientation(from, b), Layout::q_of(displacement, b));
   }
-  /// The displacement from one to another.
+  /// The displacement that leads from the positions of `from` to those of `to`; inverse of `displace`.
   void displacement(const StateVector& from, const StateVector& to, StateVector& displacement) const {
     displacement.resize(layout_.velocity_size());
     for (int b = 0; b < nb(); ++b)
       Layout::of(displacement, b) << r_at(to, b) - r_at(from, b),
           F::displacement(state_[b].chart, layout_.orientation(from, b), layout_.orientation(to, b));
   }
-  /// How a displacement from a fixed place grows where the bodies move with v.
+  /// The time derivative of the displacement from a fixed state while the bodies move with v.
   void displacement_rate(const StateVector& displacement, const StateVector& v, StateVector& rate) const {
     rate.resize(layout_.velocity_size());
     for (int b = 0; b < nb(); ++b)
       Layout::of(rate, b) << Layout::r_of(v, b),
           F::displacement_rate(Layout::q_of(displacement, b), Layout::q_of(v, b));
   }
-  /// How the numbers of y's positions grow where the bodies move with v.
+  /// The time derivative of the positions in y (r and orientation) while the bodies move with v.
   void position_rate(const StateVector& y, const StateVector& v, StateVector& rate) const {
     rate.resize(layout_.position_size());
     for (int b = 0; b < nb(); ++b)
       layout_.place(rate, b) << Layout::r_of(v, b),
           F::orientation_rate(state_[b].chart, layout_.orientation(y, b), Layout::q_of(v, b));
   }
-  /// By displacements' numbers: a body's distance from the origin [m], and 1 for what turns it.
+  /// Sizes for tolerances, per number of a displacement: |r| [m] for translations of a body, 1 for rotations.
   void position_sizes(const StateVector& y, StateVector& sizes) const {
     sizes.setOnes(layout_.velocity_size());
     for (int b = 0; b < nb(); ++b) Layout::of(sizes, b).template head<3>().setConstant(r_at(y, b).norm());
   }
-  /// Adds to v' what moves y, by `share` of it, onto the internal rows, and moves y's positions there.
-  /// Returns whether there are any such rows.
+  /// Moves the positions of y onto the internal rows, and changes v' accordingly: q moves by `share` = dq/dv'
+  /// times the change of v'. Returns whether the formulation has internal rows.
   bool normalise_step(const S& share, StateVector& y, StateVector& v_dot) const {
     if constexpr (F::internal_constraints == 0) {
       return false;
@@ -69,7 +70,8 @@ class Displacements {
       return true;
     }
   }
-  /// The same for their derivatives: adds to v' what moves v, by `share` of it.
+  /// The same for the first derivatives of the internal rows: changes v' such that v, which moves by `share`
+  /// = dv/dv' times the change, satisfies them.
   void normalise_step_velocity(const S& share, const StateVector& y, StateVector& v_dot) const {
     if constexpr (F::internal_constraints > 0)
       for (int b = 0; b < nb(); ++b) {
@@ -78,8 +80,8 @@ class Displacements {
         Layout::of(v_dot, b).tail(F::rotational_unknowns) = change;
       }
   }
-  /// What v' leaves of the internal rows' second derivatives at these bodies, in the places of velocities
-  /// behind the six of a body's reduced forces.
+  /// The residual gamma - P x of the second derivatives of the internal rows, where P is their Jacobian and x
+  /// the rotational part of v'. In `left`, a body's residual stands after its six reduced forces.
   void internal_residual(const std::vector<typename F::Reduced>& body, const StateVector& v_dot,
                          StateVector& left) const {
     if constexpr (F::internal_constraints > 0)
@@ -87,7 +89,7 @@ class Displacements {
         Layout::of(left, b).template tail<F::internal_constraints>() =
             F::internal_gamma(body[b]) - F::internal_jacobian(body[b]) * Layout::q_of(v_dot, b);
   }
-  /// Adds to x what removes that, by the least change of the unknowns.
+  /// Adds to x the least change of the rotational unknowns that makes this residual zero.
   void solve_internal_rows(const std::vector<typename F::Reduced>& body, const StateVector& left,
                            StateVector& x) const {
     if constexpr (F::internal_constraints > 0)

@@ -1,12 +1,12 @@
 #pragma once
-/// The account of energy along a motion: T + V at a state, and the work W that is done on the mechanism,
+/// The energy balance of a motion, with kinetic energy T, potential energy V and work W done on the
+/// mechanism:
 ///
-///   T + V = (T + V at the start) + W,   W' = (power of effects that they do not take from V) - lambda . nu
+///     T + V = (T + V at the start) + W,   W' = (power of non-conservative effects) - lambda . nu
 ///
-/// where -lambda . nu is the power of drivers, rows whose right side nu of the velocities moves. Here it is
-/// decided which difference between both sides is too large for an accurate motion (energy_is_lost). A run
-/// keeps the largest difference after any step (motion_watch.hpp); the program warns of it
-/// (trivium/command/motion_report.cpp).
+/// -lambda . nu is the power of drivers, which are rows with a function of time. This file decides which
+/// difference between the two sides is too large for an accurate motion (energy_is_lost). A run keeps the
+/// largest difference after any step (motion_watch.hpp), and trivium/motion_warnings.cpp warns about it.
 
 #include <cmath>
 #include <vector>
@@ -16,24 +16,23 @@
 
 namespace trivium {
 
-/// [J]
+/// Energies at a state, and the work since the start [J].
 template <class S>
 struct MotionEnergy {
   S kinetic{0}, potential{0};
   S total() const { return kinetic + potential; }
-  S work{0};  ///< since the start, of drivers and of what effects do not take from stored energy
+  S work{0};  ///< work of drivers and of non-conservative effects since the start [J]
 };
 
-/// |T + V - (T + V at the start) - W| [J]: what the work does not account for.
+/// |T + V - (T + V at the start) - W| [J]: the change of energy that the work does not explain.
 template <class S>
 S unaccounted_energy(const MotionEnergy<S>& now, const MotionEnergy<S>& at_start) {
   using std::abs;
   return abs(now.total() - at_start.total() - now.work);
 }
 
-/// Whether a run lost or gained energy: the largest difference that its work does not account for is more
-/// than a thousandth of the largest kinetic energy, and than rounding of the energies, whose largest is
-/// `energies`. A difference that is not a number is too large.
+/// Whether a run lost or gained energy: its largest unaccounted energy exceeds a thousandth of its largest
+/// kinetic energy plus the rounding of energies of the size `energies` [J]. A NaN counts as too large.
 inline bool energy_is_lost(double unaccounted, double largest_kinetic, double energies) {
   constexpr double share_lost = 1e-3, share_rounded = 1e-12;
   return !(unaccounted <= share_lost * largest_kinetic + share_rounded * energies);
@@ -53,7 +52,7 @@ class EnergyAccount {
   bool has_drivers() const { return !drivers_.empty(); }
   bool does_work() const { return does_work_; }
 
-  /// T and V of the bodies in view.
+  /// T and V of the bodies in view; the work is left 0.
   MotionEnergy<S> energy(const EffectView<S>& view) const {
     MotionEnergy<S> energy;
     for (int b = 0; b < mechanism_.nb(); ++b)
@@ -62,12 +61,12 @@ class EnergyAccount {
     energy.potential = mechanism_.effects.potential_energy(view);
     return energy;
   }
-  /// W' [W]. The bodies, the ground last, are those in view.
+  /// W' [W]. `body` holds the same bodies as the view, the ground last.
   template <class Body>
   S power(const EffectView<S>& view, const std::vector<Body>& body, const VectorX<S>& lambda) const {
     return mechanism_.effects.nonconservative_power(view) + drivers_power(body, lambda, view.t);
   }
-  /// -lambda . nu
+  /// The power of all drivers, -lambda . nu [W].
   template <class Body>
   S drivers_power(const std::vector<Body>& body, const VectorX<S>& lambda, const S& t) const {
     S sum(0);
@@ -80,7 +79,7 @@ class EnergyAccount {
 
  private:
   const Mechanism<S, Types>& mechanism_;
-  std::vector<int> drivers_;  ///< rows that move by themselves
+  std::vector<int> drivers_;  ///< rows with a function of time that is not constant
   bool does_work_ = false;
 };
 

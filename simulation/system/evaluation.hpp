@@ -1,7 +1,7 @@
 #pragma once
-/// The equations of motion at one (t, y), as a value: bodies moved there, their rows and mass blocks. Factors
-/// of Newton's matrix go on using those that they were made of; an evaluation that is made anew takes other
-/// storage then, so that nothing is copied and, after the first steps, nothing allocated.
+/// The equations of motion at one (t, y), as a value: the bodies in that state, their rows and mass blocks.
+/// Factors of Newton's matrix share the storage of the evaluation that they were made from. A later
+/// evaluation then takes its spare storage: nothing is copied and, after the first steps, nothing allocated.
 
 #include <memory>
 #include <stdexcept>
@@ -13,7 +13,7 @@
 
 namespace trivium {
 
-/// What was evaluated.
+/// The contents of an evaluation.
 template <Formulation F>
 struct EvaluatedModel {
   using S = typename F::Scalar;
@@ -23,8 +23,8 @@ struct EvaluatedModel {
   ConstraintViolation<S> violation;
   typename SpringRows<F>::Sizes spring_sizes;
   S t{0};
-  bool is_assembled = false;  ///< rows and mass blocks, where the bodies are
-  bool is_factored = false;   ///< its matrix belongs to factors
+  bool is_assembled = false;  ///< rows and mass blocks are those of the current body states
+  bool is_factored = false;   ///< factors use the matrix: it must not change any more
 
   EvaluatedModel(const MechanismOf<F>& mechanism, std::shared_ptr<const EliminationPlan> of,
                  const ConstraintViolation<S>& measure)
@@ -35,8 +35,8 @@ struct EvaluatedModel {
 template <Formulation F>
 class Evaluation {
  public:
-  /// Storage for another state of the mechanism that the plan is of: its own, unless factors use it; else
-  /// `make()`'s.
+  /// Storage for the next state: the current or the spare storage if it has the same plan and no factors use
+  /// it; otherwise a new one from `make()`.
   template <class Make>
   EvaluatedModel<F>& begin(const std::shared_ptr<const EliminationPlan>& plan, const Make& make) {
     const auto is_free = [&] { return model_ && model_.use_count() == 1 && model_->plan == plan; };

@@ -1,13 +1,13 @@
 #pragma once
-/// The equations of motion of one formulation as y' = f(t, y), index 1, as libraries for ordinary
-/// differential equations take them. y is laid out as state_layout.hpp says. The parts stand beside this
-/// file: projection and violation of constraints, energy, charts, jumps of velocities, the check for other
-/// branches, the log.
+/// The equations of motion of one formulation as ordinary differential equations y' = f(t, y) of index 1,
+/// with y as in state_layout.hpp. Other files of this folder provide the parts: projection and violation of
+/// constraints, energy, charts, jumps of velocities, the branch check and the log.
 ///
-/// Decided here: which rows count as dependent along a motion (anew at every state that it reaches, in the
-/// way that is chosen once, at its start), and whether solutions are refined between those states.
+/// This file decides two things. Dependent rows are detected at every accepted state and kept within a step;
+/// the start of the motion decides how they are detected. Solutions between accepted states are refined only
+/// if the last accepted state showed that it is necessary.
 ///
-/// Models integrators' FirstOrderSystem.
+/// The class is a model of the concept integrators::FirstOrderSystem, which defines its functions.
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +18,13 @@
 #include <vector>
 
 #include "base/raise.hpp"
-#include "mechanism/saved_run.hpp"
 #include "simulation/system/branch_check.hpp"
 #include "simulation/system/chart_switching.hpp"
 #include "simulation/system/constraint_projection.hpp"
 #include "simulation/system/discontinuities.hpp"
 #include "simulation/system/energy_account.hpp"
 #include "simulation/system/motion_log.hpp"
+#include "simulation/system/saved_numbers.hpp"
 #include "simulation/system/state_layout.hpp"
 
 namespace trivium {
@@ -32,10 +32,10 @@ namespace trivium {
 struct FirstOrderOptions {
   ChartOptions charts;
   std::optional<Baumgarte> baumgarte;
-  bool is_projected = true;        ///< after every step; if not, violations hide which rows depend on others
-  const SavedRun* from = nullptr;  ///< of this formulation, at the start: its numbers are gone on with
+  bool is_projected = true;        ///< false: constraints drift, which makes dependent rows look independent
+  const SavedRun* from = nullptr;  ///< saved run in this formulation to continue from, at the start's time
 
-  /// Of the first run, by which the scales of rows are [s].
+  /// Start time of the first of all continued runs, at which the scales of rows are taken [s].
   template <class S>
   S first_start(const S& t) const {
     return from ? S(from->start) : t;
@@ -49,7 +49,7 @@ class FirstOrderEquations {
   using S = Scalar;
   using StateVector = VectorX<S>;
 
-  /// Throws a ModelError that names the body whose chart is singular.
+  /// Throws a ModelError that names a body with a singular chart, or an Error if the saved run does not fit.
   FirstOrderEquations(const MechanismOf<F>& mechanism, const MechanismState<S>& start,
                       const FirstOrderOptions& options = {})
       : mechanism_(mechanism),
@@ -74,7 +74,9 @@ class FirstOrderEquations {
       return;
     }
     accept_state(start.t, start_);
-    // a motion may pass positions where rows are nearly dependent; one that starts there lives with them
+    // A projected motion may pass a singular position: nearly dependent rows are then treated as dependent.
+    // If the start itself has such rows, only exactly dependent rows are, along the whole motion. A motion
+    // that drifts keeps the number of dependent rows of its start.
     const int found = solver_.factors().dependent_row_count();
     detection_ = options.is_projected ? DependentRows::detect_near_singular : DependentRows::keep_count;
     log_.begin();
@@ -87,12 +89,12 @@ class FirstOrderEquations {
 
   int nb() const { return mechanism_.nb(); }
   int size() const { return motion_size() + (does_work() ? 1 : 0); }
-  /// Without the work.
+  /// The length of (q, v), without the work.
   int motion_size() const { return layout_.motion_size(); }
   const StateLayout<F>& layout() const { return layout_; }
   const StateVector& start() const { return start_; }
 
-  /// y' at (t, y). Throws a ModelError.
+  /// y' at (t, y). Throws a ModelError if the accelerations cannot be solved for.
   void derivative(const S& t, const StateVector& y, StateVector& y_dot) {
     solve(t, y);
     y_dot.resize(size());
@@ -108,7 +110,7 @@ class FirstOrderEquations {
     y_dot[motion_size()] = account_.power(view(t), solver_.assembly().body(), lambda_);
   }
 
-  // the constraints: how far y is from them, and one step of the way back
+  // constraints: their violation, and one correction
   integrators::Violation<S> position_violation(const S& t, const StateVector& y) {
     move_to(t, y, Rows::positions);
     return projection_.measure_positions();
@@ -117,12 +119,12 @@ class FirstOrderEquations {
     move_to(t, y, Rows::velocities);
     return projection_.measure_velocities();
   }
-  /// Whether a projection went so far that it may have left the branch of the motion (branch_check.hpp).
+  /// Whether a projection is so large that it may have left the branch of the motion (branch_check.hpp).
   bool projection_is_too_large(const StateVector& before, const StateVector& stepped,
                                const StateVector& projected) {
     return branches_.projection_is_too_large(layout_, projection_.measure(), before, stepped, projected);
   }
-  /// The longest step [s] from here, after which turns are still counted.
+  /// The longest step from (t, y) [s] after which effects can still count the turns of their joints.
   S longest_step(const S& t, const StateVector& y) {
     if (!limits_steps_) return std::numeric_limits<S>::max();
     load(y);
@@ -131,7 +133,7 @@ class FirstOrderEquations {
     return mechanism_.effects.longest_step(view(t));
   }
   const std::string& row_name(int row) const { return projection_.measure().row_name(row); }
-  /// One step back; the matrix is factored where asked, else it is that of before.
+  /// One projection step of the positions, with the matrix factored at y if `factor`, else the last factors.
   void correct_positions(const S& t, StateVector& y, bool factor) {
     if (!is_measured(t, y, Rows::positions)) position_violation(t, y);
     projection_.correct_positions(layout_, state_, y, factor);
@@ -140,7 +142,7 @@ class FirstOrderEquations {
     if (!is_measured(t, y, Rows::velocities)) velocity_violation(t, y);
     projection_.correct_velocities(layout_, state_, y, factor);
   }
-  /// The same for the rows that a formulation has of its own: normalisation.
+  /// Meets the internal rows of the formulation, such as |p| = 1, by normalisation.
   void normalise(StateVector& y) const {
     for (int b = 0; b < nb(); ++b) {
       typename F::Orientation x = layout_.orientation(y, b);
@@ -151,9 +153,8 @@ class FirstOrderEquations {
     }
   }
 
-  /// At a state that the motion has reached: bodies near their chart's singularity change it, which rows
-  /// depend on others is found, and turns are counted. Returns whether y is in other coordinates now. Throws
-  /// a ModelError.
+  /// Accepts a state: changes the charts of bodies near their singularity, detects the dependent rows, and
+  /// lets effects count turns. Returns whether a chart changed, and so y. Throws a ModelError.
   bool accept_state(const S& t, StateVector& y) {
     accepted_t_.reset();
     const bool reframed = charts_.is_on() && reframe(t, y);
@@ -168,8 +169,8 @@ class FirstOrderEquations {
     return reframed;
   }
 
-  /// Over a time where functions may jump, from just before it. Returns whether velocities jumped. Throws a
-  /// ModelError.
+  /// Passes the time t of a kink; `before` is just before t. Returns whether velocities jumped
+  /// (discontinuities.hpp). Throws a ModelError.
   bool pass_discontinuity(const S& before, const S& t, StateVector& y) {
     if (!account_.has_drivers()) return false;
     load(y);
@@ -178,7 +179,7 @@ class FirstOrderEquations {
     return impulse.has_value();
   }
 
-  /// The solver, solved and refined at (t, y).
+  /// The acceleration solver with its refined solution at (t, y).
   AccelerationSolver<F>& solved(const S& t, const StateVector& y) {
     if (!is_accepted(t, y)) solve_as(t, y, Refinement::as_needed, DependentRows::keep);
     return solver_;
@@ -193,7 +194,7 @@ class FirstOrderEquations {
     }
     return state;
   }
-  /// Largest | |p|^2 - 1 | of the numbers as they are; 0 where there is no such row.
+  /// Largest | |p|^2 - 1 | of the bodies [-]; 0 in formulations without internal rows.
   S normalisation_violation(const StateVector& y) const {
     S largest(0);
     if constexpr (F::internal_constraints > 0)
@@ -212,7 +213,7 @@ class FirstOrderEquations {
     return energy;
   }
 
-  /// What of the model may have made an integrator fail at y, or near it; empty where nothing stands out.
+  /// A message if a singular chart near (t, y) may have made an integrator fail; empty if there is none.
   std::string diagnose(const S& t, const StateVector& y) {
     load(y);
     return charts_.near_singularity(mechanism_, state_, t);
@@ -225,7 +226,8 @@ class FirstOrderEquations {
   int reframings() const { return charts_.changes(); }
   const MotionLog<S>& log() const { return log_; }
 
-  // to go on later, in the same numbers
+  // saved runs
+  /// The state from which a later run continues with the same numbers.
   SavedRun save(const StateVector& y) {
     SavedRun saved;
     saved.formulation = F::name;
@@ -237,21 +239,11 @@ class FirstOrderEquations {
     saved.angles = counted_angles();
     return saved;
   }
-  /// Per body; none in formulations without.
-  std::vector<std::string> charts() const {
-    std::vector<std::string> names;
-    for (const BodyState<F>& body : state_)
-      if (const std::string chart(body.chart.name()); !chart.empty()) names.push_back(chart);
-    return names;
-  }
-  /// Where effects counted joint angles last [rad], effect by effect.
-  std::vector<double> counted_angles() {
-    std::vector<double> angles;
-    mechanism_.effects.for_each_angle(
-        [&](const JointAngle<S>& angle) { angles.push_back(static_cast<double>(angle.tracked)); });
-    return angles;
-  }
-  /// The angles of joints that effects count [rad], effect by effect.
+  /// The name of every body's chart; empty in formulations without charts.
+  std::vector<std::string> charts() const { return chart_names(state_); }
+  /// The joint angles that effects counted at the last accepted state [rad], in the order of the effects.
+  std::vector<double> counted_angles() { return trivium::counted_angles(mechanism_); }
+  /// The same angles at (t, y) [rad].
   std::vector<double> joint_angles(const S& t, const StateVector& y) {
     load(y);
     projection_.move(state_, t);
@@ -262,12 +254,12 @@ class FirstOrderEquations {
     return angles;
   }
 
-  // for the equations with constraints, which speak of the same bodies
+  // for ConstrainedEquations, which shares the bodies
   AccelerationSolver<F>& solver() { return solver_; }
   const EnergyAccount<S, MechanismTypesOf<F>>& account() const { return account_; }
   /// Moves the bodies to y.
   void load(const StateVector& y) {
-    if (accepted_t_ && accepted_ != y) accepted_t_.reset();  // its bodies move on
+    if (accepted_t_ && accepted_ != y) accepted_t_.reset();  // the solution no longer belongs to the bodies
     measured_ = Rows::none;
     layout_.load(y, state_);
   }
@@ -275,7 +267,7 @@ class FirstOrderEquations {
  private:
   enum class Rows { none, positions, velocities };
 
-  /// To measure rows there; a correction of the same state then has nothing to measure.
+  /// Moves the bodies to y to measure rows, and remembers the state: a correction need not measure it again.
   void move_to(const S& t, const StateVector& y, Rows rows) {
     load(y);
     projection_.move(state_, t);
@@ -300,7 +292,7 @@ class FirstOrderEquations {
     solver_.solve(state_, t, refinement, how);
   }
 
-  /// Takes the numbers of a saved run, which must be those of the state.
+  /// Continues a saved run. Throws an Error of kind input if its numbers do not belong to the given state.
   void go_on_from(const SavedRun& saved, const MechanismState<S>& state, bool is_projected);
 
   bool reframe(const S& t, StateVector& y) {
@@ -308,13 +300,13 @@ class FirstOrderEquations {
     return charts_.change(mechanism_, t, layout_, state_, y);
   }
 
-  /// Of the bodies as they were moved last.
+  /// Copies the motion of the bodies, as they were moved last, for the effects.
   void take_motion() {
     std::copy(solver_.assembly().body().begin(), solver_.assembly().body().end(), motion_.begin());
   }
   EffectView<S> view(const S& t) const { return {mechanism_.bodies, motion_, t}; }
 
-  MechanismOf<F> mechanism_;  ///< its effects count turns
+  MechanismOf<F> mechanism_;  ///< a copy, because its effects count turns
   const StateLayout<F> layout_;
   AccelerationSolver<F> solver_;
   std::vector<BodyState<F>> state_;
@@ -327,67 +319,28 @@ class FirstOrderEquations {
   VectorX<S> lambda_;
   bool limits_steps_ = false;
   StateVector start_;
-  /// A relative correction of accelerations by refinement up to which solutions between accepted states are
-  /// not refined: it leaves errors far below those of a step.
+  /// If refinement at the last accepted state corrected accelerations by a relative amount up to this,
+  /// solutions between accepted states are not refined: their errors are then far below those of a step.
   static constexpr double small_correction = 1e-13;
-  // of the state accepted last
+  // the state accepted last, if the solver still holds its solution, and whether it asks for refinement
   std::optional<S> accepted_t_;
   StateVector accepted_;
   bool refines_ = false;
-  // whose rows the projection has, and where
+  // the state at which rows were measured last, and which
   Rows measured_ = Rows::none;
   S measured_t_{0};
   StateVector measured_y_;
-  DependentRows detection_ = DependentRows::detect;  ///< how dependent rows are found at accepted states
+  DependentRows detection_ = DependentRows::detect;  ///< how accepted states detect dependent rows
   long factorisations_ = 0;
 };
 
 template <Formulation F>
 void FirstOrderEquations<F>::go_on_from(const SavedRun& saved, const MechanismState<S>& state,
                                         bool is_projected) {
-  const auto refuse = [&](const std::string& why) {
-    throw Error(ErrorKind::input, {mechanism_.name, saved.t},
-                fmt::format("the saved run cannot be continued: {}; leave out the key \"saved\" to start a "
-                            "new run from the state of the bodies",
-                            why));
-  };
-  if (static_cast<double>(state.t) != saved.t)
-    refuse(fmt::format("the state is requested at t = {}", static_cast<double>(state.t)));
-  if (static_cast<int>(saved.y.size()) != size())
-    refuse(fmt::format("y has {} entries, but a state of {} bodies in {} has {}", saved.y.size(), nb(),
-                       F::name, size()));
-  for (int b = 0; b < nb(); ++b) {
-    const std::string chart = saved.charts.empty() ? std::string() : saved.charts[b];
-    bool is_known = false;
-    if constexpr (requires { read_chart(chart, state_[b].chart); })
-      is_known = read_chart(chart, state_[b].chart);
-    if (!is_known) refuse(fmt::format("{} cannot restore a chart from the name \"{}\"", F::name, chart));
-  }
-  std::size_t counted = 0;
-  mechanism_.effects.for_each_angle([&](JointAngle<S>& angle) {
-    if (counted < saved.angles.size()) angle.tracked = S(saved.angles[counted]);
-    ++counted;
-  });
-  if (counted != saved.angles.size())
-    refuse(fmt::format("the effects track {} angles, the saved run has {}", counted, saved.angles.size()));
-  if (!projection_.measure().set_fastest(saved.fastest))
-    refuse(fmt::format("the number of entries of \"fastest\", {}, does not fit the mechanism",
-                       saved.fastest.size()));
-  for (int k = 0; k < size(); ++k) start_[k] = S(saved.y[k]);
-  // whoever moved a body by hand means the body
-  const MechanismState<S> at = to_mechanism_state(state.t, start_);
-  for (int b = 0; b < nb(); ++b) {
-    const Pose<S>&pose = state.pose[b], &kept = at.pose[b];
-    const Twist<S>&twist = state.twist[b], &kept_twist = at.twist[b];
-    const auto is_near = [](const auto& x, const auto& y) {
-      return S((x - y).norm()) <= S(1e-12) * S(x.norm());
-    };
-    if (!(is_near(pose.r, kept.r) && is_near(pose.p, kept.p) && is_near(twist.r_dot, kept_twist.r_dot) &&
-          is_near(twist.omega_bar, kept_twist.omega_bar)))
-      refuse(fmt::format("position or velocity of body \"{}\" differs from the saved state",
-                         mechanism_.body_names[b]));
-  }
-  // the state may miss its rows by the method's error, which hides what depends on others from a strict look
+  start_ = restore_numbers(saved, mechanism_, state, size(), state_, projection_);
+  check_bodies_as_saved(saved, mechanism_, state, to_mechanism_state(state.t, start_));
+  // positions and velocities may violate their rows by the method's error; with the strict detection,
+  // redundant rows would then look independent
   detection_ = saved.began_singular ? DependentRows::detect : DependentRows::detect_near_singular;
   log_.begin();
   accept_state(state.t, start_);

@@ -1,4 +1,4 @@
-/// The flat form of every formulation: the same motion, constraints and energies.
+/// The first-order equations of every formulation describe the same motion, constraints and energies.
 
 #include "simulation/system/first_order_equations.hpp"
 
@@ -29,7 +29,7 @@ FirstOrderEquations<F> form_of(const scenes::Scene& scene, const FirstOrderOptio
   return {make_mechanism<double>(scene), make_state<double>(scene), options};
 }
 
-/// y moved off the constraints, its normalisation kept.
+/// The start with random changes up to `size`, so that constraints are violated; internal rows still hold.
 template <class F>
 StateVector moved(const FirstOrderEquations<F>& form, double size, std::uint64_t seed = 7) {
   Random random(seed);
@@ -39,7 +39,7 @@ StateVector moved(const FirstOrderEquations<F>& form, double size, std::uint64_t
   return y;
 }
 
-/// Of the rows themselves, by r-omega at the pose and twist of y.
+/// Phi and Phi' of every row, evaluated directly in r-omega at the pose and twist of y.
 template <class F>
 struct ByRows {
   MechanismState<double> state;
@@ -82,7 +82,7 @@ TYPED_TEST(FirstOrder, StartsFromThePoseAndTwistOfTheScene) {
   }
 }
 
-// by central differences along y': poses move as their twists say, and twists as r-omega's accelerations do
+// central differences along y': poses change by the twists, twists by the accelerations of r-omega
 TYPED_TEST(FirstOrder, MovesAlongItsTwistAndAccelerations) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const scenes::Scene scene = test::varied_scene(seed);
@@ -142,7 +142,7 @@ TYPED_TEST(FirstOrder, CorrectsPositionsAndVelocitiesToTheirRows) {
   }
 }
 
-// what no row forbids is no part of the change: it is orthogonal to it in the mass metric
+// the least change is orthogonal, in the mass metric, to every motion that the rows permit
 TYPED_TEST(FirstOrder, CorrectsByTheLeastChangeInTheMassMetric) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const scenes::Scene scene = test::varied_scene(seed);
@@ -169,7 +169,7 @@ TYPED_TEST(FirstOrder, CorrectsByTheLeastChangeInTheMassMetric) {
   }
 }
 
-// off the constraints by a little, redundant rows look independent; the ranks of before hold
+// a small violation makes redundant rows look independent; the dependent rows of the start are kept
 TYPED_TEST(FirstOrder, RedundantRowsStayRedundantWithinAStep) {
   for (const char* name : {"bricard", "parallelogram", "four_bar", "door"}) {
     auto form = form_of<TypeParam>(catalogue_scene(name));
@@ -221,7 +221,7 @@ TYPED_TEST(FirstOrder, AReframedBodyIsWhereItWas) {
     const scenes::Scene scene = test::random_scene(seed, {.bodies = 3});
     auto form = form_of<TypeParam>(scene);
     StateVector y = form.start();
-    // body 1 turns to where its angles are 0.1 from having no rates
+    // body 1 gets theta = 0.1, where sin(theta) is below the reframing distance of 0.3
     if constexpr (TypeParam::orientation_size == 3) y[StateLayout<TypeParam>::positions + 4] = 0.1;
     const auto before = form.to_mechanism_state(0, y);
     const VectorX<double> lambda = form.solved(0, y).lambda();

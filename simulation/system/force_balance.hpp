@@ -1,10 +1,11 @@
 #pragma once
-/// The residual of the equations of motion, body by body, and how large it is beside the forces at work:
+/// The residual of the equations of motion, body by body, and its size relative to the acting forces:
 ///
-///   residual = Q - force - Phi_q^T lambda,   where the force stands for M v'
+///     residual = Q - force - Phi_q^T lambda,   where `force` stands for M v'
 ///
-/// Decided here: what of a residual is rounding. Springs that hold each other, and levers that are
-/// differences of places far from the origin, leave residuals that the forces on a body do not show.
+/// This file decides which part of a residual is rounding. Two sources of rounding are not visible in the
+/// resulting forces on a body: stiff springs whose forces cancel, and moment arms that are differences of
+/// positions far from the origin. Their rounding is subtracted from the residual.
 
 #include <algorithm>
 #include <limits>
@@ -21,14 +22,15 @@ class ForceBalance {
   using StateVector = VectorX<S>;
   using Layout = StateLayout<F>;
 
-  /// Both must outlive this.
+  /// Mechanism and plan must outlive this object.
   ForceBalance(const MechanismOf<F>&&, const EliminationPlan&) = delete;
   ForceBalance(const MechanismOf<F>&, const EliminationPlan&&) = delete;
   ForceBalance(const MechanismOf<F>& mechanism, const EliminationPlan& plan)
       : mechanism_(mechanism), plan_(plan), on_(mechanism.nb() + 1), size_(mechanism.nb() + 1) {}
 
-  /// Puts Q - force - Phi_q^T lambda of every body into `left`, reduced. Returns the largest imbalance of a
-  /// body, as a share of the forces or moments on the bodies that it is connected with.
+  /// Writes the reduced residual of every body into `left`. Returns the largest residual of a body relative
+  /// to the largest forces or moments on a body of its component [-]; the largest finite number if a residual
+  /// is NaN or infinite.
   S measure(const EvaluatedModel<F>& at, const std::vector<Wrench<S>>& wrenches, const StateVector& force,
             const StateVector& lambda, StateVector& left) {
     apply_multipliers(at.assembly, lambda);
@@ -52,12 +54,12 @@ class ForceBalance {
       Layout::of(left, b).template head<6>() << left_r, left_x;
       const auto norm = [&](const Vector3<S>& x) { return F::moment(body, x).norm(); };
       BalanceSize& size = size_[components.component_of(b)];
-      // whether all are numbers is seen by their sum
+      // std::max may drop a NaN; the sum of squares all_left keeps it
       size.force =
           std::max(size.force, S(wrenches[b].F.norm() + Layout::r_of(force, b).norm() + held_r.norm()));
       size.moment = std::max(size.moment, S(norm(applied) + norm(inertia) + norm(held_x)));
       all_left += left_r.squaredNorm() + left_x.squaredNorm();
-      // springs that hold each other may leave no force that their own rounding could be measured by
+      // the forces of springs may cancel; their rounding is then not small relative to the sum
       size.force_left = std::max(size.force_left, S(left_r.norm() - u * of_springs(b).force));
       size.moment_left = std::max(size.moment_left, S(norm(left_x) - u * of_springs(b).moment));
     }
@@ -69,7 +71,7 @@ class ForceBalance {
         if (part > largest * whole) largest = part / whole;
       };
       take_share(size.force_left, size.force);
-      // arms are differences of places
+      // moment arms are differences of positions up to length_of: they have a rounding of u length_of
       take_share(S(size.moment_left - u * components.length_of(b) * size.force),
                  S(size.moment + components.arm_of(b) * size.force));
     }
@@ -77,7 +79,7 @@ class ForceBalance {
   }
 
  private:
-  /// What the multipliers do to the bodies, into on_.
+  /// Writes Phi_q^T lambda of every body into on_.
   void apply_multipliers(const GraphAssembly<F>& assembly, const StateVector& lambda) {
     std::fill(on_.begin(), on_.end(), BodyPart<S>{});
     for (std::size_t e = 0; e < plan_.graph.edges.size(); ++e) {
@@ -106,14 +108,14 @@ class ForceBalance {
     }
   }
 
-  /// Of a component, the largest of a body: all that acts on it, and what does not balance.
+  /// Largest values over the bodies of a component: sum of the acting magnitudes, and residual.
   struct BalanceSize {
     S force{0}, moment{0}, force_left{0}, moment_left{0};
   };
 
   const MechanismOf<F>& mechanism_;
   const EliminationPlan& plan_;
-  std::vector<BodyPart<S>> on_;  ///< by body: what the multipliers do
+  std::vector<BodyPart<S>> on_;  ///< per body: its part of Phi_q^T lambda
   std::vector<BalanceSize> size_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
-/// What happened to a motion beside its steps: passages through singular positions, and impulses where
-/// velocities jump. A passage is decided here: more rows depend on others than at the state before. Impulses
-/// are decided and computed in simulation/system/discontinuities.hpp.
+/// Events of a motion: passages through singular positions, and impulses at jumps of velocities. A state is a
+/// passage if more rows are dependent than at the state before; that is decided here. Impulses are computed
+/// in simulation/system/discontinuities.hpp.
 
 #include <cstddef>
 #include <utility>
@@ -11,40 +11,40 @@
 
 namespace trivium {
 
-/// A position where rows depend on others that do not elsewhere.
+/// A singular position: some rows are dependent here that are independent at other positions of the motion.
 struct SingularPassage {
-  double t;
-  int rows;  ///< that depended on others there and before did not
+  double t;  ///< [s]
+  int rows;  ///< number of rows that became dependent
 };
 
-/// Velocities jumped with a driver's.
+/// The impulses of the rows at a jump of velocities, which a kink of a driver's function causes.
 template <class S>
 struct Impulse {
-  double t;
-  VectorX<S> lambda;  ///< of every row: the integral of its multiplier over the jump
+  double t;           ///< [s]
+  VectorX<S> lambda;  ///< per row: integral of its multiplier over the jump
 };
 
 template <class S>
 class MotionLog {
  public:
-  /// So many rows were dependent at a state that the motion has reached.
+  /// Notes the number of dependent rows at an accepted state.
   void note_dependent_rows(const S& t, int count) {
     if (count > dependent_rows_ && dependent_rows_ >= 0 && passages_.size() < most_passages)
       passages_.push_back({static_cast<double>(t), count - dependent_rows_});
     dependent_rows_ = count;
   }
-  /// The next state is the first: it is no passage.
+  /// Begins a motion: its first state cannot be a passage.
   void begin() { dependent_rows_ = -1; }
   void add(Impulse<S> impulse) { impulses_.push_back(std::move(impulse)); }
 
-  /// Positions passed where rows depended on others that do not elsewhere: the dependent rows there
-  /// say nothing then, and where a motion could go on in two ways it went as its velocities had it.
+  /// The passages so far, at most most_passages. At a passage the dependent rows are left out; where the
+  /// motion can branch, it goes in the direction of its velocities.
   const std::vector<SingularPassage>& passages() const { return passages_; }
   const std::vector<Impulse<S>>& impulses() const { return impulses_; }
 
  private:
   static constexpr std::size_t most_passages = 1000;
-  int dependent_rows_ = -1;  ///< below 0 before the first state
+  int dependent_rows_ = -1;  ///< number at the last accepted state; -1 before the first
   std::vector<SingularPassage> passages_;
   std::vector<Impulse<S>> impulses_;
 };

@@ -1,12 +1,11 @@
 #pragma once
-/// Newton's matrix of a step in factors,
+/// Newton's matrix of a step, factored along the graph of bodies, joints and springs:
 ///
-///   [ M + gamma' C + beta' K   Phi_q^T ]
-///   [ Phi_q                    0       ]
+///     [ M + gamma' C + beta' K   Phi_q^T ]
+///     [ Phi_q                    0       ]
 ///
-/// along the graph of bodies, joints and springs. The stiffness K and the damping C of springs are put there
-/// by spring_rows.hpp. Which rows are dependent is not decided here: those of the acceleration solver at the
-/// last accepted state are.
+/// spring_rows.hpp contributes the stiffness K and the damping C of springs. The dependent rows are those
+/// that the acceleration solver found at the last accepted state; this file does not detect any.
 
 #include <memory>
 #include <stdexcept>
@@ -22,7 +21,7 @@ class NewtonFactors {
  public:
   using S = typename F::Scalar;
 
-  /// What they are of.
+  /// The evaluation that the factors were made from.
   const EvaluatedModel<F>& at() const {
     if (!model_) throw std::logic_error("factors are used before they have been computed");
     return *model_;
@@ -30,7 +29,8 @@ class NewtonFactors {
   void solve(const GraphVector<S>& right_side, GraphVector<S>& solution) const {
     solver_->solve(right_side, solution);
   }
-  /// Throws a ModelError.
+  /// Factors the assembled matrix of an evaluation, with the dependent rows of `accelerations`. Throws a
+  /// ModelError that names a singular body.
   void factor(const Evaluation<F>& of, AccelerationSolver<F>& accelerations) {
     if (!solver_ || model_->plan != of->plan) solver_ = std::make_unique<GraphSolver<S>>(*of->plan);
     model_ = of.shared();
@@ -48,8 +48,8 @@ class NewtonFactors {
   std::shared_ptr<EvaluatedModel<F>> model_;
 };
 
-/// Assembles, factors and solves, and carries numbers between the graph and the flat vectors that methods
-/// see: rows by number, and forces and motions in the places of v.
+/// Assembles, factors and solves Newton's system. It also converts between the graph's vectors and the flat
+/// vectors of the methods, which hold rows by their numbers, and forces and motions in the places of v.
 template <Formulation F>
 class NewtonMatrix {
  public:
@@ -57,7 +57,7 @@ class NewtonMatrix {
   using StateVector = VectorX<S>;
   using Layout = StateLayout<F>;
 
-  /// The mechanism must outlive this.
+  /// The mechanism must outlive this object.
   NewtonMatrix(const MechanismOf<F>&&, const EliminationPlan&) = delete;
   NewtonMatrix(const MechanismOf<F>&, const EliminationPlan&&) = delete;
   NewtonMatrix(const MechanismOf<F>& mechanism, const EliminationPlan& plan)
@@ -68,19 +68,19 @@ class NewtonMatrix {
         for (int k = 0; k < edges[e].size(); ++k) place_[edges[e].rows[k]] = {e, k};
   }
 
-  /// M and the rows, where the bodies are.
+  /// Assembles M and the rows at the current body states.
   void assemble(GraphAssembly<F>& assembly, const S& t) {
     for (const auto& link : assembly.links()) assembly.assemble_link(link, t, change_);
     assembly.assemble_closings(t, change_);
   }
-  /// Throws a ModelError.
+  /// Throws as NewtonFactors::factor does.
   void factor(const Evaluation<F>& at, AccelerationSolver<F>& accelerations, NewtonFactors<F>& factors) {
     ++factorisations_;
     factors.factor(at, accelerations);
   }
   long factorisations() const { return factorisations_; }
 
-  /// Adds the solution to x, which is of v's kind at these bodies, and to mu.
+  /// Adds the solution to x, a vector like v in the coordinates of `body`, and to mu, one number per row.
   void solve(const NewtonFactors<F>& factors, const std::vector<typename F::Reduced>& body,
              const GraphVector<S>& right_side, StateVector& x, StateVector& mu) {
     factors.solve(right_side, change_);
@@ -90,7 +90,7 @@ class NewtonMatrix {
                               .finished();
     for (std::size_t row = 0; row < place_.size(); ++row) mu[row] += at_row(change_, row);
   }
-  /// Of the last solve.
+  /// The solution of the last `solve`, in the graph's own form.
   const GraphVector<S>& solution() const { return change_; }
 
   void put_rows(const StateVector& rows, GraphVector<S>& right_side) const {
@@ -101,14 +101,14 @@ class NewtonMatrix {
     rows.resize(mechanism_.nc());
     for (std::size_t row = 0; row < place_.size(); ++row) rows[row] = at_row(right_side, row);
   }
-  /// Reduced forces: the first six places of a body.
+  /// Puts reduced forces into a right side: the first six numbers of every body in `left`.
   void put_reduced(const StateVector& left, GraphVector<S>& right_side) const {
     for (int b = 0; b < mechanism_.nb(); ++b) {
       right_side.body[b].r.template head<3>() = left.template segment<3>(Layout::velocities * b);
       right_side.body[b].x.template head<3>() = left.template segment<3>(Layout::velocities * b + 3);
     }
   }
-  /// A generalised force on these bodies, reduced.
+  /// Reduces a generalised force, given in the coordinates of the bodies `body`.
   void reduce(const std::vector<typename F::Reduced>& body, const StateVector& force,
               StateVector& left) const {
     left.resize(Layout::velocities * mechanism_.nb());
@@ -124,7 +124,7 @@ class NewtonMatrix {
   }
 
   const MechanismOf<F>& mechanism_;
-  std::vector<EdgeRow> place_;  ///< by row
+  std::vector<EdgeRow> place_;  ///< per row: its edge of the graph and its number there
   GraphVector<S> change_;
   long factorisations_ = 0;
 };

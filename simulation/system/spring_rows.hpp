@@ -1,11 +1,12 @@
 #pragma once
-/// The stiffness and damping of springs in Newton's matrix. Each spring or damper that resists is a row of
-/// its own, along its own direction, beside the rows of the constraints. It gives way by its compliance
+/// The stiffness k and damping c of springs in Newton's matrix. Every spring or damper with k or c different
+/// from 0 is an extra row in addition to the rows of the constraints. With the gradient g of its length or
+/// angle, and its force f as the multiplier, the row is
 ///
-///   1 / (gamma' c + beta' k),
+///     g x - f / (gamma' c + beta' k) = slack,   gamma' = dv/dv',  beta' = dq/dv'  in the step
 ///
-/// where v moves with v' by gamma' and q by beta'; eliminated, it adds gamma' C + beta' K to M. A stiff
-/// spring then costs the condition of the matrix no more than a constraint does.
+/// 1 / (gamma' c + beta' k) is the compliance of the row. Elimination of f adds the spring's part of gamma' C
+/// + beta' K to M. As a row, a stiff spring worsens the condition number no more than a constraint does.
 
 #include <algorithm>
 #include <utility>
@@ -24,7 +25,7 @@ void for_each_resisting_spring(const Effects& effects, const Visit& visit) {
   });
 }
 
-/// The mechanism's graph, with a soft edge for each of them.
+/// The mechanism's graph, with one soft edge for every spring or damper that resists.
 template <class S, class Types>
 BodyJointGraph graph_with_springs(const Mechanism<S, Types>& mechanism) {
   BodyJointGraph graph = body_joint_graph(mechanism);
@@ -40,14 +41,15 @@ class SpringRows {
  public:
   using S = typename F::Scalar;
   using StateVector = VectorX<S>;
-  /// Of a body: the size of the numbers whose differences springs pull and turn it by.
+  /// Per body: the size of the numbers whose difference is the force [N] or moment [N m] of its springs. u
+  /// times this size is the rounding of that force or moment.
   struct SpringSize {
     S force{0}, moment{0};
   };
-  /// By body, the ground last; empty where there are no springs.
+  /// Per body, the ground last; empty if there are no springs.
   using Sizes = std::vector<SpringSize>;
 
-  /// The plan is that of graph_with_springs. Both must outlive this.
+  /// The plan is that of graph_with_springs. Mechanism and plan must outlive this object.
   SpringRows(const MechanismOf<F>&&, const EliminationPlan&) = delete;
   SpringRows(const MechanismOf<F>&, const EliminationPlan&&) = delete;
   SpringRows(const MechanismOf<F>& mechanism, const EliminationPlan& plan)
@@ -58,7 +60,7 @@ class SpringRows {
   }
 
   int count() const { return static_cast<int>(soft_.size()); }
-  /// [N/m, N s/m], or of moments by angles [N m, N m s].
+  /// Stiffness and damping per spring [N/m, N s/m]; of torsional springs [N m, N m s].
   void constants(StateVector& stiffness, StateVector& damping) const {
     stiffness.resize(soft_.size());
     damping.resize(soft_.size());
@@ -68,7 +70,7 @@ class SpringRows {
       damping[s++] = spring.damping;
     });
   }
-  /// What springs and dampers do along themselves.
+  /// Sets the gradients of the spring rows at the current body states, and the sizes of the spring forces.
   void evaluate(GraphAssembly<F>& assembly, const EffectView<S>& view, Sizes& sizes) const {
     if (soft_.empty()) return;
     sizes.assign(mechanism_.nb() + 1, SpringSize{});
@@ -91,26 +93,26 @@ class SpringRows {
       }
     });
   }
-  /// Stiffness and damping into Newton's matrix, where q and v move with v' by these shares.
+  /// Sets the compliances of the spring rows for the shares gamma' = dv/dv' and beta' = dq/dv' of the step.
   void let_resist(GraphAssembly<F>& assembly, const S& velocity_share, const S& position_share) const {
     auto edge = soft_.begin();
     for_each_resisting_spring(mechanism_.effects, [&](const auto& spring) {
       EdgeRows<S>& rows = assembly.edge_rows(plan_.rows_slot[*edge++]);
       const S resistance = velocity_share * spring.damping + position_share * spring.stiffness;
-      if (resistance == S(0)) rows = {};  // an explicit method's
+      if (resistance == S(0)) rows = {};  // explicit methods have shares of 0: the row has no effect
       rows.compliance = resistance == S(0) ? S(1) : S(1 / resistance);
     });
   }
 
-  /// Springs resist all that a solution stretches them by.
+  /// Sets the slack of all springs to 0: a spring resists the whole stretch g x by the solution.
   void clear_slack(GraphVector<S>& right_side) const {
     for (const int e : soft_) right_side.edge[e].setZero();
   }
-  /// Springs resist only what a solution stretches them by beyond their slack.
+  /// Sets the slack of every spring: it resists only g x - slack.
   void put_slack(const StateVector& slack, GraphVector<S>& right_side) const {
     for (std::size_t s = 0; s < soft_.size(); ++s) right_side.edge[soft_[s]][0] = slack[s];
   }
-  /// By how much the solution stretches them.
+  /// The stretch g x of every spring, which equals slack + compliance . f.
   void stretch_of(const GraphAssembly<F>& factored, const StateVector& slack, const GraphVector<S>& solution,
                   StateVector& stretch) const {
     stretch.resize(slack.size());
@@ -123,7 +125,7 @@ class SpringRows {
  private:
   const MechanismOf<F>& mechanism_;
   const EliminationPlan& plan_;
-  std::vector<int> soft_;  ///< edges of springs, in the effects' order
+  std::vector<int> soft_;  ///< the edges of the springs, in the order of the effects
 };
 
 }  // namespace trivium

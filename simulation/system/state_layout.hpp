@@ -1,11 +1,11 @@
 #pragma once
-/// Where each number of a state stands in the vector of an integrator, y = (q, v, work):
+/// The order of the numbers in the state vector of an integrator, y = (q, v, work):
 ///
-///   q     of every body r, then its orientation in the formulation's own numbers
-///   v     of every body r', then the velocity whose derivative is the formulation's unknown
-///   work  done on the mechanism [J], where any is done
+///     q     per body: r [m], then the orientation in the coordinates of the formulation
+///     v     per body: r' [m/s], then the velocity whose derivative is the formulation's unknown
+///     work  the work done on the mechanism [J]; absent if no driver or effect does any
 ///
-/// Accelerations, displacements and generalised forces have the places of v.
+/// Accelerations, displacements and generalised forces have the length and the order of v.
 
 #include <vector>
 
@@ -19,7 +19,7 @@ class StateLayout {
   using S = typename F::Scalar;
   using StateVector = VectorX<S>;
 
-  /// Numbers of a body in q and in v.
+  /// How many numbers a body has in q and in v.
   static constexpr int positions = 3 + F::orientation_size, velocities = 3 + F::rotational_unknowns;
   using Velocity = Vector<S, velocities>;
 
@@ -28,10 +28,10 @@ class StateLayout {
   int nb() const { return nb_; }
   int position_size() const { return positions * nb_; }
   int velocity_size() const { return velocities * nb_; }
-  /// Of q and v: the place of the work.
+  /// The length of (q, v), which is also the index of the work.
   int motion_size() const { return (positions + velocities) * nb_; }
 
-  // parts of y
+  // parts of y: position (r, orientation), rate (r', velocity), orientation and velocity of body b
   auto place(StateVector& y, int b) const { return y.template segment<positions>(positions * b); }
   auto rate(StateVector& y, int b) const {
     return y.template segment<velocities>(positions * nb_ + velocities * b);
@@ -42,7 +42,7 @@ class StateLayout {
   typename F::Unknown velocity(const StateVector& y, int b) const {
     return y.template segment<F::rotational_unknowns>(positions * nb_ + velocities * b + 3);
   }
-  /// y as states of the bodies, in the charts that they have.
+  /// Writes y into the body states; their charts stay as they are.
   void load(const StateVector& y, std::vector<BodyState<F>>& state) const {
     for (int b = 0; b < nb_; ++b) {
       state[b].r = y.template segment<3>(positions * b);
@@ -51,7 +51,7 @@ class StateLayout {
     }
   }
 
-  // parts of a vector that has the places of v
+  // parts of a vector with the order of v: all of body b, its translation, its rotation
   static auto of(StateVector& v, int b) { return v.template segment<velocities>(velocities * b); }
   static Vector3<S> r_of(const StateVector& v, int b) { return v.template segment<3>(velocities * b); }
   static typename F::Unknown q_of(const StateVector& v, int b) {

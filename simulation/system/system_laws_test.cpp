@@ -1,5 +1,5 @@
-/// The equations of motion keep the laws of the contract for systems, and the laws find equations that are
-/// wrong in one place.
+/// The equations of motion satisfy the laws of the contract for systems (integrators/contract/laws.hpp), and
+/// these laws detect equations with a single error.
 
 #include "formulations/testing/printed_and_structured.hpp"
 #include "integrators/contract/laws.hpp"
@@ -33,7 +33,7 @@ TYPED_TEST(EquationsWithConstraints, KeepTheLawsOfAConstrainedSystem) {
   }
 }
 
-// equations that are wrong in one place each
+// equations with one error each
 template <class F>
 struct StifferSprings : ConstrainedEquations<F> {
   using ConstrainedEquations<F>::ConstrainedEquations;

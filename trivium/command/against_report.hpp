@@ -1,6 +1,6 @@
 #pragma once
-/// What `trivium compare --against FILE` says of a motion of another code beside the library's, as text, JSON
-/// and CSV. Which bounds there are is simulation/motion_against.hpp's to decide.
+/// The report of `trivium compare --against FILE`, which compares a motion of another code with the library's
+/// motion, as text, JSON and CSV. simulation/motion_against.hpp decides the bounds.
 
 #include <string>
 

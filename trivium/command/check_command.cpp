@@ -1,4 +1,4 @@
-/// trivium check: what a scene consists of, and whether its state holds together.
+/// trivium check: the parts of a scene, and the consistency of its state.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-/// `trivium check` as a user meets it.
+/// `trivium check`, run as a user does.
 
 #include "trivium/command/testing/run_program.hpp"
 
@@ -14,7 +14,7 @@ TEST(Check, ReportsRankRedundancyAndSparsity) {
   for (const json& matrix : c["augmented_matrix"]) EXPECT_LT(matrix["percent"], 3.0) << matrix["formulation"];
 }
 
-/// kappa needs a dense matrix; the rank is the structured solver's beyond that.
+// kappa needs a dense matrix; larger scenes get their rank from the structured solver
 TEST(Check, ReportsAllButTheConditionOfALargeScene) {
   const std::string file = temporary("tree.json").string();
   ASSERT_EQ(run("trivium generate tree 1000 --out " + file).exit_code, 0);

@@ -1,7 +1,7 @@
 #pragma once
-/// What `trivium check` says of a scene and its state, as text and as JSON: rank and dependent (redundant)
-/// rows, residuals of the constraints, energy, and how sparse the augmented matrix of every formulation is.
-/// It decides nothing; what it prints is the front door's Check.
+/// The report of `trivium check` on a scene and its state, as text and as JSON: rank and dependent rows,
+/// residuals of the constraints, energy, and the sparsity of the augmented matrix of every formulation. It
+/// prints a Check (trivium/solve.hpp) and decides nothing itself.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-/// The subcommands of `trivium`, one file each. A file adds its subcommand's options to the command line and
-/// says what runs where the command line names it.
+/// The subcommands of `trivium`, one source file each. Every function below adds the options of its
+/// subcommand to the command line and returns the function that runs the subcommand.
 
 #include <functional>
 
@@ -10,7 +10,7 @@ namespace trivium {
 
 struct Command {
   ProgramOptions options;
-  std::function<int()> run;  ///< gives the exit code
+  std::function<int()> run;  ///< runs the subcommand; returns the exit code
 };
 
 Command add_solve_command(ProgramOptions& program);

@@ -1,4 +1,4 @@
-/// trivium compare: one motion in every formulation, each stepped by itself, side by side through time.
+/// trivium compare: one motion in every formulation, each integrated separately, or against another code.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -40,7 +40,7 @@ struct CompareArguments : RunArguments {
   bool plot = false, json = false;
 };
 
-/// "all", or names between commas.
+/// The names in a list separated by commas; no names for "all".
 std::vector<std::string> formulations_in(const std::string& text) {
   if (text == "all") return {};
   std::vector<std::string> names;
@@ -52,7 +52,7 @@ std::vector<std::string> formulations_in(const std::string& text) {
   return names;
 }
 
-/// Says which do not go with the method.
+/// The formulations to compare. Prints a warning for each one that the integrator cannot be used with.
 std::vector<ComparedFormulation> formulations_of(const CompareArguments& arguments) {
   const std::vector<std::string> asked = formulations_in(arguments.formulations);
   const std::string& integrator = arguments.options.integrator;
@@ -64,7 +64,7 @@ std::vector<ComparedFormulation> formulations_of(const CompareArguments& argumen
   return all;
 }
 
-/// A motion a file, the comparison, and its figure.
+/// Writes every motion, the comparison and its figure to the folder of --out.
 void write_files(const CompareArguments& arguments, const CompareReport& report) {
   const fs::path folder(arguments.out);
   fs::create_directories(folder);
@@ -108,7 +108,7 @@ int run_compare(const CompareArguments& arguments) {
   return comparison.holds_along() && comparison.holds_at_states() ? exit_done : exit_criterion_failed;
 }
 
-/// Ours by theirs, of words THEIRS=OURS.
+/// The map from their column names to ours, from words THEIRS=OURS.
 std::map<std::string, std::string> names_in(const std::vector<std::string>& words) {
   std::map<std::string, std::string> names;
   for (const std::string& word : words) {
@@ -154,7 +154,7 @@ int run_against(const CompareArguments& arguments) {
   return comparison.holds() ? exit_done : exit_criterion_failed;
 }
 
-/// Accepts a folder that is there or can be made.
+/// Accepts an existing folder, or a name for a new one.
 OptionCheck folder() {
   return {[](const std::string& text) {
             std::error_code error;

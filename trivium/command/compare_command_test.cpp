@@ -1,4 +1,4 @@
-/// `trivium compare` as a user meets it.
+/// `trivium compare`, run as a user does.
 
 #include "trivium/command/testing/run_program.hpp"
 
@@ -75,7 +75,7 @@ TEST(Compare, DrawsWhatItCompared) {
   EXPECT_NE(slurp(folder / "compare.svg").find("bound of lambda"), std::string::npos);
 }
 
-/// A motion of the program itself, as another code would have written it.
+/// A motion written by the program itself, which takes the place of a motion of another code.
 fs::path other_motion(const std::string& name) {
   const fs::path file = fresh(name);
   EXPECT_EQ(run("trivium simulate spatial_slider_crank --formulation r-p --integrator radau5 --t-end 1 "
@@ -87,7 +87,7 @@ fs::path other_motion(const std::string& name) {
   return file;
 }
 
-/// The text with one word in the place of another.
+/// The text with the first `word` replaced by `other`.
 std::string with(std::string text, const std::string& word, const std::string& other) {
   text.replace(text.find(word), word.size(), other);
   return text;
@@ -100,7 +100,7 @@ TEST(CompareAgainst, AMotionOfAnotherCodeAgreesColumnByColumn) {
   const json c = json::parse(r.out);
   EXPECT_TRUE(c["holds"]);
   EXPECT_EQ(c["times"], 11);
-  EXPECT_EQ(c["unknown_columns"].size(), 17u);  // raw_lambda, the method's own
+  EXPECT_EQ(c["unknown_columns"].size(), 17u);  // the 17 columns raw_lambda are not compared
   EXPECT_EQ(c["columns"].size(), 39 + 4 * 6 + 17 + 3u);
   for (const json& column : c["columns"])
     if (column.contains("bound")) {
@@ -130,7 +130,7 @@ TEST(CompareAgainst, NamesOfItsOwnAreMapped) {
 
 TEST(CompareAgainst, ANumberThatIsOffExceedsItsBound) {
   const std::string file =
-      temporary_scene("off.csv", "t,rod.x\n0,0.15\n0.25,0.15\n0.6,0.15\n");  // at times that are not even
+      temporary_scene("off.csv", "t,rod.x\n0,0.15\n0.25,0.15\n0.6,0.15\n");  // unevenly spaced times
   const Outcome r = run("trivium compare spatial_slider_crank --against " + file);
   EXPECT_EQ(r.exit_code, 1) << r.err;
   EXPECT_NE(r.out.find("1 of 1 column EXCEED their bounds"), std::string::npos) << r.out;

@@ -17,7 +17,7 @@ namespace {
 
 std::string brief(double x) { return fmt::format("{:.1e}", x); }
 
-/// Whether an output holds, or why it is not judged.
+/// The verdict on an output: holds, exceeds a bound, or the reason why it is not judged.
 std::string note_of(const MotionComparison& comparison, const ComparedInstant& now) {
   if (now.is_singular) return "singular";
   const bool is_judged = comparison.is_judged(now);
@@ -26,7 +26,7 @@ std::string note_of(const MotionComparison& comparison, const ComparedInstant& n
   return is_judged ? "holds" : "parted";
 }
 
-/// The instant whose difference is the largest beside its bound.
+/// The instant with the largest ratio of difference and bound; null if no instant has a ratio.
 template <class Ratio>
 const ComparedInstant* worst_of(const MotionComparison& comparison, const Ratio& ratio) {
   const ComparedInstant* worst = nullptr;
@@ -213,7 +213,7 @@ std::string CompareReport::csv() const {
 }
 
 void CompareReport::plot(const std::string& file) const {
-  // a log axis has no zero
+  // 0 cannot be drawn on a logarithmic axis
   const auto seen = [](double x) { return x > 0 ? fmt::format("{:.3g}", x) : std::string("NaN"); };
   std::string along, states;
   for (const ComparedInstant& now : comparison.instants) {

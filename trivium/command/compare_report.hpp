@@ -1,6 +1,6 @@
 #pragma once
-/// What `trivium compare` says of one motion in several formulations, as text, JSON, CSV and a figure. Which
-/// bounds there are is simulation/motion_comparison.hpp's to decide.
+/// The report of `trivium compare` on one motion in several formulations, as text, JSON, CSV and a figure.
+/// simulation/motion_comparison.hpp decides the bounds.
 
 #include <string>
 #include <vector>
@@ -20,7 +20,7 @@ struct CompareReport {
   std::string text() const;
   std::string json() const;
   std::string csv() const;
-  /// Draws to an SVG file.
+  /// Draws the comparison to an SVG file. Throws a std::runtime_error if gnuplot is missing or fails.
   void plot(const std::string& file) const;
 
  private:

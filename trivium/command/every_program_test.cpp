@@ -1,5 +1,4 @@
-/// What all programs have in common: help, messages about misuse, exit codes, and results that could not be
-/// written.
+/// Properties that all programs share: help, messages about misuse, exit codes, errors of writing.
 
 #include "trivium/command/testing/run_program.hpp"
 
@@ -20,8 +19,7 @@ TEST(EveryProgram, HasHelpAndVersion) {
       EXPECT_EQ(run("trivium " + command + flag).exit_code, 0) << command << flag;
 }
 
-/// A full disk, as the device that is always full plays it: short output is lost when it is flushed, long
-/// output while it is printed.
+// /dev/full acts as a full disk: short output fails when it is flushed, long output while it is printed
 TEST(EveryProgram, DoesNotPassOverResultsThatCouldNotBeWritten) {
   std::vector<std::string> all{"trivium solve heavy_top", "trivium simulate heavy_top --t-end 0.1",
                                "trivium check n_four_bar_40 --json", "trivium generate chain 100",

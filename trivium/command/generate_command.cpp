@@ -1,4 +1,4 @@
-/// trivium generate: regular scenes of any size, as scene files.
+/// trivium generate: writes scene files of regular mechanisms of any size.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-/// `trivium generate` as a user meets it.
+/// `trivium generate`, run as a user does.
 
 #include "trivium/command/testing/run_program.hpp"
 

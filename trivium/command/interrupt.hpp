@@ -1,16 +1,17 @@
 #pragma once
-/// Ctrl-C during a run: the first one (or SIGTERM) ends the run after the step at hand, so that what was
-/// computed is kept; one two seconds later or more ends the program. Those between are taken for the same
-/// one, which a terminal sends to a process and to its group.
+/// Ctrl-C during a run. The first SIGINT or SIGTERM ends the run after the current step, so that its results
+/// are kept. A signal two or more seconds later ends the program at once. Signals in between are ignored: a
+/// terminal may send the same Ctrl-C both to the process and to its group.
 
 namespace trivium {
 
-/// From now on an interrupt does not end the program, but is there to be asked for.
+/// Installs the signal handlers.
 void catch_interrupts();
 
+/// Whether a signal has arrived since.
 bool is_interrupted();
 
-/// Of a run that an interrupt ended: 128 + SIGINT, as shells have it.
+/// Exit code of an interrupted run: 128 + SIGINT, the convention of shells.
 constexpr int exit_interrupted = 130;
 
 }  // namespace trivium

@@ -1,5 +1,4 @@
-/// trivium list: the catalogue's scenes, the formulations, integrators, joints, basic constraints and
-/// effects.
+/// trivium list: the scenes of the catalogue, formulations, integrators, constraints and effects.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-/// `trivium list` as a user meets it.
+/// `trivium list`, run as a user does.
 
 #include "trivium/command/testing/run_program.hpp"
 
@@ -10,7 +10,7 @@ TEST(List, NamesScenesFormulationsJointsAndEffects) {
   ASSERT_EQ(r.exit_code, 0) << r.err;
   const json l = json::parse(r.out);
   EXPECT_GE(l["scenes"].size(), 30u);
-  // and those that are added
+  // lower bounds, so that new types do not break the test
   EXPECT_GE(l["formulations"].size(), 4u);
   EXPECT_GE(l["constraints"].size(), 15u);
   EXPECT_GE(l["effects"].size(), 5u);

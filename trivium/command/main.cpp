@@ -11,7 +11,7 @@ namespace trivium {
 
 namespace {
 
-/// What is wrong with the first word if it should be a subcommand and is none; empty if nothing is.
+/// The error message if the first word is missing or no subcommand; empty if it is a subcommand or an option.
 std::string misuse(const std::vector<Command>& commands, int argc, char** argv) {
   const std::string word = argc > 1 ? argv[1] : "";
   if (word.starts_with('-')) return {};

@@ -1,6 +1,6 @@
 #pragma once
-/// What a run of `trivium simulate` writes while it goes on: the CSV file, the figure, and a bar that says
-/// how far it is. Decides that an interrupt ends the run. The summary behind it is motion_report.hpp's.
+/// The output of `trivium simulate` during a run: the CSV file, the figure and a progress bar. An interrupt
+/// ends the run here. motion_report.hpp prints the summary after the run.
 
 #include <optional>
 #include <string>
@@ -16,18 +16,18 @@ namespace trivium {
 
 class MotionOutput : public SimulationObserver {
  public:
-  /// `csv` and `figure`: the files; empty for none.
+  /// `csv` and `figure` are file names; an empty name means no file.
   MotionOutput(const Mechanism<double>& mechanism, double t_start, const SimulationOptions& options,
                const std::string& csv, const std::string& figure);
 
   bool sample(const MotionSample& sample) override;
   bool step(double t) override;
 
-  /// Writes what it has; says on stderr what it could not. Returns whether it could.
+  /// Writes the CSV file and the figure. If that fails, prints an error on stderr and returns false.
   bool keep();
-  /// Says on stderr until when the CSV file has the motion.
+  /// Prints on stderr up to which time the CSV file holds the motion.
   void say_what_is_kept() const;
-  /// The last state that it has; none where the motion did not begin.
+  /// The time of the last output [s]; none if the run failed before its first output.
   const std::optional<double>& last() const { return last_; }
 
  private:

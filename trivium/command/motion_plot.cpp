@@ -44,14 +44,14 @@ void MotionPlot::write(const std::string& file) const {
                        fmt::format(fmt::runtime(value), column++), colour + 1, dashes + 1,
                        gnuplot_quoted(name));
   };
-  // a colour a body, dashes an axis
+  // one colour per body, one dash pattern per axis
   for (std::size_t n = 0; n < shown_bodies_.size(); ++n)
     for (std::size_t axis = 0; axis < 3; ++axis)
       places.push_back(curve(bodies_[shown_bodies_[n]] + "." + "xyz"[axis], n, axis));
   for (std::size_t n = 0; n < shown_joints_.size(); ++n)
     forces.push_back(curve(joints_[shown_joints_[n]], n));
   for (const char* name : {"|E - E(0)| [J]", "phi [m, rad]", "phi' [m/s, rad/s]"})
-    errors.push_back(curve(name, errors.size(), 0, "${0} > 1e-20 ? ${0} : 1e-20"));  // a log axis has no zero
+    errors.push_back(curve(name, errors.size(), 0, "${0} > 1e-20 ? ${0} : 1e-20"));  // logarithmic axis
   const auto panel = [](const std::vector<std::string>& curves, const std::string& label) {
     if (curves.empty()) return std::string("set multiplot next\n");
     return fmt::format("set ylabel {}\nplot {}\n", gnuplot_quoted(label), fmt::join(curves, ", \\\n  "));

@@ -1,6 +1,6 @@
 #pragma once
-/// A motion as a figure: where the bodies are, what the joints carry, and how well constraints and energy
-/// hold. Drawn by gnuplot from the samples of a run.
+/// A figure of a motion with three panels: positions of bodies, joint forces, and violations of constraints
+/// with the change of energy. gnuplot draws it from the samples of a run.
 
 #include <string>
 #include <vector>
@@ -15,19 +15,18 @@ class MotionPlot {
   MotionPlot(const Mechanism<double>& mechanism, std::string title);
 
   void add(const MotionSample& sample);
-  /// SVG; nothing where there are no two samples. Throws a std::runtime_error where gnuplot is not there or
-  /// fails.
+  /// Writes an SVG file, if there are two samples. Throws a std::runtime_error without a working gnuplot.
   void write(const std::string& file) const;
 
  private:
-  /// The first few; the last one is always shown.
+  /// The indices of the bodies or joints in the figure: the first three and the last.
   static std::vector<std::size_t> shown(std::size_t count);
 
   std::string title_;
   std::vector<std::string> bodies_, joints_;
   std::vector<std::size_t> shown_bodies_, shown_joints_;
-  std::string
-      data_;  ///< a line a sample: t, x y z of the bodies, |force| of the joints, energy, phi, phi_dot
+  /// One line per sample: t, r of the shown bodies, |force| of the shown joints, |E - E(0)|, phi, phi_dot.
+  std::string data_;
   double first_energy_ = 0;
   int samples_ = 0;
 };

@@ -1,6 +1,6 @@
 #pragma once
-/// The summary of a run of `trivium simulate`, as text and as JSON: counters of the method, drift off the
-/// constraints, the balance of energy. What is warned about is decided in motion_warnings.hpp.
+/// The summary of a run of `trivium simulate`, as text and as JSON: counters of the method, constraint drift,
+/// energy balance. motion_warnings.hpp decides the warnings.
 
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace trivium {
 
-/// What was asked for, to which a run's report is added.
+/// The request, from which a run's report becomes a text.
 struct MotionReport {
   const Mechanism<double>& mechanism;
   double t_start;
@@ -21,11 +21,11 @@ struct MotionReport {
 
   std::string text(const SimulationReport& report) const;
   std::string json(const SimulationReport& report) const;
-  /// Of a run that could not go on. `last`: the time of the last output; none where the motion did not begin.
+  /// The summary of a run that ended with an error. `last` is the time of the last output [s], if any.
   std::string failure_json(const std::optional<double>& last, const char* error) const;
 
  private:
-  /// An object that begins with what was asked for.
+  /// A JSON object that begins with the request.
   JsonWriter begin_json() const;
 };
 

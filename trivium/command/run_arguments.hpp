@@ -1,6 +1,6 @@
 #pragma once
-/// The options of a run through time, which `simulate` and `compare` have alike: the method, its steps, its
-/// parameters, and charts. What the two have of their own stands with them.
+/// The command-line options of a run that `simulate` and `compare` share: the integrator, its steps and
+/// parameters, and charts. Options of one subcommand alone are in its own file.
 
 #include <string>
 
@@ -15,17 +15,17 @@ struct RunArguments : SceneArguments {
   std::string sequence = "313";
   bool raw_chart = false, full_newton = false;
 
-  /// The options as the words of the command line make them.
+  /// The options of the run, with the charts and flags of the command line.
   SimulationOptions run_options() const;
 };
 
-/// `outputs` says what there is without --output-step.
+/// Adds the shared options. `outputs` is the help text for the default of --output-step.
 void add_run_options(ProgramOptions& options, RunArguments& arguments, const std::string& outputs);
 
-/// Accepts a figure's file, where there is a program to draw it.
+/// Accepts the name of a writable SVG file, if gnuplot is installed.
 OptionCheck figure_file();
 
-/// What keeps figures from being drawn; empty if nothing does.
+/// The reason why figures cannot be drawn; empty if they can.
 std::string why_no_figures();
 
 }  // namespace trivium

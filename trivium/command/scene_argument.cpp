@@ -29,7 +29,7 @@ LoadedScene load(const SceneArguments& arguments) {
   if (arguments.assemble) {
     set_state(scene, assemble(model.mechanism, model.state));
     if (!arguments.save.empty()) scenes::write_scene_file(arguments.save, scene);
-    model.state = make_state<double>(scene, t);  // as the file has it
+    model.state = make_state<double>(scene, t);  // with the rounding of the scene, as a saved file would give
   }
   return {std::move(scene), std::move(model)};
 }

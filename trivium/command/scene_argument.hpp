@@ -1,6 +1,6 @@
 #pragma once
-/// The scene that a subcommand works on: its options, and the state that they ask for, read and assembled.
-/// Whether the state is fit to be solved is the front door's to say (state_check.hpp).
+/// The scene that a subcommand works on: the command-line options that name it, and the function that reads
+/// it and assembles its state if requested. state_check.hpp decides whether the state is consistent.
 
 #include <optional>
 #include <string>
@@ -13,21 +13,22 @@ namespace trivium {
 
 struct SceneArguments {
   std::string scene;
-  std::optional<double> t;  ///< of the state [s]; else that of a saved run, or 0
-  bool assemble = false;
-  std::string save;  ///< file for the assembled scene; empty for none
+  std::optional<double> t;  ///< time of the state [s]; none: the time of the saved run, else 0
+  bool assemble = false;    ///< project the state onto the constraints
+  std::string save;         ///< file for the assembled scene; empty: none
 };
 
-/// The options that say which scene, at what time and whether to assemble it.
+/// Adds the options of the scene, the time of its state, and its assembly.
 void add_scene_options(ProgramOptions& options, SceneArguments& arguments);
 
-/// A scene as the file has it or as it was assembled, and its model, made once.
+/// A scene, as read or as assembled, and its model.
 struct LoadedScene {
   scenes::Scene scene;
   Model<double> model;
 };
 
-/// Reads the scene and, with `assemble`, projects its state onto the constraints and saves it if asked.
+/// Reads the scene. With `assemble`, projects its state onto the constraints, and writes it if `save` is
+/// given. Throws an Error of kind input for a wrong scene, and as assemble() does.
 LoadedScene load(const SceneArguments& arguments);
 
 }  // namespace trivium

@@ -32,7 +32,8 @@ struct SimulateArguments : RunArguments {
 
 constexpr int outputs_of_a_figure = 500;
 
-/// Returns whether it could.
+/// Writes the scene at the end of the run to the file of --save-end. Returns false, with a message, on
+/// failure.
 bool save_end(const SimulateArguments& arguments, scenes::Scene& scene, const RunEnd& end) {
   set_end(scene, end);
   try {
@@ -77,7 +78,7 @@ int run_simulate(const SimulateArguments& arguments) {
     complain(name_source(arguments.scene, error.what()));
     const auto* known = dynamic_cast<const Error*>(&error);
     if (known && known->kind() == ErrorKind::input) return exit_input_error;
-    // of the model or of the method; what was computed until then is kept
+    // an error of the model or of the method: the outputs before it are kept
     if (arguments.json) fmt::print("{}", of.failure_json(output.last(), error.what()));
     if (output.keep()) output.say_what_is_kept();
     return exit_solver_failed;

@@ -1,11 +1,11 @@
-/// `trivium simulate` as a user meets it: the files that it leaves, its report, and how a run ends.
+/// `trivium simulate`, run as a user does: its files, its report, and the ways in which a run can end.
 
 #include "trivium/command/testing/run_program.hpp"
 
 namespace trivium::test {
 namespace {
 
-/// The fields of every line of a CSV without quoted fields.
+/// The fields of every line of a CSV file without quoted fields.
 std::vector<std::vector<std::string>> csv_lines(const fs::path& file) {
   std::vector<std::vector<std::string>> lines;
   std::istringstream text(slurp(file));
@@ -75,7 +75,7 @@ TEST(Simulate, WritesAnImplicitMethodsOwnLambdaBesideThatOfTheState) {
   EXPECT_FALSE(s["projection"]);
 }
 
-// p and -p are one orientation; what is written moves without jumps
+// p and -p are the same orientation; the file must not jump from one to the other
 TEST(Simulate, WritesEulerParametersThatDoNotJump) {
   const fs::path file = fresh("motion.csv");
   ASSERT_EQ(run("trivium simulate heavy_top --formulation r-epsilon --t-end 1 --output-step 0.001 --out " +
@@ -100,7 +100,7 @@ TEST(Simulate, CtrlCLeavesTheMotionSoFar) {
   for (const auto& line : lines) EXPECT_EQ(line.size(), lines[0].size());
 }
 
-// and its last state, wherever that is between outputs
+// the file ends with the last state, also if that lies between two outputs
 TEST(Simulate, CtrlCReportsTheStateThatWasReached) {
   const fs::path file = fresh("motion.csv"), report = fresh("report");
   const Outcome r = run("trivium simulate stewart_platform --t-end 1e6 --output-step 1e5 --json --out " +
@@ -115,7 +115,7 @@ TEST(Simulate, CtrlCReportsTheStateThatWasReached) {
 }
 
 TEST(Simulate, AMotionThatCannotGoOnIsKeptUntilThere) {
-  // a bead on a spring without length: its force has no direction where it arrives
+  // a bead moves to the other end of its spring: at length 0 the spring force has no direction
   const std::string scene = temporary_scene("caught.json", R"({"trivium": 1, "name": "caught",
     "bodies": [{"name": "bead", "mass": 1, "inertia": [1, 1, 1], "position": [1, 0, 0], "velocity": [-1, 0, 0]}],
     "effects": [{"type": "spring_damper", "name": "catcher", "i": {"body": "ground"}, "j": {"body": "bead"}, "damping": 1e6}]})");
@@ -138,7 +138,7 @@ TEST(Simulate, AMotionThatCannotGoOnSaysSoInJson) {
   EXPECT_NE(r.err.find(s["error"].get<std::string>()), std::string::npos) << r.out;
 }
 
-// no rows to name, and squares that are no numbers
+// without constraints the error can name no row, and squares of the state overflow
 TEST(Simulate, AMotionThatGrowsWithoutBoundIsAnErrorOfTheSolver) {
   const std::string scene = temporary_scene("bound.json", R"({"trivium": 1, "name": "bound",
     "bodies": [{"name": "a", "mass": 1, "inertia": [1, 1, 1], "position": [0, 0, 0]},
@@ -152,7 +152,7 @@ TEST(Simulate, AMotionThatGrowsWithoutBoundIsAnErrorOfTheSolver) {
   }
 }
 
-// the one word of the method's would be of forces or rows
+// the method itself would only report a failure of forces or rows, not its cause
 TEST(Simulate, AKeptChartThatIsSingularIsNamedWhateverTheMethod) {
   const std::string scene = temporary_scene("gimbal.json", R"({"trivium": 1, "name": "gimbal",
     "bodies": [{"name": "stone", "mass": 2, "inertia": [0.1, 0.2, 0.3], "position": [0, 0, 0],
@@ -185,7 +185,7 @@ TEST(Simulate, SaysWhichSingularPositionsItPassed) {
   EXPECT_GE(json::parse(r.out)["singular_positions"].size(), 1u);
 }
 
-// gnuplot would run what a newline lets out of a string
+// a newline in a name would end gnuplot's string, and gnuplot would execute the rest of the name
 TEST(Simulate, NamesOfASceneAreTextInItsFigure) {
   if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot";
   const fs::path file = fresh("motion.svg"), made = fresh("made");
@@ -194,7 +194,7 @@ TEST(Simulate, NamesOfASceneAreTextInItsFigure) {
                                         R"(')\n", "bodies": [{"name": "b`touch )" + made.string() +
                                         R"(`\n", "mass": 1, "inertia": [1, 1, 1], "position": [0, 0, 0]}]})");
   const Outcome r = run("trivium simulate " + scene + " --t-end 1 --output-step 0.1 --plot " + file.string());
-  EXPECT_EQ(r.exit_code, 0) << r.err;  // a body at rest: nothing to see, but no error
+  EXPECT_EQ(r.exit_code, 0) << r.err;  // a body at rest gives an empty figure, but no error
   EXPECT_FALSE(fs::exists(made));
   EXPECT_NE(slurp(file).find("</svg>"), std::string::npos);
 }
@@ -220,7 +220,7 @@ TEST(Simulate, GoesOnFromWhereAnotherRunEndedToTheSameBits) {
             0);
   EXPECT_EQ(csv_lines(rest).back(), csv_lines(whole).back());
   EXPECT_EQ(csv_lines(rest)[1][0], "0.10000000000000001");
-  // every other command takes it as a scene, at its time
+  // every other command accepts the file as a scene, at the time of its state
   const Outcome solved = run("trivium solve " + half.string() + " --json");
   ASSERT_EQ(solved.exit_code, 0) << solved.err;
   EXPECT_EQ(json::parse(solved.out)["t"], 0.1);
@@ -231,16 +231,15 @@ TEST(Simulate, RefusesASavedRunThatIsNotItsScenes) {
   EXPECT_EQ(run("trivium simulate heavy_top --t-end 0.1 --save-end " + file.string()).exit_code, 0);
   const Outcome early = run("trivium simulate " + file.string() + " --t 0 --t-end 1");
   EXPECT_EQ(early.exit_code, 2);
-  EXPECT_NE(
-      early.err.find(
-          "the saved run cannot be continued: the state is requested at t = 0; leave out the key \"saved\""),
-      std::string::npos)
+  EXPECT_NE(early.err.find(
+                "the saved run cannot be continued: the state is taken at t = 0; without the key \"saved\""),
+            std::string::npos)
       << early.err;
   json scene = json::parse(slurp(file));
   scene["saved"]["y"].push_back(1);
   const std::string longer = temporary_scene("longer.json", scene.dump());
   EXPECT_EQ(run("trivium simulate " + longer + " --t-end 1").exit_code, 2);
-  // another formulation goes on from the bodies
+  // another formulation ignores the saved run and starts from the bodies
   EXPECT_EQ(run("trivium simulate " + longer + " --t-end 0.2 --formulation r-p").exit_code, 0);
 }
 

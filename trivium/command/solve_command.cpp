@@ -29,7 +29,7 @@ struct SolveArguments : SceneArguments {
   bool raw_chart = false, json = false;
 };
 
-/// What one of the scalars made of it.
+/// Prints warnings and the report of a solution. Returns the exit code: failure if no formulation solved.
 template <class Scalar>
 int report(const SolveArguments& arguments, const LoadedScene& loaded, const char* solver,
            const Mechanism<Scalar>& mechanism, const SideBySide<Scalar>& answer) {
@@ -43,7 +43,7 @@ int report(const SolveArguments& arguments, const LoadedScene& loaded, const cha
   return any ? exit_done : exit_solver_failed;
 }
 
-/// As printed, in other arithmetic than double.
+/// Solves the printed system in another Scalar than double.
 template <class Scalar>
 int solve_in(const SolveArguments& arguments, const LoadedScene& loaded, const SolveOptions& options) {
   using Higher = NextPrecisionT<Scalar>;

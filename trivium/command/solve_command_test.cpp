@@ -1,4 +1,4 @@
-/// `trivium solve` as a user meets it: what it prints, what it refuses and with which exit code.
+/// `trivium solve`, run as a user does: its output, its error messages and its exit codes.
 
 #include "trivium/command/testing/run_program.hpp"
 
@@ -145,7 +145,7 @@ TEST(Solve, MechanismsTooLargeForTheDenseSolverAreSolvedAlongTheirGraph) {
   EXPECT_TRUE(s["condition"].is_null());
   EXPECT_LE(s["discrepancy"]["lambda"], 1e-10);
   EXPECT_NE(run("trivium solve " + file).out.find("solved by the structured solver"), std::string::npos);
-  // in other arithmetic there is the printed one alone
+  // in other Scalars than double only the printed system is available
   const Outcome quad = run("trivium solve " + file + " --scalar quad");
   EXPECT_EQ(quad.exit_code, 3);
   EXPECT_NE(quad.err.find("dense augmented matrix"), std::string::npos) << quad.err;

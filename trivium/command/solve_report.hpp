@@ -1,7 +1,6 @@
 #pragma once
-/// What `trivium solve` says of the solution at one state, as text and as JSON: accelerations, lambda and
-/// reactions of every formulation, their estimated errors, redundant rows. What is warned about is decided in
-/// state_check.hpp.
+/// The report of `trivium solve` on the solution at one state, as text and as JSON: accelerations, lambda and
+/// reactions of every formulation, estimated errors, dependent rows. state_check.hpp decides the warnings.
 
 #include <string>
 #include <vector>
@@ -12,12 +11,12 @@
 
 namespace trivium {
 
-/// Compiled once for each Scalar that the command offers.
+/// The report in one Scalar; compiled for every Scalar of the option --scalar.
 template <class Scalar>
 struct SolveReport {
   const scenes::Scene& scene;
   double t;
-  const std::string& scalar;  ///< its name on the command line
+  const std::string& scalar;  ///< the name of the Scalar on the command line
   const char* solver;         ///< "printed" or "structured"
   const Mechanism<Scalar>& mechanism;
   const SideBySide<Scalar>& result;

@@ -1,4 +1,4 @@
-/// The validation programs as a user meets them: output, messages and exit codes.
+/// The validation programs, run as a user does: output, messages and exit codes.
 
 #include "trivium/command/testing/run_program.hpp"
 
@@ -157,7 +157,7 @@ TEST(LambdaInvariance, HoldsOnAThousandRandomMechanisms) {
 TEST(PrecisionLadder, HoldsOnTheCatalogue) {
   const Outcome r = run("precision_ladder --json");
   EXPECT_EQ(r.exit_code, 0) << r.err;
-  // on one scene, rung by rung: the difference falls with the precision
+  // on one scene, the difference falls with every higher precision
   double last = 1;
   const json ladder = json::parse(r.out);
   for (const json& rung : ladder["rungs"])

@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes and files of the front door's tests. A support of the tests.
+/// Scenes and files for the tests of the public interface. Only tests include this header.
 
 #include <gtest/gtest.h>
 
@@ -12,12 +12,12 @@
 
 namespace trivium::test {
 
-/// The file of a scene of the catalogue.
+/// The path of a catalogue scene's file.
 inline std::string path_of(const std::string& name) {
   return std::string(TRIVIUM_SCENES_DIR) + "/" + name + ".json";
 }
 
-/// A file of the current test's own: tests run side by side.
+/// A temporary file whose name contains that of the current test, because tests run in parallel.
 inline std::filesystem::path temporary(const std::string& name) {
   const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
   return std::filesystem::path(testing::TempDir()) / (std::string(test.name()) + "." + name);

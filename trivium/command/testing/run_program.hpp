@@ -1,5 +1,5 @@
 #pragma once
-/// The project's programs, run as a user runs them. A support of the tests.
+/// Runs the project's programs as a user does. Also makes faulty scenes for them. Only tests include this.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -28,20 +28,20 @@ inline std::string slurp(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A file of the current test's own: tests run side by side.
+/// A temporary file whose name contains that of the current test, because tests run in parallel.
 inline fs::path temporary(const std::string& name) {
   const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
   return fs::path(testing::TempDir()) /
          (std::string(test.test_suite_name()) + "." + test.name() + "." + name);
 }
 
-/// The same, with nothing left there by an earlier run.
+/// The same, after a file left by an earlier run is removed.
 inline fs::path fresh(const std::string& name) {
   fs::remove(temporary(name));
   return temporary(name);
 }
 
-/// Runs one of the project's programs with the words given, in a folder if one is named.
+/// Runs a program of the project with arguments, such as "trivium list"; in `folder` if it is not empty.
 inline Outcome run(const std::string& words, const fs::path& folder = {}) {
   const std::string there = folder.empty() ? "" : "cd " + folder.string() + " && ";
   const fs::path errors = temporary("err");
@@ -61,7 +61,7 @@ inline std::string temporary_scene(const std::string& name, const std::string& t
   return file.string();
 }
 
-/// The validations that this build has.
+/// The names of the validation programs of this build.
 inline std::vector<std::string> validations() {
   std::istringstream list(TRIVIUM_VALIDATIONS);
   std::vector<std::string> names;
@@ -69,7 +69,7 @@ inline std::vector<std::string> validations() {
   return names;
 }
 
-/// A body that hangs in a revolute whose two axes point opposite ways.
+/// A scene on a wrong branch: the two axes of its revolute joint point in opposite directions.
 inline std::string hung_backwards() {
   return temporary_scene("hung_backwards.json", R"({"trivium": 1, "name": "hung_backwards",
     "bodies": [{"name": "flap", "mass": 1, "inertia": [1, 1, 1], "position": [0, 0, 0]}],
@@ -77,7 +77,8 @@ inline std::string hung_backwards() {
                      "j": {"body": "flap", "axis": [0, 0, -1]}}]})");
 }
 
-/// A bead that two rods pull to opposite sides while it moves across: consistent, but nothing accelerates so.
+/// A consistent scene without accelerations: a bead between two rods moves across them, and each rod demands
+/// an acceleration towards its own side.
 inline std::string dead_point() {
   return temporary_scene("dead_point.json", R"({"trivium": 1, "name": "bead_between_rods",
     "bodies": [{"name": "bead", "mass": 1, "inertia": [1, 1, 1], "position": [0, 0, 0], "velocity": [0, 1, 0]}],
@@ -86,7 +87,7 @@ inline std::string dead_point() {
       {"type": "distance", "name": "right", "i": {"body": "ground", "point": [1, 0, 0]}, "j": {"body": "bead"}, "distance": 1}]})");
 }
 
-/// The simple pendulum with a velocity that its joint forbids.
+/// The simple pendulum with a velocity that violates its joint.
 inline std::string moving_wrongly() {
   std::string text = slurp(TRIVIUM_SCENES_DIR "/simple_pendulum.json");
   const std::size_t at = text.find("\"velocity\": [") + 13;
