@@ -43,7 +43,7 @@ std::vector<std::vector<std::string>> parse_csv(const std::string& text) {
     }
   }
   if (quoted || record != std::vector<std::string>{""})
-    throw Error(ErrorKind::input, "the last line is not finished");
+    throw Error(ErrorKind::input, "the last line has no line end, or a quoted field is not closed");
   return records;
 }
 

@@ -56,7 +56,8 @@ OptionCheck positive_number() {
 OptionCheck number_from_zero() {
   return {[](const std::string& text) {
             const std::optional<double> x = finite_number(text);
-            return x && *x >= 0 ? std::string() : fmt::format("found {}; accepted: a number from 0 on", text);
+            return x && *x >= 0 ? std::string()
+                                : fmt::format("found {}; accepted: a number not below 0", text);
           },
           "NUMBER"};
 }
@@ -68,7 +69,7 @@ std::string why_not_writable(const std::string& path) {
   constexpr const char* accepted = "accepted: a file in a folder that exists";
   if (path.empty()) return fmt::format("\"\" is not a file; {}", accepted);
   const std::optional<fs::path> target = file_to_write(path);
-  if (!target) return fmt::format("\"{}\" is there and not a regular file; {}", path, accepted);
+  if (!target) return fmt::format("\"{}\" exists but is not a regular file; {}", path, accepted);
   std::error_code error;
   const fs::path folder = target->parent_path();
   if (!folder.empty() && !fs::is_directory(folder, error))

@@ -34,12 +34,14 @@ class ConstraintLaws {
     const S scale = c_.scale(t_);
     size_ = scale + row.r_i.norm() * i_.r_dot.norm() + row.r_j.norm() * j_.r_dot.norm() +
             row.rot_i.norm() * i_.omega.norm() + row.rot_j.norm() * j_.omega.norm();
-    require("the scale is not negative", scale >= S(0));
-    if (C::is_of_angle) require("a row of an angle sees no place", (row.r_i - row.r_j).norm() == S(0));
+    require("scale is not negative", scale >= S(0));
+    if (C::is_of_angle)
+      require("a row of an angle does not depend on positions r", (row.r_i - row.r_j).norm() == S(0));
     const S of_places = row.r_i.norm() + row.r_j.norm(), of_turns = row.rot_i.norm() + row.rot_j.norm();
-    if (!C::is_of_angle) require("a row of a length sees places", of_places > S(0) || of_turns == S(0));
+    if (!C::is_of_angle)
+      require("a row of a length depends on positions r", of_places > S(0) || of_turns == S(0));
     if constexpr (requires { c_.vanishes(i_, j_, scale); })
-      require("a row does not vanish where it moves bodies",
+      require("vanishes is false if the gradient of the row is not zero",
               !(of_places + of_turns > S(1e-3) * scale && c_.vanishes(i_, j_, S(1e-9))));
     bool has_function = false, is_function = false;
     show_constraint_parts(
@@ -50,7 +52,7 @@ class ConstraintLaws {
           }
         },
         c_);
-    require("the function of a row is one that keys show", is_function || !has_function);
+    require("the function of time of a row is one of its parts", is_function || !has_function);
     if constexpr (requires { C::sees_relative_motion; })
       if (C::sees_relative_motion) {
         const Vector3<S> turn(S(0.3), S(-0.7), S(0.4)), shift(S(-0.2), S(0.5), S(0.9));
@@ -60,20 +62,20 @@ class ConstraintLaws {
           body.A = (A * body.A).eval();
           return body;
         };
-        equal("bodies that move together leave Phi as it is", row_position(c_, carried(i_), carried(j_), t_),
-              row.phi, 1e4 * static_cast<double>(u));
+        equal("a common rigid motion of both bodies does not change Phi",
+              row_position(c_, carried(i_), carried(j_), t_), row.phi, 1e4 * static_cast<double>(u));
       }
     // central differences: both bodies are moved by +-h along their r' and omega. With h = cbrt(2 u)
     // truncation and rounding errors are both of order h^2.
     const double coarse = 1e4 * static_cast<double>(h) * static_cast<double>(h);
-    equal("Phi' = Phi_q q' - nu is the derivative of Phi", along - row.nu, S((phi(h) - phi(-h)) / (2 * h)),
+    equal("Phi_q q' - nu is the time derivative of Phi", along - row.nu, S((phi(h) - phi(-h)) / (2 * h)),
           coarse);
-    equal("-gamma is the derivative of Phi' where nothing accelerates", -row.gamma,
+    equal("-gamma is the time derivative of Phi' without accelerations", -row.gamma,
           S((phi_dot(h) - phi_dot(-h)) / (2 * h)), coarse);
     static thread_local C copy;  // static, so that parts which keys omit are zero and not uninitialised
     show_constraint_parts([](const auto& from, auto& to) { to = from; }, c_, copy);
-    equal("keys show every part", evaluate_row(copy, i_, j_, t_).phi, row.phi, 0);
-    equal("keys show every part", copy.scale(t_), scale, 0);
+    equal("show_constraint_parts shows every part", evaluate_row(copy, i_, j_, t_).phi, row.phi, 0);
+    equal("show_constraint_parts shows every part", copy.scale(t_), scale, 0);
     return broken_;
   }
 

@@ -31,12 +31,12 @@ void spring_laws(E effect, const EffectView<S>& view, const Equal& equal) {
     return S(on.F.dot(view.motion[b].r_dot) + on.n_bar.dot(view.motion[b].omega_bar));
   };
   const S rate = along(on_i, i) + along(on_j, j), scale = effect.tension_scale(view);
-  equal("the scale of a tension is a number not below 0", S(scale >= S(0) ? 0 : 1), S(0), S(0), 0);
+  equal("tension_scale is not negative", S(scale >= S(0) ? 0 : 1), S(0), S(0), 0);
   const auto compare = [&](int b, const Wrench<S>& on) {
     const S off = (with[b].F - without[b].F + rate * on.F).norm() +
                   (with[b].n_bar - without[b].n_bar + rate * on.n_bar).norm();
     const S size = with[b].F.norm() + without[b].F.norm() + with[b].n_bar.norm() + without[b].n_bar.norm();
-    equal("a damper resists along the gradient", off, S(0), size,
+    equal("the damping force acts along the gradient", off, S(0), size,
           1e6 * static_cast<double>(std::numeric_limits<S>::epsilon()));
   };
   compare(i, on_i);
@@ -70,7 +70,7 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
     size +=
         wrenches[b].F.norm() * motion[b].r_dot.norm() + wrenches[b].n_bar.norm() * motion[b].omega_bar.norm();
   }
-  equal("the power is that of the wrenches", effect.power(view), of_wrenches, size, 1e4 * u);
+  equal("power is the power of the wrenches from apply", effect.power(view), of_wrenches, size, 1e4 * u);
   twice = wrenches;
   effect.apply(view, twice);
   S added(0), once(0);
@@ -78,7 +78,7 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
     added += (twice[b].F - wrenches[b].F).norm() + (twice[b].n_bar - wrenches[b].n_bar).norm();
     once += wrenches[b].F.norm() + wrenches[b].n_bar.norm();
   }
-  equal("wrenches are added to those there are", added, once, S(0), 1e4 * u);
+  equal("apply adds to the given wrenches", added, once, S(0), 1e4 * u);
   const auto acts_the_same = [&](const char* law, const E& other, const EffectView<S>& seen) {
     std::vector<Wrench<S>> of_other(motion.size());
     other.apply(seen, of_other);
@@ -88,9 +88,9 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
   };
   E copy;
   show_effect_parts([](const auto& from, auto& to) { to = from; }, effect, copy);
-  acts_the_same("keys show every part", copy, view);
+  acts_the_same("show_effect_parts shows every part", copy, view);
   const auto same_energy = [&](const S& of_all, const S& of_copied) {
-    equal("keys show every part", of_copied, of_all, size, 1e4 * u);
+    equal("show_effect_parts shows every part", of_copied, of_all, size, 1e4 * u);
   };
   same_energy(effect.power(view), copy.power(view));
   same_energy(effect.potential_energy(view), copy.potential_energy(view));
@@ -98,7 +98,7 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
   if constexpr (requires { copy.follow(view); }) {
     copy = effect;
     copy.follow(view);
-    acts_the_same("an effect that follows the motion acts as before", copy, view);
+    acts_the_same("follow does not change the wrenches", copy, view);
   }
   // the functions of time among the keys may have kinks, which append_kinks must contain
   std::vector<double> shown_kinks, kinks;
@@ -113,7 +113,7 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
   std::sort(shown_kinks.begin(), shown_kinks.end());
   std::sort(kinks.begin(), kinks.end());
   if (!std::includes(kinks.begin(), kinks.end(), shown_kinks.begin(), shown_kinks.end()))
-    broken.push_back({"an effect names the kinks of its functions of time", 1, 0});
+    broken.push_back({"append_kinks names the kinks of the functions of time", 1, 0});
   // stored energy after r and A have moved for the time `by` with constant r' and omega_bar
   const S h(cbrt(u));
   const auto stored = [&](const S& by) {
@@ -135,11 +135,11 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
         elsewhere[b].A = (turn * elsewhere[b].A).eval();
         elsewhere[b].omega_bar += Vector3<S>::Ones();
       }
-      acts_the_same("an effect that sees no motion acts the same everywhere", effect,
+      acts_the_same("sees_motion is false: the wrenches do not depend on the motion", effect,
                     EffectView<S>{bodies, elsewhere, t});
     }
   if constexpr (requires { effect.longest_step(view); })
-    equal("the longest step is longer than none", S(effect.longest_step(view) > S(0) ? 0 : 1), S(0), S(0), 0);
+    equal("longest_step is positive", S(effect.longest_step(view) > S(0) ? 0 : 1), S(0), S(0), 0);
   const auto no_bound = [](int, const Vector3<S>&, const Vector3<S>&) {};
   if constexpr (requires { effect.add_load_bounds(view, no_bound); }) {
     std::vector<Vector3<S>> F(motion.size(), Vector3<S>::Zero()), n_bar = F;
@@ -152,15 +152,15 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
                        room_n = n_bar[b] - wrenches[b].n_bar.cwiseAbs();
       const S least = -S(1e4 * u) * once;
       const bool holds = (room_F.array() >= least).all() && (room_n.array() >= least).all();
-      equal("no wrench is beyond its bound", S(holds ? 0 : 1), S(0), S(0), 0);
+      equal("add_load_bounds: no wrench exceeds its bound", S(holds ? 0 : 1), S(0), S(0), 0);
     }
   }
   const S behind = stored(-h), ahead = stored(h);
-  equal("power is taken from stored energy, but for the part that is not conservative",
+  equal("power minus nonconservative_power is the decrease of potential_energy",
         S(effect.power(view) - effect.nonconservative_power(view)), S((behind - ahead) / (2 * h)),
         S(size + abs(behind) + abs(ahead)), 1e4 * cbrt(u * u));
   if (effect.is_conservative())
-    equal("a conservative effect has no other power", effect.nonconservative_power(view), S(0), size,
+    equal("is_conservative: nonconservative_power is zero", effect.nonconservative_power(view), S(0), size,
           1e4 * u);
   return broken;
 }

@@ -120,7 +120,7 @@ struct SpringDamper {
   Line at_zero_length(const Scalar& t) const {
     if (stiffness * free_length != Scalar(0) || damping != Scalar(0) || actuator(t).f != Scalar(0))
       throw ModelError({fmt::format("spring_damper \"{}\"", name), static_cast<double>(t)},
-                       "its two ends coincide, so its force has no direction; move an end, or give it "
+                       "the two ends coincide, so the force has no direction; move an end, or set "
                        "free_length 0, damping 0 and no actuator");
     return {Scalar(0), Scalar(0), Vector3<Scalar>::Zero()};
   }

@@ -88,7 +88,8 @@ EulerChart<S> choose_euler_chart(const ChartOptions& options, const Vector4<S>& 
     const S distance = distance_from_singularity<S>(options.sequence, A);
     if (any(distance <= 16 * unit_roundoff<S>()))
       throw ModelError(fmt::format(
-          "the {} chart is singular here ({} = {:.1e}); leave re-framing on or choose another sequence",
+          "the chart of the Euler-angle sequence {} is singular at this orientation ({} = {:.1e}); leave "
+          "re-framing on or choose another sequence",
           options.sequence.name(), options.sequence.is_symmetric() ? "|sin theta|" : "|cos theta|",
           static_cast<double>(distance)));
     return chart;
@@ -104,7 +105,7 @@ EulerChart<S> choose_euler_chart(const ChartOptions& options, const Vector4<S>& 
     farthest = select(distance > farthest, distance, farthest);
   }
   if (!all(farthest >= S(reframing_distance)))
-    throw ModelError("no chart found: the orientation is not a rotation");
+    throw ModelError("no chart found: the Euler parameters do not describe a rotation (zero or not finite)");
   return chart;
 }
 

@@ -37,7 +37,7 @@ void checked_step(AnySystem<S>& system, AnyMethod<S>& method, S& t, StateVector<
       const Place place{known ? known->where() : "",
                         known && known->when() ? known->when() : static_cast<double>(before_t)};
       std::string why = error.what();
-      if (!trouble.empty()) why += "; longer ones had failed so: " + trouble;
+      if (!trouble.empty()) why += "; an earlier, longer step failed because: " + trouble;
       // a failure of a given step may come from the model, such as singular coordinates
       const std::string diagnose = system.diagnose(before_t, before);
       if (!diagnose.empty() && why.find(diagnose) == std::string::npos) why += "; " + diagnose;
@@ -48,15 +48,15 @@ void checked_step(AnySystem<S>& system, AnyMethod<S>& method, S& t, StateVector<
       require_finite(y, t);
       if (!(t - before_t <= 2 * system.longest_step(t, y)))
         throw IntegrationError({{}, static_cast<double>(t)},
-                               "the step is too long to follow how far springs turn; take smaller steps, or "
-                               "leave their length to "
-                               "tolerances");
+                               "the step is too long to count the turns of a torsional spring; take smaller "
+                               "steps, or control the step size by tolerances");
       if (!projects) return;
       const int row = project(system, t, y, report);
       if (!system.projection_is_too_large(before, stepped, y)) return;
-      throw IntegrationError({fmt::format("row \"{}\"", system.row_name(row)), static_cast<double>(t)},
-                             "its projection moved the bodies by more than a tenth of the step; take smaller "
-                             "steps, or leave their length to tolerances");
+      throw IntegrationError(
+          {fmt::format("row \"{}\"", system.row_name(row)), static_cast<double>(t)},
+          "the projection onto the constraints is larger than a tenth of the step, so the motion may have "
+          "changed to another branch; take smaller steps, or control the step size by tolerances");
     } catch (const IntegrationError& error) {
       if (!method.shorten()) throw;
       trouble = error.what();

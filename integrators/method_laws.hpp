@@ -24,7 +24,7 @@ class MethodLaws {
   explicit MethodLaws(const MethodEntry<double>& entry) : entry_(entry) {}
 
   std::vector<BrokenLaw> broken() {
-    at_most("a method takes given steps or chooses its own",
+    at_most("a method takes given steps, chooses its steps, or both",
             entry_.info.takes_given_steps || entry_.info.chooses_steps ? 0 : 1, 0);
     if (entry_.info.takes_given_steps) given_steps();
     if (entry_.info.chooses_steps) chosen_steps();
@@ -86,24 +86,25 @@ class MethodLaws {
   void given_steps() {
     const int coarse_steps = entry_.info.order > 6 ? 8 : 64;
     const Run coarse = run(Steps::given, {}, coarse_steps), fine = run(Steps::given, {}, 2 * coarse_steps);
-    at_most("a given step ends where it was told to", coarse.lands ? 0 : 1, 0);
+    at_most("a given step ends at the requested time", coarse.lands ? 0 : 1, 0);
     if (!coarse.lands) return;
-    at_most("steps are counted",
+    at_most("counters: steps is the number of steps taken",
             std::abs(static_cast<double>(coarse.method->counters().steps) - coarse_steps), 0);
     // only errors above rounding show an order
     if (entry_.info.order > 0 && fine.y_error > 1e-12)
-      at_most("errors fall by the order that is said",
+      at_most("the error of y decreases with the declared order",
               std::abs(std::log2(coarse.y_error / fine.y_error) - entry_.info.order), 0.5);
     if (entry_.info.has_own_lambda && entry_.info.own_lambda_order > 0 && fine.lambda_error > 1e-11)
-      at_most("errors of its own multipliers fall by the order that is said",
+      at_most("the error of the method's own multipliers decreases with the declared order",
               std::abs(std::log2(coarse.lambda_error / fine.lambda_error) - entry_.info.own_lambda_order),
               0.5);
-    at_most("errors are small", fine.y_error, 0.05);
-    at_most("a restart forgets and goes on", run(Steps::given, {}, 2 * coarse_steps, coarse_steps).y_error,
-            10 * coarse.y_error + 1e-12);
+    at_most("the error of y is small", fine.y_error, 0.05);
+    at_most("a restart within the run keeps the accuracy",
+            run(Steps::given, {}, 2 * coarse_steps, coarse_steps).y_error, 10 * coarse.y_error + 1e-12);
     own_multipliers(fine);
     if (entry_.info.order == 0)
-      at_most("a method whose order varies takes one", entry_.info.takes_order ? 0 : 1, 0);
+      at_most("a method without a fixed order takes the order as a parameter",
+              entry_.info.takes_order ? 0 : 1, 0);
     restarts(Steps::given);
   }
   /// After a restart a method does the same as a new one.
@@ -121,10 +122,11 @@ class MethodLaws {
     used->restart();
     used->step(system, t, y, 0.12);
     fresh->step(system, t_again, again, 0.12);
-    at_most("after a restart a step is as long as a new method's", std::abs(t - t_again), 0);
-    at_most("after a restart a step leads where a new method's does", (y - again).norm(), 0);
+    at_most("the step after a restart is as long as the first step of a new method", std::abs(t - t_again),
+            0);
+    at_most("the step after a restart returns the state of a new method's first step", (y - again).norm(), 0);
     const Counters& counted = used->counters();
-    at_most("counters count",
+    at_most("counters are not negative",
             std::min({counted.steps, counted.rejected_steps, counted.right_sides, counted.restarts,
                       counted.iterations}) < 0
                 ? 1
@@ -133,22 +135,22 @@ class MethodLaws {
   }
   void chosen_steps() {
     const Run loose = run(Steps::chosen, {1e-4, 1e-4}, 3), tight = run(Steps::chosen, {1e-8, 1e-8}, 3);
-    at_most("a chosen step goes forward, and not beyond where it was told to stop",
-            loose.lands && tight.lands ? 0 : 1, 0);
+    at_most("a chosen step goes forward and not beyond the requested end", loose.lands && tight.lands ? 0 : 1,
+            0);
     if (!loose.lands || !tight.lands) return;
-    at_most("errors follow the tolerance", tight.y_error, std::min(1e-5, loose.y_error / 10));
+    at_most("the error of y decreases with the tolerance", tight.y_error, std::min(1e-5, loose.y_error / 10));
     own_multipliers(tight);
-    at_most("its own multipliers follow the tolerance", tight.lambda_error, 1e-3);
+    at_most("the method's own multipliers are accurate at tight tolerances", tight.lambda_error, 1e-3);
     shortens();
     restarts(Steps::chosen);
   }
   void own_multipliers(const Run& of) {
-    at_most("a method has its own multipliers where it says so",
+    at_most("lambda returns multipliers if and only if has_own_lambda is declared",
             (of.method->lambda() != nullptr) == entry_.info.has_own_lambda ? 0 : 1, 0);
-    at_most("its own multipliers are near those of the state", of.lambda_error, 0.05);
+    at_most("the method's own multipliers are close to those of the state", of.lambda_error, 0.05);
     if (!entry_.info.meets_constraints) return;
     SphericalPendulum<double> pendulum;
-    at_most("positions meet their constraints without a projection",
+    at_most("positions satisfy the constraints without projection if meets_constraints is declared",
             pendulum.position_violation(0, of.y).size, 1e-12);
   }
   /// If a step is taken back, the next one is shorter.
@@ -159,9 +161,9 @@ class MethodLaws {
     Y y = pendulum.start(), again = y;
     double t = 0, t_again = 0;
     method->step(system, t, y, end);
-    at_most("a method that chooses its steps can shorten one", method->shorten() ? 0 : 1, 0);
+    at_most("shorten returns true for a method that chooses its steps", method->shorten() ? 0 : 1, 0);
     method->step(system, t_again, again, end);
-    at_most("a step that is taken back is followed by a shorter one", t_again, t / 2);
+    at_most("the step after shorten is at most half as long", t_again, t / 2);
   }
 
   const MethodEntry<double> entry_;

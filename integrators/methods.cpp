@@ -63,23 +63,23 @@ namespace {
 void check(const MethodInfo& method, Steps steps, const MethodParameters& given) {
   if (steps == Steps::given && !method.takes_given_steps)
     throw UsageError(
-        fmt::format("{} chooses its steps by tolerances and takes no given step; give it rtol and atol, or "
-                    "take another method",
+        fmt::format("{} controls its step size by tolerances and does not take steps of a given length; give "
+                    "rtol and atol, or take another method",
                     method.name));
   if (steps == Steps::chosen && !method.chooses_steps)
-    throw UsageError(fmt::format("{} takes steps of a given length; give it a step", method.name));
+    throw UsageError(fmt::format("{} takes steps of a given length only; give the step", method.name));
   const auto only = [&](bool is_given, const char* what, bool MethodInfo::*takes) {
     if (!is_given || method.*takes) return;
     std::vector<std::string_view> names;
     for (const MethodInfo& one : methods())
       if (one.*takes) names.push_back(one.name);
-    throw UsageError(fmt::format("{} is a parameter of {}, and {} has none such", what,
-                                 fmt::join(names, ", "), method.name));
+    throw UsageError(fmt::format("{} is not a parameter of {}; methods that take it: {}", what, method.name,
+                                 fmt::join(names, ", ")));
   };
-  only(given.order.has_value(), "an order", &MethodInfo::takes_order);
+  only(given.order.has_value(), "the order", &MethodInfo::takes_order);
   only(given.rho.has_value(), "rho", &MethodInfo::takes_rho);
   only(given.alpha.has_value(), "alpha", &MethodInfo::takes_alpha);
-  only(given.full_newton.has_value(), "a matrix for every iteration (full Newton)",
+  only(given.full_newton.has_value(), "full Newton (a new matrix in every iteration)",
        &MethodInfo::takes_full_newton);
 }
 
@@ -90,7 +90,8 @@ const MethodEntry<S>& method_entry(std::string_view name) {
   for (const MethodEntry<S>& entry : entries<S>())
     if (entry.info.name == name) return entry;
   if (find_method(name) == nullptr) throw UsageError(fmt::format("there is no method \"{}\"", name));
-  throw UsageError(fmt::format("{} computes in double alone (SUNDIALS does); take another method", name));
+  throw UsageError(
+      fmt::format("{} is available in double precision only (a SUNDIALS method); take another method", name));
 }
 
 template <class S>
@@ -101,8 +102,8 @@ std::unique_ptr<AnyMethod<S>> make_method(const MethodEntry<S>& method, Steps st
   if (const double u = static_cast<double>(std::numeric_limits<S>::epsilon());
       chosen && tolerances.rtol < 4 * u && tolerances.atol < 4 * u)
     throw UsageError(
-        fmt::format("rtol {} and atol {} are below what rounding leaves of a step; accepted: at "
-                    "least one of them from {:.1e} on",
+        fmt::format("rtol {} and atol {} are both below the rounding error of a step; accepted: at least one "
+                    "of them {:.1e} or larger",
                     tolerances.rtol, tolerances.atol, 4 * u));
   return method.make({chosen ? std::optional(tolerances) : std::nullopt, given});
 }

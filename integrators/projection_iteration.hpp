@@ -62,11 +62,10 @@ class ProjectionIteration {
     }
     raise(left, off.size);
     if (!(off.relative <= S(1e-6)))
-      throw IntegrationError(
-          {fmt::format("row \"{}\"", system.row_name(off.row)), static_cast<double>(t)},
-          fmt::format("the step left its {} too far off to project back; take smaller steps or tighter "
-                      "tolerances",
-                      what));
+      throw IntegrationError({fmt::format("row \"{}\"", system.row_name(off.row)), static_cast<double>(t)},
+                             fmt::format("the {} violation after this step is too large for the projection "
+                                         "to converge; take smaller steps or tighter tolerances",
+                                         what));
     return off.row;
   }
 

@@ -105,7 +105,7 @@ template <class S>
 void require_finite(const StateVector<S>& y, const S& t) {
   if (!y.allFinite() || !(y.cwiseAbs().maxCoeff() < S(1e100)))
     throw IntegrationError({{}, static_cast<double>(t)},
-                           "the motion is not finite any more; take smaller steps");
+                           "the state is no longer finite, or exceeds 1e100; take smaller steps");
 }
 
 /// Ends the run with the reason `why`, if one is known.
@@ -118,8 +118,8 @@ template <FirstOrderSystem System>
   const std::string diagnose = system.diagnose(t, y);
   throw IntegrationError(
       {{}, static_cast<double>(t)},
-      fmt::format("the steps have shrunk to nothing{}{}", why.empty() ? "" : ": " + why,
-                  diagnose.empty() ? "; looser tolerances or another method may pass" : "; " + diagnose));
+      fmt::format("the step size has become too small{}{}", why.empty() ? "" : ": " + why,
+                  diagnose.empty() ? "; looser tolerances or another method may succeed" : "; " + diagnose));
 }
 
 /// The factor from a step size to the next: 0.9 error^power, between 0.2 and `most`, for an estimated error

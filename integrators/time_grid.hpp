@@ -148,11 +148,13 @@ class TimeGrid {
   static void require_whole(double length, double step, const char* what) {
     const double ratio = length / step, nearest = std::round(ratio);
     if (!(ratio < 1e15))
-      throw UsageError(fmt::format("the step {} divides the {} of {} into too many", step, what, length));
+      throw UsageError(fmt::format("the step {} divides the {} of length {} into more than 1e15 steps", step,
+                                   what, length));
     if (nearest < 1 || std::abs(ratio - nearest) > step_rounding * ratio)
       throw UsageError(
-          fmt::format("the step {} does not divide the {} of {}: the nearest that does is {:.17g}", step,
-                      what, length, length / std::max(1.0, nearest)));
+          fmt::format("the step {} does not divide the {} of length {} into equal parts; the nearest step "
+                      "that does is {:.17g}",
+                      step, what, length, length / std::max(1.0, nearest)));
   }
 
   double start_, end_, output_step_, begin_ = start_;

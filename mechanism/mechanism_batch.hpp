@@ -57,10 +57,10 @@ Mechanism<Batch<T, N>, Types> pack(std::span<const Mechanism<T, std::type_identi
   for (int lane = 1; lane < N; ++lane) {
     const detail::TakenApart<T> parts(mechanisms[lane]);
     if (parts.structure != first.structure || parts.numbers.size() != first.numbers.size())
-      throw ModelError(fmt::format(
-          "mechanism {} of a batch, \"{}\", has other names, joints or functions of time than the "
-          "first; only numbers may differ, and those of functions of time may not",
-          lane + 1, mechanisms[lane].name));
+      throw ModelError(
+          fmt::format("mechanism {} of a batch, \"{}\", differs from the first in names, joints or functions "
+                      "of time; only numbers outside functions of time may differ",
+                      lane + 1, mechanisms[lane].name));
     auto next = parts.numbers.begin();
     const auto put = [&]<class Part>(Part& part) {
       if constexpr (std::is_same_v<Part, Batch<T, N>>)

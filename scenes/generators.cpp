@@ -159,7 +159,7 @@ Scene ladder(int n) {
 
 Scene tree(int n, std::uint64_t seed) {
   Scene scene = sized("tree", n, 1,
-                      fmt::format("{} bars, each hung on one drawn among those before it, seed {}", n, seed));
+                      fmt::format("{} bars, each hung on a randomly drawn earlier bar, seed {}", n, seed));
   std::mt19937_64 engine(seed);
   const auto uniform = [&](double low, double high) {  // std's distribution depends on the library
     return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1.0p-53;

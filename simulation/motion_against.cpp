@@ -84,7 +84,7 @@ class Walker {
 /// and multipliers or reactions that are not unique are a matter of choice.
 std::string reason_not_to_judge(const std::string& column, const Model<double>& model,
                                 const std::vector<bool>& unique) {
-  if (column.starts_with("phi")) return "not of the motion";
+  if (column.starts_with("phi")) return "not judged: constraint violation";
   const auto is_open = [&](int first, int count) {
     return std::find(unique.begin() + first, unique.begin() + first + count, false) !=
            unique.begin() + first + count;

@@ -58,7 +58,8 @@ OtherMotion read_motion(const std::string& file, const std::map<std::string, std
     throw Error(file, error);
   }
   if (lines.size() < 3)
-    refuse(file, fmt::format("{} lines", lines.size()), "a line of names and two of numbers or more");
+    refuse(file, fmt::format("{} lines", lines.size()),
+           "a line of column names and at least two lines of numbers");
 
   OtherMotion motion;
   std::optional<std::size_t> time;
@@ -91,10 +92,9 @@ OtherMotion read_motion(const std::string& file, const std::map<std::string, std
              first_of(lines[0]));
   }
   if (!time)
-    refuse(file, fmt::format("no column of times among {}", first_of(lines[0])),
-           "one named t, or --map NAME=t");
+    refuse(file, fmt::format("no time column among {}", first_of(lines[0])), "one named t, or --map NAME=t");
   if (motion.columns.empty())
-    refuse(file, fmt::format("no column that is known among {}", first_of(lines[0])),
+    refuse(file, fmt::format("no known column name among {}", first_of(lines[0])),
            fmt::format("names such as {}, or --map THEIRS=OURS", first_of(ours)));
 
   for (std::size_t n = 1; n < lines.size(); ++n) {
@@ -106,7 +106,7 @@ OtherMotion read_motion(const std::string& file, const std::map<std::string, std
              fmt::format("{}, as in the first line", lines[0].size()));
     const double t = number_in(lines[n][*time], where(*time));
     if (!motion.t.empty() && !(t > motion.t.back()))
-      refuse(where(*time), fmt::format("t = {} after {}", t, motion.t.back()), "ascending times");
+      refuse(where(*time), fmt::format("found t = {} after t = {}", t, motion.t.back()), "ascending times");
     motion.t.push_back(t);
     for (std::size_t c = 0; c < place.size(); ++c)
       motion.columns[c].value.push_back(number_in(lines[n][place[c]], where(place[c])));

@@ -25,8 +25,7 @@ void check_that_it_goes(const integrators::MethodInfo& method, const std::string
   std::vector<std::string> accepted = formulation_names();
   std::erase_if(accepted, [](const std::string& name) { return !inertia_is_constant(name); });
   throw integrators::UsageError(fmt::format(
-      "{} needs coordinates in which the mass matrix does not depend on positions, which those of "
-      "{} are not; accepted: {}",
+      "{} needs a formulation whose mass matrix does not depend on positions, unlike {}; accepted: {}",
       method.name, formulation, fmt::join(accepted, ", ")));
 }
 

@@ -78,7 +78,7 @@ class Simulation {
     if constexpr (std::is_same_v<S, double>)
       return *options.own_method;
     else
-      throw integrators::UsageError("a method of the caller's computes in double alone");
+      throw integrators::UsageError("a method given as own_method computes in double precision only");
   }
 
   /// Whether the method satisfies the position constraints by its own equations. Throws a UsageError if
@@ -87,16 +87,17 @@ class Simulation {
     const bool is = method.meets_constraints;
     if (is && !options.projects && !options.baumgarte)
       throw integrators::UsageError(fmt::format(
-          "{} meets constraints by its own equations: there is no projection to leave out", method.name));
+          "{} satisfies the constraints by its own equations: there is no projection to switch off",
+          method.name));
     if (is && options.baumgarte)
-      throw integrators::UsageError(fmt::format(
-          "{} solves for positions on the constraints, which Baumgarte's stabilisation has no part in",
-          method.name));
+      throw integrators::UsageError(
+          fmt::format("{} solves for positions on the constraints: Baumgarte's stabilisation cannot be used",
+                      method.name));
     if (method.has_own_lambda && options.baumgarte)
-      throw integrators::UsageError(fmt::format(
-          "{} meets the rows of velocities by its own multipliers, which Baumgarte's stabilisation "
-          "of accelerations has no part in",
-          method.name));
+      throw integrators::UsageError(
+          fmt::format("{} satisfies the velocity constraints by its own multipliers: Baumgarte's "
+                      "stabilisation of accelerations cannot be used",
+                      method.name));
     return is;
   }
 
@@ -115,9 +116,10 @@ class Simulation {
     try {
       method_->recall(system, start_, system.start(), start_ + S(*options_.step), from.memory);
     } catch (const std::invalid_argument& error) {
-      throw integrators::UsageError(fmt::format(
-          "the saved run's memory is none of {}: {}; leave out its key \"memory\" to begin the method anew",
-          entry_.info.name, error.what()));
+      throw integrators::UsageError(
+          fmt::format("the memory of the saved run is not valid for the method {}: {}; leave out the key "
+                      "\"memory\" to start the method anew",
+                      entry_.info.name, error.what()));
     }
   }
 

@@ -21,8 +21,8 @@ std::vector<ComparedFormulation> formulations_to_compare(const std::vector<std::
   std::vector<ComparedFormulation> all = compared_formulations(names, *integrators::find_method(integrator));
   if (all.size() < least)
     throw Error(ErrorKind::input,
-                fmt::format("{} to compare; accepted: at least {} of {} that go with {}",
-                            all.empty() ? "no formulation" : "one formulation alone",
+                fmt::format("{} to compare; accepted: at least {} of {} that the method {} supports",
+                            all.empty() ? "no formulation" : "only one formulation",
                             least == 1 ? "one" : "two", fmt::join(formulation_names(), ", "), integrator));
   return all;
 }

@@ -24,18 +24,17 @@ std::vector<std::string> warnings_of(const SimulationReport& report) {
   std::vector<std::string> out;
   if (!report.passages.empty()) {
     out.push_back(
-        fmt::format("the motion passed {}, the first near t = {:.6g}: rows that depend on others there were "
-                    "left out, and it "
-                    "went on as its velocities had it",
+        fmt::format("the motion passed {}, the first near t = {:.6g}: dependent rows were left out there, "
+                    "and the motion continued in the direction of its velocities",
                     counted(report.passages.size(), "singular position", "singular positions"),
                     report.passages.front().t));
   }
   if (loses_energy(report))
-    out.push_back(fmt::format(
-        "{:.1e} J are not accounted for, beside {:.1e} J of kinetic energy: the motion is not accurate; take "
-        "tighter tolerances or smaller steps{}{}",
-        report.unaccounted_energy, report.largest_kinetic, report.near_singular_chart.empty() ? "" : "; ",
-        report.near_singular_chart));
+    out.push_back(
+        fmt::format("the energy error is {:.1e} J, the largest kinetic energy {:.1e} J: the motion is not "
+                    "accurate; take tighter tolerances or smaller steps{}{}",
+                    report.unaccounted_energy, report.largest_kinetic,
+                    report.near_singular_chart.empty() ? "" : "; ", report.near_singular_chart));
   // implicit methods on index 3 do not enforce the velocity rows: their violation is the error of the method
   constexpr double warn_above = 1e-6;  // [m, rad, m/s, rad/s]
   const auto drifts = [](double left) { return left > warn_above; };

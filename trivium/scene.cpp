@@ -23,7 +23,7 @@ std::string json_text(std::string_view text) { return scenes::print_json(text, s
 void require_time(const std::string& source, double t) {
   if (!std::isfinite(t))
     throw Error(ErrorKind::input, Place{source},
-                fmt::format("the state's time is {}; accepted: a finite time", t));
+                fmt::format("the time of the state is {}; accepted: a finite time", t));
 }
 
 /// JSON text of a number. JSON has no NaN or infinity: such a value becomes a string, which the reader of the

@@ -34,8 +34,8 @@ void check_settings(const SimulateSettings& s) {
   if (s.output_step) positive("output_step", *s.output_step);
   if (!s.baumgarte) return;
   for (const double x : *s.baumgarte)
-    require(x >= 0 && std::isfinite(x), "baumgarte", x, "finite numbers from 0 on");
-  require(s.projects, "projects", 0, "true beside baumgarte, which takes its place");
+    require(x >= 0 && std::isfinite(x), "baumgarte", x, "finite numbers not below 0");
+  require(s.projects, "projects", 0, "true together with baumgarte, which replaces the projection");
 }
 
 }  // namespace

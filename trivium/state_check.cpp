@@ -28,12 +28,14 @@ void refuse(const std::string& source, const Model<double>& model, const Consist
             const std::optional<SavedRun>& saved) {
   std::string message = fmt::format("{}: the state at t = {} does not satisfy its constraints:\n{}", source,
                                     model.state.t, consistency.report());
-  if (!consistency.holds_rows()) message += "--assemble projects it onto them (in C++, assemble)\n";
+  if (!consistency.holds_rows())
+    message += "--assemble projects the state onto its constraints (in C++: assemble)\n";
   if (!consistency.wrong_branches.empty()) message += fmt::format("{}\n", wrong_branch_advice);
   if (saved && consistency.wrong_branches.empty())
-    message +=
-        fmt::format("a run by {} ended here, whose own errors these may be: in {} it goes on as it is\n",
-                    saved->integrator, saved->formulation);
+    message += fmt::format(
+        "the state was saved by a run with {}, whose errors may cause these violations; the formulation {} "
+        "accepts the state as saved\n",
+        saved->integrator, saved->formulation);
   while (message.ends_with('\n')) message.pop_back();
   throw Error(ErrorKind::input, message, Place{source, model.state.t});
 }
@@ -80,8 +82,8 @@ std::vector<std::string> warnings_of(const scenes::Scene& scene, const SideBySid
     const double residual = f.residual.worst();
     const double rounding = rounding_units * static_cast<double>(unit_roundoff<Scalar>());
     if (f.error.empty() && !(residual <= std::max(warn_above, rounding)))
-      out.push_back(
-          fmt::format("{}: the matrix-free equations are not met: residual {:.1e}", f.name, residual));
+      out.push_back(fmt::format("{}: the equations of motion are not satisfied: matrix-free residual {:.1e}",
+                                f.name, residual));
   }
   for (const scenes::Body& body : scene.bodies)
     if (body.unphysical_inertia)

@@ -133,7 +133,7 @@ class Run {
     if (program_.names().empty()) names = default_scene_names(options_.quick);
     const std::vector<TimedScene> scenes = timed_scenes(names);
     for (const std::string& peer : missing_peers())
-      fmt::print(stderr, "acceleration_cost: {} was not there when this was built and is left out\n", peer);
+      fmt::print(stderr, "acceleration_cost: {} was not installed at build time and is left out\n", peer);
     Progress progress("acceleration_cost", scenes.size() + (with_ensemble ? 1 : 0));
     for (const TimedScene& scene : scenes) {
       take(
@@ -196,8 +196,8 @@ int main(int argc, char** argv) {
   using namespace trivium;
   Program program(
       "What does one evaluation of the accelerations with all constraint forces cost, and how exact is it?\n"
-      "SCENE may also be chain_N, ladder_N, tree_N, ring_N, hub_N and ensemble. docs/cost.md says what "
-      "is timed.",
+      "SCENE may also be chain_N, ladder_N, tree_N, ring_N, hub_N and ensemble. docs/cost.md explains the "
+      "timing.",
       "acceleration_cost", "chains, ladders, a tree, the Stewart platform, a ring, a hub and the ensemble");
   cost::Options options;
   program.options().add_flag("--quick", &options.quick, "Fewer sizes and shorter repetitions");

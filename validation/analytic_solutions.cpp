@@ -91,7 +91,7 @@ int run(const Program& program) {
 int main(int argc, char** argv) {
   using namespace trivium;
   Program program(
-      "Does a motion meet the solutions that are known in closed form, and an independent code's curves?",
+      "Does the motion agree with closed-form solutions, and with curves of an independent program?",
       "analytic_solutions", "the problems themselves");
   return program.run(argc, argv, [&] { return analytic::run(program); });
 }

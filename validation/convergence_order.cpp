@@ -29,7 +29,7 @@ std::string not_here() {
   for (const integrators::MethodInfo& method : integrators::methods())
     if (!method.takes_given_steps) names.push_back(method.name);
   return fmt::format(
-      "{} choose steps and orders by their tolerances, and have no order to observe: work_precision shows\n"
+      "{} control step size and order by tolerances, so no order can be observed; work_precision\nshows "
       "their errors.\n",
       fmt::join(names, ", "));
 }
@@ -58,14 +58,15 @@ std::string text(const std::vector<OrderResult>& rows) {
       if (!row.solved()) errors.add(row.error, row.formulation + ", " + row.of.label);
     }
     out += fmt::format(
-        "{}: observed orders, and in brackets the error at the finest step that is above rounding\n\n{}\n",
+        "{}: observed orders; in brackets the error at the smallest step whose error is above "
+        "rounding\n\n{}\n",
         scene, table.text());
   }
   if (std::any_of(rows.begin(), rows.end(), [](const OrderResult& row) { return row.may_fall(); }))
     out +=
-        "1..2: hht weighs forces at both ends of a step, but M at one. Where M depends on positions it is "
-        "of\n"
-        "order 1; in r that part is small, and may first cancel that of order 2.\n\n";
+        "1..2: hht averages forces over both ends of a step, but evaluates M at one end only. If M depends "
+        "on\npositions, the order is 1; in r this part of the error is small and may first cancel the part "
+        "of order 2.\n\n";
   return out + errors.text() + not_here();
 }
 
@@ -124,7 +125,8 @@ int run(const Program& program, const Options& options) {
       models.emplace(named);
       exact = outputs_of(*models, reference);
     } catch (const std::runtime_error& of_reference) {
-      error = name_source(named.source, fmt::format("no reference: {}", of_reference.what()));
+      error =
+          name_source(named.source, fmt::format("the reference solution failed: {}", of_reference.what()));
     }
     for (const Case& of : chosen)
       for (const std::string& formulation : formulation_names()) {
@@ -163,17 +165,18 @@ int main(int argc, char** argv) {
   Program program("Does every method converge with its published order, in every formulation?",
                   "convergence_order", "spatial_slider_crank, and double_pendulum for hedop5");
   convergence::Options options;
-  program.options().add_option("--t-end", &options.t_end, "The end of the runs [s]").show_default();
+  program.options().add_option("--t-end", &options.t_end, "End of the runs [s]").show_default();
   program.options()
-      .add_option("--levels", &options.levels, "How many steps, each half of the one before")
+      .add_option("--levels", &options.levels, "Number of step sizes, each half of the previous one")
       .between(2, 8)
       .show_default();
   program.options()
-      .add_option("--method", &options.methods, "These methods alone")
+      .add_option("--method", &options.methods, "Only these methods")
       .one_of(integrators::method_names());
-  program.options().add_option("--plot", &options.plot, "Draw errors over steps to this SVG file");
+  program.options().add_option("--plot", &options.plot,
+                               "Draw the errors over the step size to this SVG file");
   program.options()
-      .add_option("--plotted", &options.plotted, "The formulation that is drawn")
+      .add_option("--plotted", &options.plotted, "Formulation in the figure")
       .one_of(formulation_names())
       .show_default();
   return program.run(argc, argv, [&] { return convergence::run(program, options); });

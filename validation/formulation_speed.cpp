@@ -198,14 +198,14 @@ int run(const Program& program, const Options& options) {
 int main(int argc, char** argv) {
   using namespace trivium;
   Program program(
-      "Which set of coordinates is fastest, and does the order of the method change that?",
+      "Which set of coordinates is fastest, and does this depend on the order of the method?",
       "formulation_speed",
       "the four models of Kissel, Taves and Negrut, and spatial ones with free degrees of freedom");
   Options options;
-  program.options().add_option("--step", &options.step, "The step [s]").show_default();
-  program.options().add_option("--t-end", &options.t_end, "The end of the runs [s]").show_default();
+  program.options().add_option("--step", &options.step, "Step size [s]").show_default();
+  program.options().add_option("--t-end", &options.t_end, "End of the runs [s]").show_default();
   program.options()
-      .add_option("--repetitions", &options.repetitions, "Of every run")
+      .add_option("--repetitions", &options.repetitions, "Number of repetitions of every run")
       .between(1, 1000)
       .show_default();
   return program.run(argc, argv, [&] { return run(program, options); });

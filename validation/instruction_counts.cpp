@@ -64,7 +64,8 @@ long long count(const Workload& w, int evaluations) {
   const std::string key = "Collected : ";
   const std::size_t at = said.find(key);
   if (at == std::string::npos)
-    throw ModelError(fmt::format("valgrind counted nothing; is it installed? It said:\n{}", said));
+    throw ModelError(
+        fmt::format("valgrind returned no instruction count; is valgrind installed? Its output:\n{}", said));
   return std::stoll(said.substr(at + key.size()));
 }
 

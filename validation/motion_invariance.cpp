@@ -183,11 +183,12 @@ int main(int argc, char** argv) {
   Program program("Is lambda the same number in every formulation along a motion?", "motion_invariance");
   Arguments arguments;
   program.options()
-      .add_option("--integrator", &arguments.integrator, "Which method, with steps of its own choice")
+      .add_option("--integrator", &arguments.integrator, "Integration method; must choose its step size")
       .one_of(integrators::method_names())
       .show_default();
   program.options()
-      .add_option("--t-end", &arguments.t_end, "The end of the motions [s], but of shorter published ones")
+      .add_option("--t-end", &arguments.t_end,
+                  "End of the motions [s]; a motion with a shorter published end stops there")
       .check(positive_number())
       .show_default();
   return program.run(argc, argv, [&] { return run(program, arguments); });

@@ -194,9 +194,10 @@ int run(const Program& program, bool large) {
 
 int main(int argc, char** argv) {
   using namespace trivium;
-  Program program("Does the difference between the formulations fall with the precision?", "precision_ladder",
-                  "the catalogue up to 30 bodies");
+  Program program("Does the difference between the formulations decrease with the unit roundoff?",
+                  "precision_ladder", "the catalogue up to 30 bodies");
   bool large = false;
-  program.options().add_flag("--large", &large, "The catalogue's scenes beyond 30 bodies too (minutes)");
+  program.options().add_flag("--large", &large,
+                             "Include the scenes of the catalogue beyond 30 bodies (minutes)");
   return program.run(argc, argv, [&] { return run(program, large); });
 }

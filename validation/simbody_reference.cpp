@@ -70,7 +70,7 @@ std::string impossibilities(const std::vector<SimbodyComparison>& comparisons) {
   for (const SimbodyComparison& c : comparisons)
     if (!c.possible) scenes.push_back(c.scene);
   if (scenes.empty()) return "";
-  return fmt::format("\nmobilizers, none: Simbody has no mobilizer for any joint of {}\n",
+  return fmt::format("\nmobilizers: none, because Simbody has no mobilizer for any joint of {}\n",
                      fmt::join(scenes, ", "));
 }
 
@@ -79,15 +79,16 @@ std::string refusals(const std::vector<SimbodyComparison>& comparisons) {
   std::string out;
   for (const SimbodyComparison& c : comparisons)
     if (c.twin)
-      out += fmt::format("{}, {}: Simbody cannot solve the scene, its physical twin is compared: {}\n",
-                         c.scene, name_of(c.way), c.refusal);
+      out +=
+          fmt::format("{}, {}: Simbody cannot solve the scene, so a physical twin is compared instead: {}\n",
+                      c.scene, name_of(c.way), c.refusal);
   return out.empty() ? out : "\n" + out;
 }
 
 /// The reason why a comparison is missing or incomplete.
 std::string reason(const SimbodyComparison& c) {
   if (!c.error.empty()) return c.error;
-  if (!c.failure.empty()) return "Simbody refuses the twin: " + c.failure;
+  if (!c.failure.empty()) return "Simbody cannot solve the physical twin: " + c.failure;
   std::string out;
   for (const SimbodyDistance& d : c.formulations)
     if (!d.error.empty()) out += fmt::format("{}{}: {}", out.empty() ? "" : "; ", d.formulation, d.error);
@@ -184,6 +185,6 @@ int main(int argc, char** argv) {
   using namespace trivium;
   Program program("Accelerations, multipliers and reactions of scenes against Simbody", "simbody_reference");
   double t = 0;
-  program.options().add_option("--t,--time", &t, "The time of the scenes' states [s]").check(finite_time());
+  program.options().add_option("--t,--time", &t, "Time of the states of the scenes [s]").check(finite_time());
   return program.run(argc, argv, [&] { return run(program, t); });
 }

@@ -145,8 +145,8 @@ int run(const Program& program, const Options& options) {
   }
   if (!program.json())
     fmt::print(
-        "{}Times are medians of {} repetitions; the CSV has their intervals, of confidence {:.2f}.\n"
-        "A run of a second or more is timed once: its interval has no width.\n",
+        "{}Times are medians of {} repetitions; the CSV file has their confidence intervals, of level "
+        "{:.2f}.\nA run of one second or more is timed once, so its interval has zero width.\n",
         errors.text(), options.repetitions, confidence(options.repetitions));
   ResultsFile file("work_precision", columns());
   for (const SceneResult& c : results)
@@ -167,9 +167,9 @@ int main(int argc, char** argv) {
   precision::Options options;
   program.options().add_flag(
       "--quick", &options.quick,
-      "Two tolerances and one step for every method; Simbody's of order 1 and 2 are left out");
+      "Two tolerances and one step for every method; the Simbody methods of order 1 and 2 are left out");
   program.options()
-      .add_option("--repetitions", &options.repetitions, "Of every run that is timed")
+      .add_option("--repetitions", &options.repetitions, "Number of repetitions of every timed run")
       .between(1, 1000)
       .show_default();
   program.options().add_option("--plot", &options.plots, "Write SCENE.svg and SCENE.pdf to this folder");

@@ -10,7 +10,10 @@ namespace trivium {
 /// branches and cannot be computed together.
 class MixedLanes : public std::runtime_error {
  public:
-  MixedLanes() : std::runtime_error("the states of a batch take different branches; solve them one by one") {}
+  MixedLanes()
+      : std::runtime_error(
+            "the states of a batch take different branches of the algorithm; solve these states one at a "
+            "time") {}
 };
 
 inline bool any(bool condition) { return condition; }

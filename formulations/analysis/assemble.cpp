@@ -166,12 +166,12 @@ MechanismState<double> assemble(const Mechanism<double>& mechanism, MechanismSta
   const Consistency result = check_consistency(mechanism, state);
   if (!result.holds()) {
     const bool branch_alone = result.holds_rows();
-    throw ModelError("the scene cannot be assembled from here: these " +
-                     std::string(branch_alone ? "joints hold on a wrong branch" : "rows are not met") + "\n" +
+    throw ModelError("no consistent state was found from the given positions: these " +
+                     std::string(branch_alone ? "joints are on a wrong branch" : "rows are violated") + "\n" +
                      result.report() +
                      (branch_alone ? wrong_branch_advice
-                                   : "move the bodies closer to where the joints hold, or remove a row that "
-                                     "contradicts the others"));
+                                   : "move the bodies closer to a position that satisfies the joints, or "
+                                     "remove a row that contradicts the others"));
   }
   return state;
 }

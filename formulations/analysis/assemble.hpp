@@ -8,7 +8,8 @@ namespace trivium {
 
 /// Advice in messages about joints on a wrong branch, which projection cannot correct.
 inline constexpr const char* wrong_branch_advice =
-    "a wrong branch cannot be left by projection: turn the body or the axis in the file";
+    "assembly cannot change the branch of a joint: rotate the body by 180 degrees or reverse the axis in the "
+    "scene file";
 
 /// The consistent state nearest to `state`: displacements and rotation vectors are weighted by mass and
 /// inertia. Dependent rows are allowed. Throws a ModelError that names the rows that cannot be satisfied

@@ -35,11 +35,13 @@ std::vector<std::string> wrong_branches_of(const Joint<double>& joint, const Glo
   std::vector<std::string> wrong;
   const auto say = [&](const std::string& what) { wrong.push_back(fmt::format("{}: {}", joint.name, what)); };
   const JointProperties type = properties_of(joint.type);
-  if (type.has_parallel_axes && a.z_i.dot(a.z_j) < 0) say("its axes z_i and z_j are antiparallel");
-  if (type.allows_no_rotation && a.u_i.dot(a.u_j) < 0) say("its x axes u_i and u_j are a half turn apart");
+  if (type.has_parallel_axes && a.z_i.dot(a.z_j) < 0) say("the axes z_i and z_j are antiparallel");
+  if (type.allows_no_rotation && a.u_i.dot(a.u_j) < 0)
+    say("the x axes u_i and u_j point in opposite directions");
   if (type.drives_an_angle) {
     const double theta = std::atan2(a.v_i.dot(a.u_j), a.u_i.dot(a.u_j));
-    if (std::cos(theta - joint.angle(t).f) < 0) say("its angle is a half turn from alpha(t)");
+    if (std::cos(theta - joint.angle(t).f) < 0)
+      say("the angle of the joint is 180 degrees from the driven angle alpha(t)");
   }
   return wrong;
 }

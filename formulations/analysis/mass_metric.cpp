@@ -69,11 +69,10 @@ VectorX<double> least_direction(const MatrixX<double>& H) {
   });
   throw ModelError(
       {fmt::format("body \"{}\"", s.body_names[worst])},
-      fmt::format(
-          "it has no inertia about its axis ({:.3g}, {:.3g}, {:.3g}) and no constraint holds it there, "
-          "so its acceleration is not determined; give it inertia about that axis or constrain the "
-          "rotation",
-          axis[0], axis[1], axis[2]));
+      fmt::format("the body has no inertia about its axis ({:.3g}, {:.3g}, {:.3g}), and no constraint "
+                  "prevents rotation about it, so the angular acceleration is undetermined; give the body "
+                  "inertia about this axis, or constrain the rotation",
+                  axis[0], axis[1], axis[2]));
 }
 
 }  // namespace

@@ -93,7 +93,8 @@ std::vector<int> choose_dependent(const MatrixX<double>& Z) {
       return chosen;
     }
     if (threshold < least_null_space_share)
-      throw ModelError("the null space of the constraint rows could not be resolved");
+      throw ModelError(
+          "could not choose the dependent rows: the null space of Phi_q^T is too badly conditioned");
   }
 }
 

@@ -19,8 +19,8 @@ inline std::string contradiction(const std::vector<std::string>& row_names, cons
   std::string names;
   for (int k : rows.contradictory) names += (names.empty() ? "" : ", ") + row_names[k];
   return fmt::format(
-      "no acceleration satisfies all rows: {} against the rows before; remove a row, or make their "
-      "functions of time agree",
+      "the rows contradict each other, so no acceleration exists; in contradiction to earlier rows: {}; "
+      "remove a row, or make their functions of time consistent",
       names);
 }
 
@@ -33,10 +33,9 @@ RowAnalysis analyse_rows(const Model<double, Types>& model) {
   if (unknowns > most_dense_unknowns)
     throw ModelError(
         {mechanism.name},
-        fmt::format(
-            "{} bodies and {} rows make a dense augmented matrix of {} unknowns, beyond the {} that the "
-            "printed form is solved for; take fewer bodies",
-            mechanism.nb(), mechanism.nc(), unknowns, most_dense_unknowns));
+        fmt::format("{} bodies and {} rows make a dense augmented matrix of {} unknowns; the dense printed "
+                    "solver accepts at most {}; take fewer bodies or the structured solver",
+                    mechanism.nb(), mechanism.nc(), unknowns, most_dense_unknowns));
   try {
     TangentSystem system = tangent_system(mechanism, state);
     add_magnitude_bounds(mechanism, state, system);

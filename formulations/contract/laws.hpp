@@ -29,7 +29,7 @@ class FormulationLaws {
       try {
         at_sample(n);
       } catch (const std::exception& error) {
-        broken_.push_back({fmt::format("{}: at {:.2f} of a turn it throws: {}", F::name,
+        broken_.push_back({fmt::format("{}: throws at a pose rotated by {:.2f} full turns: {}", F::name,
                                        std::acos(static_cast<double>(pose(n)[0])) / pi, error.what()),
                            1, 0});
       }
@@ -95,17 +95,18 @@ class FormulationLaws {
   }
 
   void poses(const Sample& s, int n) {
-    equal("kinematics keep the place", V(s.body.r), numbers(n));
-    equal("kinematics keep the velocity of the place", V(s.body.r_dot), numbers(n + 1));
+    equal("kinematics returns the given position r", V(s.body.r), numbers(n));
+    equal("kinematics returns the given velocity r'", V(s.body.r_dot), numbers(n + 1));
     const double distance = static_cast<double>(S(F::chart_distance(s.chart, s.q)));
     if (!(distance > 0 && distance <= 1))
       broken_.push_back(
-          {std::string(F::name) + ": a chart's distance is above 0 and at most 1 where it has rates",
+          {std::string(F::name) + ": chart_distance is above 0 and at most 1 away from singularities",
            distance, 1});
-    equal("a pose gives its rotation", s.body.A, rotation_matrix(s.p));
-    equal("a pose gives its angular velocity", s.body.omega_bar, s.omega_bar);
+    equal("kinematics of from_pose has the rotation A of the pose", s.body.A, rotation_matrix(s.p));
+    equal("kinematics of from_pose has the given angular velocity", s.body.omega_bar, s.omega_bar);
     const Vector4<S> p = F::to_euler_parameters(s.chart, s.q);
-    equal("coordinates give the pose back", rotation_matrix(Vector4<S>(p / p.norm())), rotation_matrix(s.p));
+    equal("to_euler_parameters recovers the pose", rotation_matrix(Vector4<S>(p / p.norm())),
+          rotation_matrix(s.p));
   }
   /// Compares a'' of body vectors from the derivatives of the rotation with a'' from the Jacobian and bias
   /// of F. Returns a q'' that satisfies the internal rows.
@@ -115,21 +116,22 @@ class FormulationLaws {
     if constexpr (F::internal_constraints > 0) {
       const Matrix<S, F::internal_constraints, F::rotational_unknowns> P = F::internal_jacobian(s.body);
       const Matrix<S, F::internal_constraints, 3> turned = P * lift;
-      equal("turns keep the internal rows: P lift = 0", turned, (turned * S(0)).eval());
+      equal("lift satisfies the internal rows: P lift = 0", turned, (turned * S(0)).eval());
       q_0 = P.transpose() * (P * P.transpose()).inverse() * F::internal_gamma(s.body);
     }
     const V x = numbers(n + 40);
     const Unknown q_ddot = lift * x + q_0;
     const V omega_bar_dot = F::to_angular_acceleration(s.body, q_ddot);
-    equal("lift is how the unknown grows with omega_bar'",
+    equal("lift is the derivative of the unknown with respect to omega_bar'",
           V(omega_bar_dot - F::to_angular_acceleration(s.body, q_0)), x);
     for (int k = 0; k < 3; ++k) {
       const V a_bar = V::Unit(k) + numbers(n + k) / 2;
       const BodyVector<S> a = s.body.vector(a_bar);
-      equal("a body vector is A times its own", a.a, V(s.body.A * a_bar));
-      equal("a body vector's rate is A (omega_bar x a_bar)", a.rate, V(s.body.A * s.omega_bar.cross(a_bar)));
+      equal("a body vector in the global frame is A a_bar", a.a, V(s.body.A * a_bar));
+      equal("the rate of a body vector is A (omega_bar x a_bar)", a.rate,
+            V(s.body.A * s.omega_bar.cross(a_bar)));
       const Matrix<S, 3, F::rotational_unknowns> J = s.body.jacobian(a);
-      equal("Jacobian and bias give a body vector's second derivative", V(J * q_ddot + a.bias),
+      equal("Jacobian and bias give the second derivative of a body vector", V(J * q_ddot + a.bias),
             V(s.body.A * (omega_bar_dot.cross(a_bar) + s.omega_bar.cross(s.omega_bar.cross(a_bar)))));
       const V w = numbers(n + 50 + k);
       const Matrix<S, 1, F::rotational_unknowns> along = s.body.jacobian_along(a, w);
@@ -148,11 +150,13 @@ class FormulationLaws {
     const V omega_bar_dot = F::to_angular_acceleration(s.body, q_ddot);
     const V n_bar = J_bar * omega_bar_dot + s.omega_bar.cross(J_bar * s.omega_bar), load = numbers(n + 70);
     const Unknown applied = F::applied_force(s.body, load), held = F::applied_force(s.body, n_bar);
-    equal("a moment does the work that it does on a turning body", V(lift.transpose() * applied), load);
+    equal("lift^T applied_force is the applied moment", V(lift.transpose() * applied), load);
     const Unknown left = F::mass_block(s.body, J_bar) * q_ddot - F::velocity_force(s.body, J_bar) - held;
-    equal("along turns the printed equations are Euler's", V(lift.transpose() * left), V(V::Zero()));
+    equal("lift^T times the printed equations gives Euler's equations", V(lift.transpose() * left),
+          V(V::Zero()));
     if constexpr (F::internal_constraints == 0)
-      equal("without internal rows the printed equations are Euler's", left, (left * S(0)).eval());
+      equal("without internal rows the printed equations are equivalent to Euler's equations", left,
+            (left * S(0)).eval());
   }
 
   void reduced(const Sample& s, int n) {
@@ -161,33 +165,33 @@ class FormulationLaws {
     const V x = numbers(n + 80), load = numbers(n + 81);
     const Unknown q_ddot = F::from_reduced(s.body, x), at_0 = F::from_reduced(s.body, V(V::Zero()));
     if constexpr (F::internal_constraints > 0)
-      equal("reduced unknowns meet the internal rows", (F::internal_jacobian(s.body) * q_ddot).eval(),
+      equal("from_reduced satisfies the internal rows", (F::internal_jacobian(s.body) * q_ddot).eval(),
             F::internal_gamma(s.body));
-    equal("an increment is how the unknown grows with the reduced one", Unknown(q_ddot - at_0),
+    equal("increment is the change of the unknown with the reduced unknown", Unknown(q_ddot - at_0),
           Unknown(F::increment(s.body, x)));
     const Unknown inertia_force = F::mass_block(s.body, J_bar) * F::increment(s.body, x);
-    equal("the reduced mass block is the printed one's, reduced", V(F::reduced(body, inertia_force)),
+    equal("reduced_mass_block is the reduction of mass_block", V(F::reduced(body, inertia_force)),
           V(F::reduced_mass_block(s.body, J_bar) * x));
     const Unknown force = F::applied_force(s.body, load) + F::velocity_force(s.body, J_bar) -
                           F::mass_block(s.body, J_bar) * at_0;
-    equal("the reduced force is the printed one's, reduced", V(F::reduced(body, force)),
+    equal("reduced_force is the reduction of the printed forces", V(F::reduced(body, force)),
           V(F::reduced_force(s.body, J_bar, load)));
-    equal("a reduced force is known as a moment",
+    equal("moment recovers the applied moment from its reduced force",
           V(F::moment(body, F::reduced(body, Unknown(F::applied_force(s.body, load))))), load);
     const V a_bar = numbers(n + 82), bias = body.vector(a_bar).bias + body.jacobian(body.vector(a_bar)) * x;
     const BodyVector<S> printed = s.body.vector(a_bar);
-    equal("reduced unknowns move body vectors as printed ones do", bias,
+    equal("reduced and printed unknowns give the same second derivative of a body vector", bias,
           V(printed.bias + s.body.jacobian(printed) * q_ddot));
     const AngularMotion<S> turn = F::angular_motion(body);
     const V omega = turn.omega.template head<3>(),
             alpha = turn.axes_T.template topRows<3>().transpose() * x + turn.drift.template head<3>();
     const V a = turn.A.template topRows<3>() * a_bar;
-    equal("the angular motion turns body vectors", a, printed.a);
-    equal("the angular motion gives their rates", V(omega.cross(a)), printed.rate);
-    equal("the angular motion gives their second derivatives",
+    equal("angular_motion gives body vectors", a, printed.a);
+    equal("angular_motion gives the rates of body vectors", V(omega.cross(a)), printed.rate);
+    equal("angular_motion gives the second derivatives of body vectors",
           V(alpha.cross(a) + omega.cross(omega.cross(a))), bias);
     if (F::reduced_mass_is_constant)
-      equal("a reduced mass block that is said to be constant is the same elsewhere",
+      equal("reduced_mass_is_constant: reduced_mass_block is the same in another state",
             F::reduced_mass_block(s.body, J_bar), F::reduced_mass_block(sample(n + 1).body, J_bar));
   }
 
@@ -196,19 +200,19 @@ class FormulationLaws {
     const Unknown v = F::velocity_of(s.chart, s.q);
     const auto again =
         F::kinematics(s.chart, V(V::Zero()), V(V::Zero()), F::from_orientation(s.chart, at, v));
-    equal("orientation and velocity as numbers give the rotation back", again.A, s.body.A);
-    equal("orientation and velocity as numbers give the angular velocity back", again.omega_bar, s.omega_bar);
+    equal("from_orientation recovers the rotation", again.A, s.body.A);
+    equal("from_orientation recovers the angular velocity", again.omega_bar, s.omega_bar);
     Unknown by = v;
     for (Eigen::Index k = 0; k < by.size(); ++k)
       by[k] = S(0.05 * std::sin(1.0 + 3.0 * static_cast<double>(k) + n));
     const typename F::Orientation there = F::step(s.chart, at, by);
-    equal("a displacement leads where its step went", Unknown(F::displacement(s.chart, at, there)), by);
-    equal("a displacement begins to grow as the velocity",
+    equal("displacement recovers the increment of step", Unknown(F::displacement(s.chart, at, there)), by);
+    equal("displacement_rate at displacement 0 is the velocity",
           Unknown(F::displacement_rate(Unknown(Unknown::Zero()), v)), v);
     normalised(s, at, v, by, n);
     if (F::inertia_is_constant) {
       const Matrix3<S> J_bar = inertia(n);
-      equal("a mass block that is said to be constant is the same elsewhere", F::mass_block(s.body, J_bar),
+      equal("inertia_is_constant: mass_block is the same in another state", F::mass_block(s.body, J_bar),
             F::mass_block(sample(n + 1).body, J_bar));
     }
     paths(s, at, v, there, by);
@@ -216,7 +220,7 @@ class FormulationLaws {
     const typename F::Orientation retracted_there = same;
     Unknown any = v;
     F::normalise(same, any);
-    equal("a retraction meets the internal rows", same, retracted_there);
+    equal("retract satisfies the internal rows", same, retracted_there);
   }
 
   /// Central differences with the step h = u^(1/3), where truncation and rounding errors balance. The first
@@ -233,15 +237,15 @@ class FormulationLaws {
     };
     const Matrix3<S> turns = s.body.A * tilde(s.omega_bar);
     const Orientation rate = F::orientation_rate(s.chart, at, v);
-    equal("the orientation's rate turns the body as it turns",
+    equal("orientation_rate gives the rate of the rotation, A tilde(omega_bar)",
           Matrix3<S>((rotation(at + h * rate) - rotation(at - h * rate)) / (2 * h)), turns, digits_lost);
-    equal("a retraction begins along the orientation's rate",
+    equal("retract has the derivative orientation_rate at increment 0",
           Matrix3<S>((rotation(F::retract(s.chart, at, Unknown(h * v))) -
                       rotation(F::retract(s.chart, at, Unknown(-h * v)))) /
                      (2 * h)),
           turns, digits_lost);
     const Orientation on = F::orientation_rate(s.chart, there, v);
-    equal("a displacement grows as displacement_rate says",
+    equal("displacement_rate is the time derivative of displacement",
           Unknown(
               (F::displacement(s.chart, at, there + h * on) - F::displacement(s.chart, at, there - h * on)) /
               (2 * h)),
@@ -264,28 +268,28 @@ class FormulationLaws {
         equal(law, rate, (rate * S(0)).eval());
       }
     };
-    meets("a normalisation leaves what meets the internal rows", at, v);
+    meets("normalise does not change a state that satisfies the internal rows", at, v);
     const Orientation off = F::step(s.chart, at, by);
     const Unknown v_off = v + by;
     Orientation there = off;
     Unknown v_there = v_off;
     F::normalise(there, v_there);
-    meets("a normalisation meets the internal rows", there, v_there);
+    meets("normalise: the state satisfies the internal rows", there, v_there);
 
     const S share(0.3 + 0.01 * n);
     const Unknown none = Unknown::Zero();
     there = off;
     Unknown change = none;
     F::normalise_step(there, share, change);
-    equal("a step's normalisation moves the orientation by its share of what it adds",
+    equal("normalise_step moves the orientation by share times the change of the unknown",
           Unknown(F::displacement(s.chart, off, there)), Unknown(share * change));
     v_there = v;
     Orientation same = there;
     F::normalise(same, v_there);
-    equal("a step's normalisation meets the internal rows", same, there);
+    equal("normalise_step: the orientation satisfies the internal rows", same, there);
     change = none;
     F::normalise_step_velocity(at, v_off, share, change);
-    meets("a step's normalisation of the velocity meets the internal rows", at,
+    meets("normalise_step_velocity: the velocity satisfies the internal rows", at,
           Unknown(v_off + share * change));
   }
 

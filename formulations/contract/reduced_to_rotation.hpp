@@ -155,12 +155,12 @@ struct WholeForm {
   // an incomplete part of F would be ignored silently: it is refused
   static_assert(
       ReducedEquations<F> || !requires { requires !std::is_void_v<typename F::Reduced>; },
-      "the formulation has a Reduced, but not all of ReducedEquations");
+      "the formulation has a type Reduced, but does not model the concept ReducedEquations");
   static_assert(
       MovingCoordinates<F> || !requires { requires !std::is_void_v<typename F::Orientation>; },
-      "the formulation has an Orientation, but not all of MovingCoordinates");
+      "the formulation has a type Orientation, but does not model the concept MovingCoordinates");
   static_assert(ReducedEquations<F> == MovingCoordinates<F>,
-                "reduced and moving parts go together: both count in the same unknowns");
+                "a formulation has both a reduced and a moving part, or neither: both use the same unknowns");
   using type = ReducedToRotation<F>;
 };
 template <Formulation F>

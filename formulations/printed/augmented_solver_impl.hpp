@@ -91,8 +91,7 @@ template <EquationsAsPrinted F>
 auto AugmentedSolver<F>::solve_reduced() const -> VectorX<S> {
   VectorX<S> x = solver_.solve(this->reduced_right_side());
   if (!x.allFinite())
-    throw ModelError(
-        "the augmented matrix is numerically singular at this state; a higher --scalar may resolve it");
+    throw ModelError("the augmented matrix is numerically singular at this state; a wider --scalar may help");
   return x;
 }
 template <EquationsAsPrinted F>

@@ -146,7 +146,7 @@ ModelError AccelerationSolver<F>::named(const SingularLink& link, const S& t) co
   require_numbers();
   return ModelError(
       {fmt::format("body \"{}\"", mechanism_.body_names[link.body()]), static_cast<double>(t)},
-      fmt::format("{}; its links cannot be eliminated one by one: solve the printed system instead",
+      fmt::format("{}; the structured solver cannot eliminate this body: solve the printed system instead",
                   link.what()));
 }
 
@@ -158,7 +158,7 @@ void AccelerationSolver<F>::require_numbers() const {
     const Body& body = assembly_.body()[b];
     if (!isfinite(S(turning.A.sum() + turning.omega.sum() + body.r.sum() + body.r_dot.sum())))
       throw ModelError({fmt::format("body \"{}\"", mechanism_.body_names[b]), static_cast<double>(t_)},
-                       "its state is not finite");
+                       "the state of the body is not finite");
   }
 }
 

@@ -77,8 +77,8 @@ void AccelerationSolver<F>::decide_dependent_rows() {
     throw ModelError(
         place_of(e.first_too_many),
         fmt::format(
-            "it is one of more than {} that depend on others nearly, but not quite, as where positions "
-            "miss their constraints by a little: assemble them first, or solve the printed system",
+            "more than {} rows, among them this one, are nearly dependent on others. Often the positions "
+            "violate their constraints slightly: assemble the mechanism first, or solve the printed system",
             solver_.most_restored));
   }
   solver_.solve(right_side_, solution_);
@@ -88,11 +88,10 @@ void AccelerationSolver<F>::decide_dependent_rows() {
 template <Formulation F>
 [[noreturn]] void AccelerationSolver<F>::throw_violated(const EdgeRow& row) const {
   require_numbers();
-  throw ModelError(
-      place_of(row),
-      "it depends on other rows and asks for another acceleration than they do. Either none "
-      "satisfies all: remove a row, or make their functions of time agree; or what is left of it "
-      "beside them is rounding: take a wider Scalar, or solve the printed system");
+  throw ModelError(place_of(row),
+                   "this row depends on other rows but contradicts them, so no acceleration satisfies all. "
+                   "Remove a row, or make the functions of time consistent. If the row is independent by "
+                   "less than the rounding error, take a wider Scalar or solve the printed system");
 }
 
 }  // namespace trivium

@@ -215,7 +215,7 @@ TEST(NoAnswer, AStateThatIsNotFiniteIsAnErrorThatNamesItsBody) {
     solver.solve(state, 0);
     ADD_FAILURE() << solver.lambda().transpose();
   } catch (const ModelError& error) {
-    EXPECT_NE(std::string(error.what()).find("body \"rod\" at t = 0: its state is not finite"),
+    EXPECT_NE(std::string(error.what()).find("body \"rod\" at t = 0: the state of the body is not finite"),
               std::string::npos)
         << error.what();
   }

@@ -245,9 +245,10 @@ inline void GraphSolver<S>::backward_link(int index, GraphVector<S>& solution) {
 
 template <class S>
 [[noreturn]] void GraphSolver<S>::throw_singular(const EliminationPlan::Link& link, Elimination result) {
-  throw SingularLink(link.body, result == Elimination::no_inertia
-                                    ? "the joint to its parent leaves a motion without inertia free"
-                                    : "the orientation rows of the joint to its parent depend on each other");
+  throw SingularLink(link.body,
+                     result == Elimination::no_inertia
+                         ? "the joint to its parent leaves a motion free in which the body has no inertia"
+                         : "the orientation rows of the joint to its parent depend on each other");
 }
 
 }  // namespace trivium

@@ -44,7 +44,7 @@ struct EdgeRow {
 class NearlyDependentRows : public ModelError {
  public:
   explicit NearlyDependentRows(const EdgeRow& first)
-      : ModelError("too many rows depend on others nearly, but not quite"), first_too_many(first) {}
+      : ModelError("too many rows are nearly dependent on others"), first_too_many(first) {}
   const EdgeRow first_too_many;
 };
 

@@ -97,9 +97,8 @@ VectorX<typename F::Scalar> AccelerationSolver<F>::minimum_norm_lambda() {
     const S moments = J.trace() / 3;
     if (!(J.determinant() > unit_roundoff<S>() * moments * moments * moments))
       throw ModelError({fmt::format("body \"{}\"", mechanism_.body_names[b]), static_cast<double>(t_)},
-                       "it has no inertia about an axis, so that its share in E is not defined: ask the "
-                       "printed system for "
-                       "the minimum norm");
+                       "the inertia of the body is singular, so the norm |E lambda| is not defined: take the "
+                       "printed system for the multipliers of minimum norm");
     return S(r.squaredNorm() / mechanism_.bodies[b].mass + x.dot(J.inverse() * x));
   });
   const MatrixX<S> gram = N.transpose() * E2.asDiagonal() * N;

@@ -260,8 +260,10 @@ class SystemAdapter final : public AnySystem<typename System::Scalar> {
   [[noreturn]] static void refuse(Group group) {
     static constexpr const char* concepts[] = {"HasDisplacements", "HasResidual", "HasNewtonMatrix",
                                                "HasInternalRows", "HasSprings"};
-    throw UsageError(fmt::format("the method needs a model with {}, and this has none of it; take dopri5",
-                                 concepts[static_cast<int>(group)]));
+    throw UsageError(
+        fmt::format("the method needs functions ({}) that this model does not provide; take an explicit "
+                    "method such as dopri5",
+                    concepts[static_cast<int>(group)]));
   }
 
   // the value in the type that the system uses for it

@@ -24,7 +24,7 @@ class AnyValue {
 
  private:
   [[noreturn, gnu::cold, gnu::noinline]] static void throw_not_made() {
-    throw std::logic_error("a value is used before the system made it");
+    throw std::logic_error("an evaluation is used before the system has computed it");
   }
 
   template <class T>

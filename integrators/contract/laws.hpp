@@ -59,14 +59,14 @@ class SystemLaws : StateLaws<System> {
     system_.evaluate(t_, off, at);
     const auto measured = [&](const char* law, const Violation<S>& of_state, const Violation<S>& of_rows) {
       equal(law, Y{{of_state.size, of_state.relative}}, Y{{of_rows.size, of_rows.relative}}, 1e6);
-      require("what a row is off by is seen",
+      require("a violated row gives a violation above 0",
               values.isZero(S(0)) || (of_rows.size > S(0) && of_rows.relative > S(0)));
     };
     const Violation<S> of_positions = system_.position_rows(at, values);
-    measured("positions are off by as much at a state as in its evaluation",
+    measured("position_violation and position_rows return the same violation",
              system_.position_violation(t_, off), of_positions);
     const Violation<S> of_velocities = system_.velocity_rows(at, values);
-    measured("velocities are off by as much at a state as in its evaluation",
+    measured("velocity_violation and velocity_rows return the same violation",
              system_.velocity_violation(t_, off), of_velocities);
   }
   void accelerations() {
@@ -76,17 +76,18 @@ class SystemLaws : StateLaws<System> {
     system_.evaluate(t_, y_, at);
     system_.inertia_force(at, v_dot, force);
     const Y imbalance = Y::Constant(1, S(system_.residual(at, force, lambda, left)));
-    equal("accelerations and multipliers of index 1 leave no imbalance", imbalance, Y::Zero(1), 1e6);
+    equal("accelerations: v' and lambda make the residual zero", imbalance, Y::Zero(1), 1e6);
     system_.inertia_force(at, v_dot + (1 + v_dot.norm()) * numbers(nv_, 17), force);
-    require("other accelerations leave an imbalance", system_.residual(at, force, lambda, left) > S(1e-6));
+    require("accelerations: the residual of another v' is not zero",
+            system_.residual(at, force, lambda, left) > S(1e-6));
     system_.internal_residual(at, v_dot, internal);
-    equal("accelerations of index 1 leave nothing of internal rows", internal / (1 + v_.squaredNorm()),
+    equal("accelerations: v' makes the residual of the internal rows zero", internal / (1 + v_.squaredNorm()),
           Y::Zero(nv_));
     system_.derivative(t_, y_, y_dot);
-    equal("accelerations of index 1 are those of y'", v_dot, y_dot.segment(nq_, nv_), 1e6);
+    equal("accelerations and derivative return the same v'", v_dot, y_dot.segment(nq_, nv_), 1e6);
     if (y_.size() > nq_ + nv_)
-      equal("the work grows as y' says", Y::Constant(1, S(system_.work_rate(at, lambda))), y_dot.tail(1),
-            1e6);
+      equal("work_rate is the last entry of derivative", Y::Constant(1, S(system_.work_rate(at, lambda))),
+            y_dot.tail(1), 1e6);
     // at rest there are no gyroscopic terms
     Factors factors;
     Y applied, reduced;
@@ -95,7 +96,7 @@ class SystemLaws : StateLaws<System> {
     system_.applied_force(at, applied);
     system_.factor(at, {}, factors);
     system_.reduce(factors, applied, reduced);
-    equal("at rest the applied force is all that is left without accelerations", reduced, left, 1e6);
+    equal("at rest and with v' = 0 the residual is the reduced applied force", reduced, left, 1e6);
   }
   void rows() {
     // central differences along the motion; their error is of the order of the squared step
@@ -107,7 +108,7 @@ class SystemLaws : StateLaws<System> {
     system_.displace(y_, -h * v_, behind);
     const Y slope = (rows_at(t_ + h, ahead, false) - rows_at(t_ - h, behind, false)) / (2 * h);
     const Y phi_dot = rows_at(t_, y_, true);
-    equal("velocity rows are the rate of position rows", slope / (1 + v_.squaredNorm()),
+    equal("velocity_rows are the time derivative of position_rows", slope / (1 + v_.squaredNorm()),
           phi_dot / (1 + v_.squaredNorm()), 1e3 * cbrt(u * u) / u);
   }
   void linear_systems() {
@@ -127,18 +128,17 @@ class SystemLaws : StateLaws<System> {
     system_.evaluate(t_, y_, again);
     system_.inertia_force(again, x, force);
     system_.residual(again, force, mu, together);
-    equal("a solution balances: M x + Phi_q^T mu is the left side", alone - together, left, 1e6);
-    equal("a solution meets its rows: Phi_q x", rows_at(t_, with_velocity(v_ + x), true) - phi_dot, rows,
-          1e6);
+    equal("solve satisfies M x + Phi_q^T mu = left", alone - together, left, 1e6);
+    equal("solve satisfies Phi_q x = rows", rows_at(t_, with_velocity(v_ + x), true) - phi_dot, rows, 1e6);
     Y same;
     system_.inertia_force(factors, x, same);
-    equal("M is the same in factors", same, force);
+    equal("inertia_force is the same for factors and evaluation", same, force);
     Y x_slack = none, mu_slack = no_lambda, stretch, stiffness, damping;
     system_.spring_constants(stiffness, damping);
-    require("every spring has its constants",
+    require("spring_constants returns one stiffness and one damping per spring",
             stiffness.size() == system_.springs() && damping.size() == system_.springs());
     system_.solve(factors, at, left, rows, Y::Zero(system_.springs()), x_slack, mu_slack, stretch);
-    equal("without slack springs are as in the plain solution", x_slack, x);
+    equal("solve with slack 0 returns the solution without slack", x_slack, x);
   }
   /// Let a and b be two solutions with right side 0 for the rows and different slacks. Multiplying the
   /// equations of b by x_a gives x_a . left = x_a . M x_b + sum over springs of resistance * stretch_a *
@@ -173,7 +173,7 @@ class SystemLaws : StateLaws<System> {
         const S of_inertia = a.x.dot(inertia_force),
                 of_springs = a.stretch.dot(resistance.cwiseProduct(b.stretch - b.slack)),
                 done = a.x.dot(force);
-        equal("springs resist by their constants and the shares what stretches them beyond their slack",
+        equal("a spring resists (stretch - slack) with its damping and stiffness, weighted by the shares",
               Y::Constant(1, S(of_inertia + of_springs)), Y::Constant(1, done), 1e6);
       }
   }
@@ -186,11 +186,11 @@ class SystemLaws : StateLaws<System> {
     const bool has_rows = system_.normalise_step(share, there, v_dot);
     if (has_rows) {
       system_.displacement(off, there, moved_by);
-      equal("a step's normalisation moves positions by its share of what it adds to v'", moved_by,
+      equal("normalise_step moves positions by share times the change of v'", moved_by,
             share * (v_dot - given));
     } else {
-      equal("without internal rows a normalisation moves nothing", there, off, 0);
-      equal("without internal rows a normalisation adds nothing to v'", v_dot, given, 0);
+      equal("without internal rows normalise_step does not change the state", there, off, 0);
+      equal("without internal rows normalise_step does not change v'", v_dot, given, 0);
     }
     off = with_velocity(v_ + S(0.1) * numbers(nv_, 13));
     v_dot = given;
@@ -199,18 +199,18 @@ class SystemLaws : StateLaws<System> {
     there.head(nq_ + nv_) << there.head(nq_), off.segment(nq_, nv_);
     Y normalised = off;
     system_.normalise(normalised);
-    equal("a step's normalisation of velocities meets the internal rows", normalised, off);
+    equal("normalise_step_velocity: the velocities satisfy the internal rows", normalised, off);
     normalised = there;
     system_.normalise(normalised);
-    equal("a step's normalisation meets the internal rows", normalised.head(nq_), there.head(nq_));
+    equal("normalise_step: the positions satisfy the internal rows", normalised.head(nq_), there.head(nq_));
     Evaluation at;
     Y left = Y::Zero(nv_), nothing = left, x = left;
     system_.evaluate(t_, y_, at);
     system_.internal_residual(at, given, left);
     system_.solve_internal_rows(at, left, x);
     system_.internal_residual(at, given + x, nothing);
-    equal("what is added for internal rows leaves nothing of them", nothing / (1 + v_.squaredNorm()),
-          Y::Zero(nv_));
+    equal("solve_internal_rows makes the residual of the internal rows zero",
+          nothing / (1 + v_.squaredNorm()), Y::Zero(nv_));
   }
   /// The results for an evaluation do not depend on evaluations made later.
   void values() {
@@ -222,7 +222,7 @@ class SystemLaws : StateLaws<System> {
     system_.evaluate(t_, away, other);
     system_.position_rows(other, after);
     system_.residual(at, numbers(nv_, 5), numbers(system_.multipliers(), 6), after);
-    equal("an evaluation stays as it was made", after, before, 1);
+    equal("an evaluation does not change when another state is evaluated", after, before, 1);
   }
 };
 

@@ -51,7 +51,7 @@ class MemoryReader {
     for (S& number : vector) read(number);
   }
   [[noreturn]] static void refuse() {
-    throw std::invalid_argument("the numbers are not the method's memory");
+    throw std::invalid_argument("the saved numbers do not fit the memory of this method");
   }
 
   const std::vector<double>& numbers_;

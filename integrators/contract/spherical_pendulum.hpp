@@ -112,7 +112,8 @@ class SphericalPendulum {
 
  private:
   static void require_whole(const Evaluation& at) {
-    if (at.is_factored) throw std::logic_error("an evaluation is asked for forces after it was factored");
+    if (at.is_factored)
+      throw std::logic_error("forces are requested from an evaluation that has been factored");
   }
   static Vector r(const Y& y) { return y.head(3); }
   static Vector v(const Y& y) { return y.tail(3); }

@@ -70,16 +70,16 @@ class StateLaws {
   }
 
   void first_order() {
-    require("the state at the start has as many numbers as the system says",
-            system_.start().size() == system_.size());
-    require("the longest step is longer than none", system_.longest_step(t_, y_) > S(0));
+    require("start has size() entries", system_.start().size() == system_.size());
+    require("longest_step is positive", system_.longest_step(t_, y_) > S(0));
     Y y_dot, kept = y_;
     system_.derivative(t_, y_, y_dot);
-    require("y' has as many numbers as y", y_dot.size() == system_.size());
-    if (!system_.accept_state(t_, kept)) equal("a state is accepted as it is", kept, y_, 0);
+    require("derivative has size() entries", y_dot.size() == system_.size());
+    if (!system_.accept_state(t_, kept))
+      equal("accept_state does not change y if it returns false", kept, y_, 0);
     kept = y_;
     system_.normalise(kept);
-    equal("a normalisation leaves what is normalised", kept, y_);
+    equal("normalise does not change a normalised state", kept, y_);
   }
   /// One correction from a nearby state reduces the violation at least tenfold, as a Newton step must: its
   /// error is quadratic.
@@ -94,11 +94,11 @@ class StateLaws {
     };
     const auto of_positions = [&] { return system_.position_violation(t_, off); };
     const auto of_velocities = [&] { return system_.velocity_violation(t_, off); };
-    falls("a correction leads positions back", of_positions,
+    falls("correct_positions with a new matrix reduces the violation tenfold", of_positions,
           [&] { system_.correct_positions(t_, off, true); });
-    falls("another by the same matrix leads positions further", of_positions,
+    falls("a second correct_positions with the same matrix reduces the violation tenfold", of_positions,
           [&] { system_.correct_positions(t_, off, false); });
-    falls("a correction leads velocities back", of_velocities,
+    falls("correct_velocities with a new matrix reduces the violation tenfold", of_velocities,
           [&] { system_.correct_velocities(t_, off, true); });
     const Y again = nearby(14);
     if constexpr (HasDisplacements<System>)
@@ -106,7 +106,7 @@ class StateLaws {
     else
       off = again;
     system_.normalise(off);
-    falls("another by the same matrix leads velocities back again", of_velocities,
+    falls("a second correct_velocities with the same matrix reduces the violation tenfold", of_velocities,
           [&] { system_.correct_velocities(t_, off, false); });
   }
   void displacements() {
@@ -114,9 +114,9 @@ class StateLaws {
     Y to = y_, found, rate, y_dot;
     system_.displace(y_, by, to);
     system_.displacement(y_, to, found);
-    equal("a displacement leads from one state to the other", found, by);
+    equal("displacement recovers the increment of displace", found, by);
     system_.displacement_rate(none, v_, rate);
-    equal("a displacement begins to grow as v", rate, v_);
+    equal("displacement_rate at displacement 0 is v", rate, v_);
     // central difference along a motion with v from the displaced state
     using std::cbrt;
     const double u = static_cast<double>(std::numeric_limits<S>::epsilon());
@@ -128,15 +128,15 @@ class StateLaws {
     system_.displacement(y_, ahead, from_ahead);
     system_.displacement(y_, behind, from_behind);
     system_.displacement_rate(by, v_, rate);
-    equal("a displacement grows as displacement_rate says", (from_ahead - from_behind) / (2 * h), rate,
-          1e3 * cbrt(u * u) / u);
+    equal("displacement_rate is the time derivative of displacement", (from_ahead - from_behind) / (2 * h),
+          rate, 1e3 * cbrt(u * u) / u);
     system_.position_rate(y_, v_, rate);
     system_.derivative(t_, y_, y_dot);
-    equal("positions grow as y' says", rate, y_dot.head(nq_));
+    equal("position_rate is the position part of derivative", rate, y_dot.head(nq_));
     Y sizes;
     system_.position_sizes(y_, sizes);
-    equal("every number of a displacement has a size, not below 0", sizes.cwiseAbs(), sizes, 0);
-    require("as many sizes as numbers of a displacement", sizes.size() == nv_);
+    equal("position_sizes are not negative", sizes.cwiseAbs(), sizes, 0);
+    require("position_sizes has one entry per velocity", sizes.size() == nv_);
   }
 
   System& system_;

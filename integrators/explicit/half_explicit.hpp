@@ -198,9 +198,8 @@ class HalfExplicit {
       ++counters_.iterations;
     }
     throw IntegrationError({fmt::format("row \"{}\"", system.row_name(missed.row)), static_cast<double>(t)},
-                           "velocities of the next stage do not come to meet it; take smaller steps, or "
-                           "another method where rows "
-                           "are dependent");
+                           "the iteration for the multipliers of a stage does not converge for this row; "
+                           "take smaller steps, or another method if constraints are redundant");
   }
 
   const Coefficients of_;

@@ -27,7 +27,9 @@ std::unique_ptr<AnyMethod<S>> chosen_adams(const Tolerances& tolerances) {
     return adapt<double>(ChosenSteps<double, Controlled>(
         Controlled({tolerances.atol, tolerances.rtol, no_limit}), 1, tolerances));
   } else {
-    throw UsageError("abm chooses its steps in double alone (Odeint's choice does); give it a step");
+    throw UsageError(
+        "abm controls its step size in double precision only (a limit of Odeint); give a step, or use "
+        "double");
   }
 }
 
@@ -65,7 +67,7 @@ std::vector<MethodEntry<S>> explicit_methods() {
              BulirschStoer<S>(S(tolerances.atol), S(tolerances.rtol)), 8, tolerances));
        }},
       {{.name = "abm",
-        .summary = "Adams-Bashforth-Moulton, multistep, orders 1 to 12, at given steps 5 (Odeint)",
+        .summary = "Adams-Bashforth-Moulton, multistep, orders 1 to 12, order 5 with given steps (Odeint)",
         .order = 5,
         .takes_given_steps = true,
         .chooses_steps = true},

@@ -18,8 +18,8 @@ template <class Value>
 Value checked(const char* what, const std::optional<Value>& given, Value standard, Value least, Value most) {
   const Value value = given.value_or(standard);
   if (!(value >= least && value <= most))
-    throw UsageError(fmt::format("{} {}; accepted: {:.4g} to {:.4g}", what, value, static_cast<double>(least),
-                                 static_cast<double>(most)));
+    throw UsageError(fmt::format("{} = {}; accepted: {:.4g} to {:.4g}", what, value,
+                                 static_cast<double>(least), static_cast<double>(most)));
   return value;
 }
 
@@ -93,8 +93,8 @@ std::vector<MethodEntry<S>> implicit_methods() {
         .takes_order = true,
         .takes_full_newton = true},
        [](Request request) -> Made {
-         return adapt<S>(BDF<AnySystem<S>>(
-             detail::checked("an order of bdf of", request.given.order, 2, 1, 5), newton(request)));
+         return adapt<S>(BDF<AnySystem<S>>(detail::checked("order of bdf", request.given.order, 2, 1, 5),
+                                           newton(request)));
        }},
   };
 }

@@ -48,7 +48,8 @@ template <HasResidual System>
   throw IntegrationError({of_rows ? fmt::format("row \"{}\"", system.row_name(violation.row)) : std::string(),
                           static_cast<double>(t)},
                          fmt::format("Newton's method does not converge: {}; take smaller steps",
-                                     of_rows ? "it is not met" : "forces do not balance"));
+                                     of_rows ? "this constraint row stays violated"
+                                             : "the equations of motion stay unbalanced"));
 }
 
 template <HasNewtonMatrix System>

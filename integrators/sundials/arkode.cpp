@@ -44,17 +44,17 @@ class Arkode final : public OdeStepper {
       choose_method();
     } else {
       flat(numbers()) = y;
-      accept(ARKStepReInit(library_memory(), explicit_part, implicit_part, t, numbers()), "to begin again");
+      accept(ARKStepReInit(library_memory(), explicit_part, implicit_part, t, numbers()), "restart");
     }
     if (chooses_steps_) begin_with(first_step);
   }
   void choose_method() {
     measure_errors_by(error_weights);
-    accept(ARKStepSetMaxHnilWarns(library_memory(), -1), "to be silent");
-    accept(ARKStepSetOrder(library_memory(), order_), "its order");
+    accept(ARKStepSetMaxHnilWarns(library_memory(), -1), "suppress warnings");
+    accept(ARKStepSetOrder(library_memory(), order_), "set the order");
     if (!is_implicit()) return;
     iterate_by_newton();
-    accept(ARKStepSetLinSysFn(library_memory(), step_matrix), "its matrix");
+    accept(ARKStepSetLinSysFn(library_memory(), step_matrix), "set the matrix");
   }
   /// ARKODE also passes a mass matrix here; y' = f(t, y) has none.
   static int step_matrix(double t, N_Vector numbers, N_Vector f, SUNMatrix matrix, SUNMatrix, int is_kept,
@@ -62,7 +62,7 @@ class Arkode final : public OdeStepper {
     return linear_system(t, numbers, f, matrix, is_kept, is_current, gamma, stepper, a, b, c);
   }
   int advance(double stop, double& t) override {
-    if (!chooses_steps_) accept(ARKStepSetFixedStep(library_memory(), stop - t), "a step");
+    if (!chooses_steps_) accept(ARKStepSetFixedStep(library_memory(), stop - t), "set the fixed step");
     return ARKStepEvolve(library_memory(), stop, numbers(), &t, ARK_ONE_STEP);
   }
   /// With given steps the library starts anew in every step, so that a saved run continues exactly.

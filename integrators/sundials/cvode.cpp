@@ -41,7 +41,7 @@ class Cvode final : public OdeStepper {
       make(t, y);
     } else {
       flat(numbers()) = y;
-      accept(CVodeReInit(library_memory(), t, numbers()), "to begin again");
+      accept(CVodeReInit(library_memory(), t, numbers()), "restart");
     }
     begin_with(first_step);
   }
@@ -49,21 +49,21 @@ class Cvode final : public OdeStepper {
     make_numbers(y.size());
     flat(numbers()) = y;
     open(CVodeCreate(is_implicit() ? CV_BDF : CV_ADAMS, context()));
-    accept(CVodeInit(library_memory(), right_side, t, numbers()), "its state");
+    accept(CVodeInit(library_memory(), right_side, t, numbers()), "set the initial state");
     measure_errors_by(error_weights);
-    accept(CVodeSetMaxHnilWarns(library_memory(), -1), "to be silent");
+    accept(CVodeSetMaxHnilWarns(library_memory(), -1), "suppress warnings");
     if (!is_implicit())
       return iterate_by(Owned<SUNNonlinearSolver>(SUNNonlinSol_FixedPoint(numbers(), 0, context())));
     iterate_by_newton();
-    accept(CVodeSetLinSysFn(library_memory(), linear_system), "its matrix");
+    accept(CVodeSetLinSysFn(library_memory(), linear_system), "set the matrix");
     // A small error of the positions along a stiff spring is a large error of its force, which the error
     // estimates of later steps show. The tolerance of Newton's method is therefore a tenth of the default.
     if (system().springs() > 0)
-      accept(CVodeSetNonlinConvCoef(library_memory(), 0.01), "how far Newton's method goes");
+      accept(CVodeSetNonlinConvCoef(library_memory(), 0.01), "set the tolerance of Newton's method");
     if (!projects_) return;
-    accept(CVodeSetProjFn(library_memory(), project), "its projection");
+    accept(CVodeSetProjFn(library_memory(), project), "set the projection");
     // With a projected error estimate steps would be longer by a tenth and errors ten times as large.
-    accept(CVodeSetProjErrEst(library_memory(), 0), "errors as they are");
+    accept(CVodeSetProjErrEst(library_memory(), 0), "leave the projection out of the error estimate");
   }
   int advance(double stop, double& t) override {
     return CVode(library_memory(), stop, numbers(), &t, CV_ONE_STEP);

@@ -65,7 +65,7 @@ class Ida final : public Stepper {
     if (is_new)
       make(t);
     else
-      accept(IDAReInit(library_memory(), t, numbers(), rates_.get()), "to begin again");
+      accept(IDAReInit(library_memory(), t, numbers(), rates_.get()), "restart");
     begin_with(first_step > 0 ? first_step : first_step_of(t, y));
   }
   double first_step_of(double t, const StateVectorD& y) {
@@ -73,13 +73,13 @@ class Ida final : public Stepper {
   }
   void make(double t) {
     open(IDACreate(context()));
-    accept(IDAInit(library_memory(), residual, t, numbers(), rates_.get()), "its state");
+    accept(IDAInit(library_memory(), residual, t, numbers(), rates_.get()), "set the initial state");
     measure_errors_by(error_weights);
-    accept(IDASetId(library_memory(), is_differential_.get()), "which unknowns are differential");
-    accept(IDASetSuppressAlg(library_memory(), 1), "to leave multipliers out of the estimated error");
-    accept(IDASetNonlinConvCoef(library_memory(), 0.01), "how far Newton's method goes");
+    accept(IDASetId(library_memory(), is_differential_.get()), "set the differential unknowns");
+    accept(IDASetSuppressAlg(library_memory(), 1), "leave the multipliers out of the error estimate");
+    accept(IDASetNonlinConvCoef(library_memory(), 0.01), "set the tolerance of Newton's method");
     iterate_by_newton();
-    accept(IDASetJacFn(library_memory(), factor), "its matrix");
+    accept(IDASetJacFn(library_memory(), factor), "set the matrix");
   }
   int advance(double stop, double& t) override {
     const int flag = IDASolve(library_memory(), stop, &t, numbers(), rates_.get(), IDA_ONE_STEP);

@@ -12,7 +12,7 @@ DoubleMethod arkode(const MethodRequest& request, bool is_implicit, std::string_
   const int order = request.given.order.value_or(5);
   if (order < 2 || order > (is_implicit ? 5 : 8) || order == 7)
     throw UsageError(
-        fmt::format("an order {} of {}; accepted: {}", order, name, is_implicit ? "2 to 5" : "2 to 6 and 8"));
+        fmt::format("order of {} = {}; accepted: {}", name, order, is_implicit ? "2 to 5" : "2 to 6 and 8"));
   return make_arkode(is_implicit, order, request.tolerances);
 }
 

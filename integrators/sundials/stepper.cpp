@@ -23,7 +23,7 @@ double target(double t, double stop, double planned) {
 }  // namespace
 
 void accept(int flag, const char* what) {
-  if (flag < 0) throw IntegrationError(fmt::format("SUNDIALS refuses {} (code {})", what, flag));
+  if (flag < 0) throw IntegrationError(fmt::format("a SUNDIALS call failed: {} (code {})", what, flag));
 }
 
 void Stepper::step(AnySystem<double>& system, double& t, StateVectorD& y, const double& stop) {
@@ -40,7 +40,7 @@ void Stepper::step(AnySystem<double>& system, double& t, StateVectorD& y, const 
     has_begun_ = true;
   }
   const double aim = target(t, stop, planned());
-  accept(functions_.set_stop(memory_, aim), "where to stop");
+  accept(functions_.set_stop(memory_, aim), "set the stop time");
   double reached = t;
   if (advance(aim, reached) < 0) fail(t, y);
   constexpr double least = 4 * std::numeric_limits<double>::epsilon();
@@ -78,7 +78,7 @@ void Stepper::interpolate(const double& t, StateVectorD& y) {
 }
 
 void Stepper::interpolate_numbers(double t, N_Vector numbers) {
-  accept(functions_.interpolate(memory_, t, 0, numbers), "to interpolate");
+  accept(functions_.interpolate(memory_, t, 0, numbers), "interpolate the state");
 }
 
 double Stepper::planned() const {
@@ -106,29 +106,29 @@ void Stepper::open(void* memory) {
   const auto note = [](int, const char*, const char*, char* message, void* stepper) {
     static_cast<Stepper*>(stepper)->message_ = message;
   };
-  accept(functions_.set_error_handler(memory_, note, this), "to report its errors");
-  accept(functions_.set_user_data(memory_, this), "its system");
+  accept(functions_.set_error_handler(memory_, note, this), "set the error handler");
+  accept(functions_.set_user_data(memory_, this), "set the user data");
 }
 
 void Stepper::measure_errors_by(int (*weights)(N_Vector, N_Vector, void*)) {
-  accept(functions_.set_error_weights(memory_, weights), "its tolerances");
+  accept(functions_.set_error_weights(memory_, weights), "set the tolerances");
 }
 
 void Stepper::begin_with(double first_step) {
-  accept(functions_.set_first_step(memory_, first_step), "a first step");
+  accept(functions_.set_first_step(memory_, first_step), "set the first step");
 }
 
 void Stepper::iterate_by_newton() {
   linear_solver_ = make_linear_solver();
   matrix_ = make_matrix();
-  accept(functions_.set_linear_solver(memory_, linear_solver_.get(), matrix_.get()), "its linear solver");
+  accept(functions_.set_linear_solver(memory_, linear_solver_.get(), matrix_.get()), "set the linear solver");
   iterate_by(make_accelerated_newton(context_));
-  accept(functions_.set_most_iterations(memory_, most_iterations), "how long it iterates");
+  accept(functions_.set_most_iterations(memory_, most_iterations), "set the iteration limit");
 }
 
 void Stepper::iterate_by(Owned<SUNNonlinearSolver> solver) {
   nonlinear_solver_ = std::move(solver);
-  accept(functions_.set_nonlinear_solver(memory_, nonlinear_solver_.get()), "its iteration");
+  accept(functions_.set_nonlinear_solver(memory_, nonlinear_solver_.get()), "set the nonlinear solver");
 }
 
 Owned<SUNLinearSolver> Stepper::make_linear_solver() {

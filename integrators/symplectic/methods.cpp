@@ -9,14 +9,14 @@ template <class S>
 std::vector<MethodEntry<S>> symplectic_methods() {
   return {
       {{.name = "rattle",
-        .summary = "RATTLE on Lie groups, symplectic, where M is constant",
+        .summary = "RATTLE on Lie groups, symplectic if M is constant",
         .order = 2,
         .takes_given_steps = true,
         .meets_constraints = true,
         .needs_constant_inertia = true},
        [](const MethodRequest&) { return adapt<S>(Rattle<AnySystem<S>>(2)); }},
       {{.name = "rattle4",
-        .summary = "RATTLE composed to order 4, symplectic, where M is constant",
+        .summary = "RATTLE composed to order 4, symplectic if M is constant",
         .order = 4,
         .takes_given_steps = true,
         .meets_constraints = true,

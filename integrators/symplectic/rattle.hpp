@@ -38,7 +38,7 @@ class Rattle {
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
     using std::pow;
     if (!system.inertia_is_constant())
-      throw UsageError("rattle needs coordinates in which the mass matrix does not depend on positions");
+      throw UsageError("rattle needs a formulation whose mass matrix does not depend on positions");
     const S h = stop - t;
     if (!has_begun_) begin(system, t, y, stop);
     if (is_composed_) {
@@ -165,8 +165,9 @@ class Rattle {
       move();
       ++counters_.iterations;
     }
-    throw IntegrationError({fmt::format("row \"{}\"", system.row_name(rows.row)), static_cast<double>(t)},
-                           "the step does not meet it; take smaller steps");
+    throw IntegrationError(
+        {fmt::format("row \"{}\"", system.row_name(rows.row)), static_cast<double>(t)},
+        "the iteration of the step does not satisfy this constraint row; take smaller steps");
   }
 
   void factor(System& system) {

@@ -143,8 +143,8 @@ int main(int argc, char** argv) {
   std::string results, name;
   std::vector<std::string> names;
   for (const auto& [table, print] : tables) names.push_back(table);
-  options.add_option("RESULTS", &results, "The folder of accepted results, with their schema").required();
-  options.add_option("TABLE", &name, "Which table").required().one_of(names);
+  options.add_option("RESULTS", &results, "Folder of the accepted results, with their schema").required();
+  options.add_option("TABLE", &name, "Name of the table").required().one_of(names);
   return options.run(argc, argv, [&] {
     paper::Results accepted(results);
     tables.at(name)(accepted);

@@ -39,12 +39,12 @@ int check(const Files& files, const fs::path& directory) {
     }
     const std::string present = read_whole(directory / name);
     if (present != text)
-      stale.push_back(
-          fmt::format("{}: line {} is not what results/ give", name, differing_line(present, text)));
+      stale.push_back(fmt::format("{}: line {} differs from the table made from results/", name,
+                                  differing_line(present, text)));
   }
   for (const fs::directory_entry& entry : fs::directory_iterator(directory))
     if (const std::string name = entry.path().filename().string(); !files.contains(name))
-      stale.push_back(name + ": no table of the paper");
+      stale.push_back(name + ": is not a generated file");
   for (const std::string& line : stale) fmt::print("{}\n", line);
   if (stale.empty()) fmt::print("{} files in {} are current\n", files.size(), directory.filename().string());
   return stale.empty() ? exit_done : exit_criterion_failed;
@@ -56,13 +56,13 @@ int check(const Files& files, const fs::path& directory) {
 
 int main(int argc, char** argv) {
   using namespace trivium;
-  ProgramOptions options("Writes the paper's tables from accepted results", "paper_tables");
+  ProgramOptions options("Writes the tables of the paper from accepted results", "paper_tables");
   std::string results, tables;
   bool only_check = false;
-  options.add_option("RESULTS", &results, "The folder of accepted results, with their schema").required();
-  options.add_option("TABLES", &tables, "The folder of the tables").required();
+  options.add_option("RESULTS", &results, "Folder of the accepted results, with their schema").required();
+  options.add_option("TABLES", &tables, "Folder of the tables").required();
   options.add_flag("--check", &only_check,
-                   "Write nothing; exit code 1 unless TABLES holds exactly what RESULTS give");
+                   "Write nothing; exit code 1 if TABLES differs from the tables made from RESULTS");
   return options.run(argc, argv, [&] {
     const auto files = paper::render(results);
     return only_check ? paper::check(files, tables) : paper::write(files, tables);

@@ -25,7 +25,7 @@ class Sample {
     std::string name;
   };
   std::vector<Named> sorted() const {
-    if (values_.empty()) throw std::logic_error("a statistic of no numbers");
+    if (values_.empty()) throw std::logic_error("statistics of an empty list of numbers");
     std::vector<Named> out = values_;
     std::stable_sort(out.begin(), out.end(),
                      [](const Named& a, const Named& b) { return a.value < b.value; });

@@ -15,7 +15,7 @@ Tex text(const std::string& plain) {
   for (const char c : plain) {
     if (std::string("_&%#${}").find(c) != std::string::npos) out.source += '\\';
     if (c == '\\' || c == '~' || c == '^')
-      throw std::logic_error("no table needs the character " + std::string(1, c));
+      throw std::logic_error("this character is not supported in a table: " + std::string(1, c));
     out.source += c;
   }
   return out;
@@ -45,7 +45,7 @@ Tex power_of_ten_in_text(double x) {
 }
 
 std::string TexTable::line(const std::vector<Tex>& cells) const {
-  if (cells.size() != columns_.size()) throw std::logic_error("a row of another length than the headings");
+  if (cells.size() != columns_.size()) throw std::logic_error("a row and the headings differ in length");
   std::string out;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const std::string& cell = cells[k].source;
@@ -74,7 +74,7 @@ std::string TexTable::str(const std::string& origin) const {
 void Numbers::define(const std::string& name, const Tex& value) {
   const bool letters = std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalpha(c); });
   if (!letters || !values_.emplace(name, value.source).second)
-    throw std::logic_error("\\" + name + " is no name for a number, or is taken");
+    throw std::logic_error("\\" + name + " is not a valid name for a number, or is already defined");
 }
 
 std::string Numbers::str() const {

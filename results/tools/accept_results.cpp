@@ -34,11 +34,11 @@ int run(const std::vector<std::string>& files, const std::string& directory) {
 
 int main(int argc, char** argv) {
   using namespace trivium;
-  ProgramOptions options("Takes regenerated results, all of them or none, into the folder of accepted ones",
+  ProgramOptions options("Copies regenerated results, all or none, into the folder of accepted results",
                          "accept_results");
   std::vector<std::string> files;
   std::string directory;
-  options.add_option("REGENERATED", &files, "CSV files, their manifests beside them").required();
-  options.add_option("--into", &directory, "The folder of accepted results, with their schema").required();
+  options.add_option("REGENERATED", &files, "CSV files, with their manifests next to them").required();
+  options.add_option("--into", &directory, "Folder of the accepted results, with their schema").required();
   return options.run(argc, argv, [&] { return run(files, directory); });
 }

@@ -43,7 +43,7 @@ int run(const std::string& accepted_csv, const std::string& regenerated_csv, con
   if (as_json)
     fmt::print("{}", json(accepted.name, differences));
   else if (differences.empty())
-    fmt::print("{}: {} rows as accepted (commit {})\n", accepted.name, accepted.rows.size(),
+    fmt::print("{}: {} rows agree with the accepted file (commit {})\n", accepted.name, accepted.rows.size(),
                accepted.manifest.commit);
   else
     fmt::print("{}", text(differences));
@@ -56,13 +56,13 @@ int run(const std::string& accepted_csv, const std::string& regenerated_csv, con
 
 int main(int argc, char** argv) {
   using namespace trivium;
-  ProgramOptions options("Does a results file, made again, say what the accepted one says?",
-                         "compare_results");
+  ProgramOptions options("Compares a regenerated results file with the accepted one", "compare_results");
   std::string accepted, regenerated, schema;
   bool as_json = false;
-  options.add_option("ACCEPTED", &accepted, "The accepted CSV, its manifest beside it").required();
-  options.add_option("REGENERATED", &regenerated, "The CSV made again, its manifest beside it").required();
-  options.add_option("--schema", &schema, "The schema (results/schema.json)").required();
+  options.add_option("ACCEPTED", &accepted, "Accepted CSV file, with the manifest next to it").required();
+  options.add_option("REGENERATED", &regenerated, "Regenerated CSV file, with the manifest next to it")
+      .required();
+  options.add_option("--schema", &schema, "Schema of the results (results/schema.json)").required();
   options.add_flag("--json", &as_json, "JSON on stdout");
   return options.run(argc, argv, [&] { return run(accepted, regenerated, schema, as_json); });
 }

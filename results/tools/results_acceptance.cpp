@@ -17,8 +17,8 @@ std::vector<std::string> refusals_of(const std::vector<ResultsSchema>& all, cons
                                    d.column, d.accepted, d.rule));
   const std::string& commit = table.manifest.commit;
   if (commit == "unknown" || commit.ends_with("-dirty"))
-    refusals.push_back(fmt::format("{}: made from sources that no commit holds ({}); commit them first",
-                                   table.name, commit));
+    refusals.push_back(
+        fmt::format("{}: made from uncommitted sources ({}); commit the sources first", table.name, commit));
   return refusals;
 }
 

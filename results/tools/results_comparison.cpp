@@ -109,7 +109,7 @@ std::vector<Difference> check_results(const ResultsSchema& any, const ResultsTab
   if (without_figures(table.manifest.command) != command)
     report("", "manifest: command", table.manifest.command, command);
   if (!table.intact())
-    report("", "manifest: csv_sha1", table.csv_sha1, "as written: " + table.manifest.csv_sha1);
+    report("", "manifest: csv_sha1", table.csv_sha1, "as in the manifest: " + table.manifest.csv_sha1);
   if (table.columns != column_names(schema)) {
     report("", "columns", fmt::format("{}", fmt::join(table.columns, ",")),
            fmt::format("{}", fmt::join(column_names(schema), ",")));
@@ -118,7 +118,7 @@ std::vector<Difference> check_results(const ResultsSchema& any, const ResultsTab
   const auto by_key = rows_by_key(schema, table);
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const std::string key = key_of(schema, table, k);
-    if (by_key.at(key) != k) report(key, "", "repeated", "one row a key");
+    if (by_key.at(key) != k) report(key, "", "repeated", "one row per key");
     for (const ColumnSchema& column : schema.columns) {
       const Cell cell(table, k, column.name);
       if (std::string why = defect(column.rule, cell); !why.empty())

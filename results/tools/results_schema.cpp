@@ -90,7 +90,7 @@ ResultsSchema expanded(ResultsSchema schema, const std::vector<std::string>& col
 const ResultsSchema& find_schema(const std::vector<ResultsSchema>& all, const std::string& name) {
   for (const ResultsSchema& schema : all)
     if (schema.name == name) return schema;
-  throw ResultsError(fmt::format("the schema knows no results file \"{}\"", name));
+  throw ResultsError(fmt::format("the schema has no results file \"{}\"", name));
 }
 
 }  // namespace trivium

@@ -58,7 +58,7 @@ ResultsTable read_results(const fs::path& csv) {
   table.csv_sha1 = sha1_of(text);
   try {
     table.rows = parse_csv(text);
-    if (table.rows.empty()) throw ResultsError("it is empty");
+    if (table.rows.empty()) throw ResultsError("the file is empty");
     table.columns = table.rows.front();
     table.rows.erase(table.rows.begin());
     for (std::size_t k = 0; k < table.rows.size(); ++k)

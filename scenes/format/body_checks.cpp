@@ -53,7 +53,7 @@ void check_inertia(const Body& body, const Path& at) {
     fail(at,
          fmt::format("principal moments {}, of which one exceeds the sum of the others", numbers(moments)),
          "moments that obey the triangle inequality, as those of every mass distribution do; "
-         "\"unphysical_inertia\": true waives it");
+         "\"unphysical_inertia\": true switches this check off");
 }
 
 class OrientationChecks {

@@ -33,7 +33,7 @@ void check_axes(const Vector3& axis, const Vector3& x, const Path& at) {
 void check_side(const Side& side, const Shape& shape, const Path& at) {
   const auto check = [&](std::string_view key, const std::optional<Vector3>& vector) {
     const Key* known = shape.find(key);
-    if (vector && !known) fail(at / key, "a vector that has no meaning here", "none");
+    if (vector && !known) fail(at / key, "a vector that this type does not use", "none");
     if (!vector && known && known->required)
       fail(at, "missing key " + in_quotes(key), "an object with " + std::string(key));
     if (vector && key != "point") check_direction(*vector, at / key);
@@ -50,7 +50,7 @@ void check_side(const Side& side, const Shape& shape, const Path& at) {
 void check_unused(const Constraint& constraint, const Shape& shape, const Path& at) {
   const Constraint unset;
   const auto check = [&](std::string_view key, bool is_set) {
-    if (is_set && !shape.find(key)) fail(at / key, "a value that has no meaning here", "none");
+    if (is_set && !shape.find(key)) fail(at / key, "a value that this type does not use", "none");
   };
   check("f", !(constraint.f == unset.f));
   check("direction", constraint.direction != unset.direction);

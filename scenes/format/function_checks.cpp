@@ -41,12 +41,12 @@ class PartChecks {
     check_depth(pieces);
     if (f.pieces.size() != f.times.size() + 1)
       fail(pieces, fmt::format("{} pieces for {} times", f.pieces.size(), f.times.size()),
-           "one piece more than times");
+           "one more piece than times");
     const Path times = at_ / "times";
     for (std::size_t k = 1; k < f.times.size(); ++k)
       if (!(f.times[k] - f.times[k - 1] >= smallest_divisor))
         fail(times / k, fmt::format("{} after {}", shortest(f.times[k]), shortest(f.times[k - 1])),
-             "times in order");
+             "times in ascending order");
     check_parts(f.pieces, pieces);
   }
 
@@ -92,7 +92,7 @@ void check_continuous(const TimeFunction& f, const Path& at) {
     constexpr double jump_tolerance = 1e-9;  // larger than the rounding of numbers that a file states
     if (!(std::abs(after - before) <= jump_tolerance * (1 + std::abs(before))))
       fail(at, fmt::format("a jump from {} to {} at t = {}", shortest(before), shortest(after), shortest(t)),
-           "a function without jumps, as positions have none; its derivative may jump");
+           "a function without jumps, because positions cannot jump; the derivative may jump");
   }
 }
 

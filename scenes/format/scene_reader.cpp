@@ -23,7 +23,7 @@ struct Names {
     const auto known = index.find(*json.text());
     if (known == index.end())
       fail(at, fmt::format("unknown {} {}", noun, in_quotes(*json.text())),
-           list.empty() ? fmt::format("the name of a {}; there is none", noun) : list_of(list),
+           list.empty() ? fmt::format("the name of a {}; the scene has none", noun) : list_of(list),
            nearest(*json.text(), list));
     return known->second;
   }

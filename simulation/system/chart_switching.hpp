@@ -62,8 +62,9 @@ class ChartSwitching {
         const S distance = F::chart_distance(state[b].chart, state[b].q);
         if (distance < S(reframing_distance))
           return fmt::format(
-              "body \"{}\" at t = {}: its coordinates in {} are {:.1e} from where they have no rates; leave "
-              "re-framing on, or begin in another chart (of Euler angles: another sequence)",
+              "body \"{}\" at t = {}: the coordinates of {} are at a distance of {:.1e} from their "
+              "singularity; leave re-framing on, or start in another chart (for Euler angles: another "
+              "sequence)",
               mechanism.body_names[b], static_cast<double>(t), F::name, static_cast<double>(distance));
       }
     return {};

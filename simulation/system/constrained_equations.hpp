@@ -244,7 +244,7 @@ class ConstrainedEquations {
   /// been factored must not be assembled again.
   void assemble(EvaluatedModel<F>& model) {
     if (model.is_factored)
-      throw std::logic_error("an evaluation was factored, and is asked for residuals or factors again");
+      throw std::logic_error("residuals or factors are requested from an evaluation that has been factored");
     if (std::exchange(model.is_assembled, true)) return;
     if (springs() > 0) springs_.evaluate(model.assembly, view(model), model.spring_sizes);
     matrix_.assemble(model.assembly, model.t);

@@ -54,7 +54,7 @@ class Evaluation {
 
  private:
   [[noreturn, gnu::cold, gnu::noinline]] static void throw_not_made() {
-    throw std::logic_error("an evaluation is asked before it was made");
+    throw std::logic_error("an evaluation is used before it has been computed");
   }
 
   std::shared_ptr<EvaluatedModel<F>> model_, spare_;

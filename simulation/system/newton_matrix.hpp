@@ -23,7 +23,7 @@ class NewtonFactors {
 
   /// The evaluation that the factors were made from.
   const EvaluatedModel<F>& at() const {
-    if (!model_) throw std::logic_error("factors are asked before they were made");
+    if (!model_) throw std::logic_error("factors are used before they have been computed");
     return *model_;
   }
   void solve(const GraphVector<S>& right_side, GraphVector<S>& solution) const {

@@ -52,7 +52,7 @@ VectorX<typename F::Scalar> restore_numbers(const SavedRun& saved, MechanismOf<F
   if (static_cast<double>(state.t) != saved.t)
     refuse(fmt::format("the state is taken at t = {}", static_cast<double>(state.t)));
   if (static_cast<int>(saved.y.size()) != size)
-    refuse(fmt::format("it has {} numbers, and a state of {} bodies in {} has {}", saved.y.size(),
+    refuse(fmt::format("y has {} entries, but a state of {} bodies in {} has {}", saved.y.size(),
                        mechanism.nb(), F::name, size));
   for (int b = 0; b < mechanism.nb(); ++b) {
     const std::string chart = saved.charts.empty() ? std::string() : saved.charts[b];
@@ -69,9 +69,9 @@ VectorX<typename F::Scalar> restore_numbers(const SavedRun& saved, MechanismOf<F
     ++counted;
   });
   if (counted != saved.angles.size())
-    refuse(fmt::format("it has {} angles, and the effects count {}", saved.angles.size(), counted));
+    refuse(fmt::format("the saved run has {} angles, the effects track {}", saved.angles.size(), counted));
   if (!projection.measure().set_fastest(saved.fastest))
-    refuse(fmt::format("its {} fastest speeds do not belong to the parts of this mechanism",
+    refuse(fmt::format("the number of entries of \"fastest\", {}, does not fit the mechanism",
                        saved.fastest.size()));
   VectorX<S> y(size);
   for (int k = 0; k < size; ++k) y[k] = S(saved.y[k]);

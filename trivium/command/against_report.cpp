@@ -23,25 +23,28 @@ std::string verdict_of(const ColumnAgainst& column) {
 std::string AgainstReport::text() const {
   std::vector<std::string> formulations;
   for (const ComparedRun& run : comparison.runs) formulations.push_back(run.formulation);
-  std::string out = fmt::format("{} beside {}: {} from t = {} to {}; {} by {}\n", scene, file,
+  std::string out = fmt::format("{} compared with {}: {} from t = {} to {}; {} by {}\n", scene, file,
                                 counted(other.t.size(), "time", "times"), other.t.front(), other.t.back(),
                                 fmt::join(formulations, ", "), options.integrator);
   if (comparison.columns.empty()) return out;
-  Table table({"column", "theirs", "difference", "bound", "at t [s]", "size", "verdict"});
+  Table table({"column", "name in the file", "difference", "bound", "at t [s]", "magnitude", "verdict"});
   for (const ColumnAgainst& c : comparison.columns)
     table.add({c.ours, c.theirs == c.ours ? "" : c.theirs, fmt::format("{:.1e}", c.difference),
                c.not_judged.empty() ? fmt::format("{:.1e}", c.bound) : "-", fmt::format("{:.6g}", c.t),
                fmt::format("{:.1e}", c.size), verdict_of(c)});
   out += fmt::format("\n{}\n", table.text());
   if (options.step)
-    out += "bound: twice what half the step changes\n";
+    out += "bound: twice the change by halving the step\n";
   else if (comparison.neighbour_distance > 0)
-    out += fmt::format("bound: twice steps . tolerance . what a start {:.1e} away makes of it\n",
-                       comparison.neighbour_distance);
+    out += fmt::format(
+        "bound: 2 * number of steps * tolerance * amplification, measured by a run from a neighbouring start "
+        "at relative distance {:.1e}\n",
+        comparison.neighbour_distance);
   else
-    out += "bound: twice steps . tolerance . size; the constraints leave no neighbouring start\n";
+    out +=
+        "bound: 2 * number of steps * tolerance * magnitude; the constraints admit no neighbouring start\n";
   if (comparison.judged_until)
-    out += fmt::format("from t = {:.6g} on, neighbouring motions are elsewhere: nothing is compared\n",
+    out += fmt::format("from t = {:.6g} on, neighbouring motions have diverged: nothing is compared\n",
                        *comparison.judged_until);
   const auto exceeding = std::count_if(comparison.columns.begin(), comparison.columns.end(),
                                        [](const ColumnAgainst& c) { return !c.holds(); });

@@ -27,7 +27,9 @@ int run_check(const CheckArguments& arguments) {
   const CheckReport report{loaded.scene, check, augmented_sparsity(loaded.model)};
   fmt::print("{}", arguments.json ? report.json() : report.text());
   if (!check.contradictory.empty()) {
-    fmt::print(stderr, "error: {}: no acceleration satisfies all rows: {} against the rows before\n",
+    fmt::print(stderr,
+               "error: {}: the rows contradict each other, so no acceleration exists; in contradiction to "
+               "earlier rows: {}\n",
                arguments.scene, fmt::join(check.contradictory, ", "));
     return exit_input_error;
   }

@@ -89,23 +89,25 @@ std::string CheckReport::text() const {
     out += fmt::format("rows, rank          {}, {}\ndegrees of freedom  {}\n", check.rows.size(), *check.rank,
                        *check.degrees_of_freedom);
   else
-    out +=
-        fmt::format("rows, rank          {}, not determined: the state misses its rows\n", check.rows.size());
+    out += fmt::format("rows, rank          {}, not determined: the state violates its constraints\n",
+                       check.rows.size());
   if (check.condition)
-    out += fmt::format("condition           {:.2e}\n", *check.condition);
+    out += fmt::format("condition number    {:.2e}\n", *check.condition);
   else
     out += fmt::format(
-        "condition           not determined: too large for the dense solver, rank by the {} one\n",
+        "condition number    not determined: too large for the dense solver; the rank is from the {} "
+        "solver\n",
         check.solver);
   if (!check.mu.empty())
     if (const auto [least, most] = std::minmax_element(check.mu.begin(), check.mu.end()); *most > 0)
-      out += fmt::format("singular mass       norms use M + Phi^T diag(mu) Phi, mu from {:.3g} to {:.3g}\n",
-                         *least, *most);
+      out += fmt::format(
+          "singular mass       norms use M + Phi_q^T diag(mu) Phi_q instead of M, mu from {:.3g} to {:.3g}\n",
+          *least, *most);
   for (const std::string& body : check.unphysical_inertia)
-    out += fmt::format("unphysical inertia  body \"{}\", by its own word\n", body);
+    out += fmt::format("unphysical inertia  body \"{}\", as declared in the scene\n", body);
   if (const auto rows = redundant(); !rows.empty()) {
     out += fmt::format("redundant rows      {}\n", fmt::join(rows, ", "));
-    out += fmt::format("not unique lambda   {}\n", fmt::join(not_unique(), ", "));
+    out += fmt::format("lambda not unique   {}\n", fmt::join(not_unique(), ", "));
   }
   double position = 0, velocity = 0;
   for (const RowCheck& row : check.rows) {
@@ -113,7 +115,7 @@ std::string CheckReport::text() const {
     raise(velocity, row.velocity_violation);
   }
   out += fmt::format(
-      "position residual   {:.2e} m or rad at worst\nvelocity residual   {:.2e} m/s or rad/s at worst\n",
+      "position violation  {:.2e} m or rad, largest\nvelocity violation  {:.2e} m/s or rad/s, largest\n",
       position, velocity);
   out +=
       fmt::format("energy              kinetic {:.9g} J, potential {:.9g} J, power of the effects {:.9g} W\n",

@@ -62,7 +62,8 @@ std::vector<ComparedFormulation> formulations_of(const CompareArguments& argumen
   std::vector<ComparedFormulation> all = formulations_to_compare(asked, integrator);
   for (const std::string& name : asked.empty() ? formulation_names() : asked)
     if (std::none_of(all.begin(), all.end(), [&](const auto& one) { return one.name == name; }))
-      fmt::print(stderr, "warning: {} does not go with {}: it is left out\n", name, integrator);
+      fmt::print(stderr, "warning: the formulation {} is left out: the method {} does not support it\n", name,
+                 integrator);
   return all;
 }
 
@@ -116,8 +117,11 @@ std::map<std::string, std::string> names_in(const std::vector<std::string>& word
   for (const std::string& word : words) {
     const std::size_t equals = word.rfind('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == word.size())
-      throw Error(ErrorKind::input,
-                  fmt::format("--map: found \"{}\"; accepted: THEIRS=OURS, two names", word));
+      throw Error(
+          ErrorKind::input,
+          fmt::format(
+              "--map: found \"{}\"; accepted: THEIRS=OURS, the names of a column in the file and here",
+              word));
     if (!names.emplace(word.substr(0, equals), word.substr(equals + 1)).second)
       throw Error(ErrorKind::input, fmt::format("--map: \"{}\" is named twice", word.substr(0, equals)));
   }
@@ -131,14 +135,14 @@ int run_against(const CompareArguments& arguments) {
   const OtherMotion other =
       read_motion(arguments.against, names_in(arguments.map), motion_columns(model.mechanism, false));
   if (!other.unknown.empty())
-    fmt::print(stderr, "warning: {}: {} of other names, which are not compared, {} the first\n",
+    fmt::print(stderr, "warning: {}: {} with unknown names, not compared; the first is {}\n",
                arguments.against, counted(other.unknown.size(), "column", "columns"),
                scenes::in_quotes(other.unknown.front()));
   if (!arguments.out.empty()) fs::create_directories(arguments.out);
   const SimulationOptions options = arguments.run_options();
   if (options.output_step || options.end != SimulationOptions{}.end)
     throw Error(ErrorKind::input,
-                "--against compares at the times of its file; leave out --t-end and --output-step");
+                "--against compares at the times of the file; leave out --t-end and --output-step");
   const auto formulations =
       formulations_to_compare(formulations_in(arguments.formulations), options.integrator, 1);
   const MotionAgainst comparison = compare_against(formulations, model, other, options);
@@ -157,7 +161,7 @@ OptionCheck folder() {
             std::error_code error;
             const fs::path path(text);
             if (fs::exists(path, error) && !fs::is_directory(path, error))
-              return fmt::format("{} is no folder; accepted: a folder, or a name for a new one", text);
+              return fmt::format("{} is not a folder; accepted: a folder, or a name for a new folder", text);
             return std::string();
           },
           "DIR"};
@@ -172,9 +176,9 @@ Command add_compare_command(ProgramOptions& program) {
       "One motion in every formulation: lambda, positions and accelerations side by side through time");
   add_scene_options(options, *arguments);
   options
-      .add_option(
-          "--formulations", &arguments->formulations,
-          fmt::format("Which: all, or some of {}, between commas", fmt::join(formulation_names(), ",")))
+      .add_option("--formulations", &arguments->formulations,
+                  fmt::format("Formulations to compare: all, or a comma-separated list of {}",
+                              fmt::join(formulation_names(), ",")))
       .show_default();
   add_run_options(options, *arguments, "a hundredth of the run");
   const ProgramOption out =
@@ -182,17 +186,17 @@ Command add_compare_command(ProgramOptions& program) {
           .add_option("--out", &arguments->out, "Write every motion and the comparison as CSV to this folder")
           .check(folder());
   const ProgramOption plot =
-      options.add_flag("--plot", &arguments->plot, "Draw the comparison, as compare.svg in the folder")
+      options.add_flag("--plot", &arguments->plot, "Draw the comparison to compare.svg in that folder")
           .needs(out);
   const ProgramOption against =
       options
           .add_option(
               "--against", &arguments->against,
-              "Compare with this motion of another code instead, a CSV file, column by column at its times")
+              "Compare with a motion of another program (a CSV file) instead, column by column at its times")
           .excludes(plot);
   options
       .add_option("--map", &arguments->map,
-                  "With --against: what a column of that file is called here; may be given again")
+                  "With --against: the name that a column of the file has here; may be repeated")
       .may_repeat("THEIRS=OURS")
       .needs(against);
   options.add_flag("--json", &arguments->json, "JSON on stdout");

@@ -11,8 +11,8 @@ TEST(Compare, SaysHowFarLambdaIsApartAlongAMotionAndAtItsStates) {
   const Outcome r = run("trivium compare spatial_slider_crank --t-end 1 --out " + folder.string());
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(r.err, "");
-  EXPECT_NE(r.out.find("\nlambda along the motion  holds, "), std::string::npos) << r.out;
-  EXPECT_NE(r.out.find("\nlambda at one state      holds, "), std::string::npos) << r.out;
+  EXPECT_NE(r.out.find("\nlambda along the motion: holds; "), std::string::npos) << r.out;
+  EXPECT_NE(r.out.find("\nlambda at one state: holds; "), std::string::npos) << r.out;
   const std::string csv = slurp(folder / "compare.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 102);
   EXPECT_TRUE(csv.starts_with("t,lambda,lambda_bound,amplification,")) << csv.substr(0, 60);
@@ -39,14 +39,14 @@ TEST(Compare, LeavesOutWhatDoesNotGoWithTheMethodAndSaysSo) {
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(json::parse(r.out)["runs"].size(), 2u);
   EXPECT_EQ(r.err,
-            "warning: r-p does not go with rattle: it is left out\n"
-            "warning: r-epsilon does not go with rattle: it is left out\n");
+            "warning: the formulation r-p is left out: the method rattle does not support it\n"
+            "warning: the formulation r-epsilon is left out: the method rattle does not support it\n");
 }
 
 TEST(Compare, RefusesWhatCannotBeCompared) {
   const Outcome one = run("trivium compare heavy_top --formulations r-p");
   EXPECT_EQ(one.exit_code, 2);
-  EXPECT_NE(one.err.find("one formulation alone to compare; accepted: at least two of r-omega, "),
+  EXPECT_NE(one.err.find("only one formulation to compare; accepted: at least two of r-omega, "),
             std::string::npos)
       << one.err;
   const Outcome slip = run("trivium compare heavy_top --formulations r-p,r-omga");
@@ -54,7 +54,7 @@ TEST(Compare, RefusesWhatCannotBeCompared) {
   EXPECT_NE(slip.err.find("did you mean \"r-omega\"?"), std::string::npos) << slip.err;
   const Outcome file = run("trivium compare heavy_top --out " + temporary_scene("no_folder", "x"));
   EXPECT_EQ(file.exit_code, 2);
-  EXPECT_NE(file.err.find("is no folder; accepted: a folder"), std::string::npos) << file.err;
+  EXPECT_NE(file.err.find("is not a folder; accepted: a folder"), std::string::npos) << file.err;
 }
 
 TEST(Compare, ARunThatFailsEndsWithTheSolversExitCode) {
@@ -72,7 +72,7 @@ TEST(Compare, DrawsWhatItCompared) {
   const Outcome r =
       run("trivium compare spatial_slider_crank --t-end 0.5 --out " + folder.string() + " --plot");
   EXPECT_EQ(r.exit_code, 0) << r.err;
-  EXPECT_NE(slurp(folder / "compare.svg").find("its bound"), std::string::npos);
+  EXPECT_NE(slurp(folder / "compare.svg").find("bound of lambda"), std::string::npos);
 }
 
 /// A motion written by the program itself, which takes the place of a motion of another code.
@@ -145,11 +145,10 @@ TEST(CompareAgainst, WhatIsNoMotionIsRefusedByItsPlace) {
   };
   EXPECT_NE(refusal("t,rod.x\n0,0\n1,nan\n").find("line 3, rod.x: found \"nan\"; accepted: a finite number"),
             std::string::npos);
-  EXPECT_NE(refusal("t,rod.x\n0,0\n0,1\n").find("t = 0 after 0; accepted: ascending times"),
+  EXPECT_NE(refusal("t,rod.x\n0,0\n0,1\n").find("t = 0 after t = 0; accepted: ascending times"),
             std::string::npos);
   EXPECT_NE(refusal("t,rod.x\n0,0\n1\n").find("line 3: 1 fields; accepted: 2"), std::string::npos);
-  EXPECT_NE(refusal("t,rood.x\n0,0\n1,1\n").find("no column that is known among t, rood.x"),
-            std::string::npos);
+  EXPECT_NE(refusal("t,rood.x\n0,0\n1,1\n").find("no known column name among t, rood.x"), std::string::npos);
   EXPECT_NE(refusal("").find("0 lines"), std::string::npos);
   EXPECT_NE(refusal("t,rod.x\n-1,0\n1,1\n").find("begins at t = -1, before the scene's state"),
             std::string::npos);

@@ -47,7 +47,7 @@ std::string CompareReport::verdict_along() const {
     return now.lambda / now.lambda_bound;
   });
   if (!worst) return "not judged";
-  return fmt::format("{}, {} of its bound {} at t = {:.6g}", c.holds_along() ? "holds" : "EXCEEDS",
+  return fmt::format("{}; difference {}, bound {} at t = {:.6g}", c.holds_along() ? "holds" : "EXCEEDS",
                      brief(worst->lambda), brief(worst->lambda_bound), worst->t);
 }
 
@@ -58,18 +58,18 @@ std::string CompareReport::verdict_at_states() const {
     return std::max(now.one_state->lambda, now.one_state->is_constrained ? now.one_state->acceleration : 0) /
            now.one_state->bound;
   });
-  if (!worst) return "not judged: too large for the dense solver, which finds kappa";
+  if (!worst) return "not judged: too large for the dense solver, which computes kappa";
   const char* verdict = c.holds_at_states() ? "holds" : "EXCEEDS";
   if (!c.has_unique_lambda)
     return worst->one_state->is_constrained
-               ? fmt::format("none: no multiplier is unique; of accelerations {}", verdict)
+               ? fmt::format("none: no multiplier is unique; accelerations: {}", verdict)
                : std::string("none: there are no constraints");
-  return fmt::format("{}, {} of its bound {} at t = {:.6g}", verdict, brief(worst->one_state->lambda),
+  return fmt::format("{}; difference {}, bound {} at t = {:.6g}", verdict, brief(worst->one_state->lambda),
                      brief(worst->one_state->bound), worst->t);
 }
 
 std::string CompareReport::runs_table() const {
-  Table table({"formulation", "steps", "rejected", "right sides", "factorisations", "CPU [s]",
+  Table table({"formulation", "steps", "rejected steps", "evaluations", "factorisations", "CPU [s]",
                "chart changes", "charts"});
   for (const ComparedRun& run : comparison.runs) {
     const SimulationReport& r = run.report;
@@ -86,8 +86,8 @@ std::string CompareReport::runs_table() const {
 }
 
 std::string CompareReport::instants_table() const {
-  Table table({"t [s]", "lambda", "bound", "amplification", "position [m]", "rotation [rad]", "at one state",
-               "bound", "accelerations", "kappa", "verdict"});
+  Table table({"t [s]", "lambda", "bound", "amplification", "position [m]", "rotation [rad]",
+               "lambda at state", "bound at state", "accelerations at state", "kappa", "verdict"});
   for (const ComparedInstant& now : comparison.instants) {
     const auto& at = now.one_state;
     const bool is_shown = at.has_value() || &now == &comparison.instants.back();
@@ -110,25 +110,29 @@ std::string CompareReport::text() const {
                   counted(comparison.instants.size(), "output", "outputs"));
   out += runs_table();
   if (comparison.instants.empty()) return out;
-  out += "\nlargest differences between formulations\n" + instants_table();
+  out += "\nlargest differences between formulations (lambda and accelerations are relative)\n" +
+         instants_table();
   if (comparison.neighbour_distance > 0)
     out += fmt::format(
-        "\namplification: of a start {} away, in lambda; bound: steps . tolerance . amplification\n",
+        "\namplification: relative change of lambda by a neighbouring start, divided by the relative "
+        "distance {} of the starts\nbound: number of steps * tolerance * amplification\n",
         brief(comparison.neighbour_distance));
   else if (options.step)
-    out += "\nbound: twice what half the step changes in the two formulations that it changes most\n";
+    out +=
+        "\nbound: twice the change by halving the step, summed over the two formulations that change most\n";
   else
-    out += "\nbound: steps . tolerance; the constraints leave no neighbouring start\n";
+    out += "\nbound: number of steps * tolerance; the constraints admit no neighbouring start\n";
   if (comparison.judged_until)
     out += fmt::format(
-        "from t = {:.6g} on, neighbouring motions are elsewhere: lambda along the motion is not judged\n",
+        "from t = {:.6g} on, neighbouring motions have diverged (verdict \"parted\"): lambda along the "
+        "motion is not judged\n",
         *comparison.judged_until);
   if (const auto singular = std::count_if(comparison.instants.begin(), comparison.instants.end(),
                                           [](const ComparedInstant& now) { return now.is_singular; });
       singular > 0)
-    out += fmt::format("{} at a singular position, where lambda is not unique: not judged\n",
+    out += fmt::format("not judged: {} at a singular position, where lambda is not unique\n",
                        counted(static_cast<std::size_t>(singular), "output", "outputs"));
-  out += fmt::format("lambda along the motion  {}\nlambda at one state      {}\n", verdict_along(),
+  out += fmt::format("lambda along the motion: {}\nlambda at one state: {}\n", verdict_along(),
                      verdict_at_states());
   return out;
 }
@@ -232,7 +236,7 @@ void CompareReport::plot(const std::string& file) const {
       "set key at screen 0.99, graph 1 right top\nset xlabel 't [s]'\nset logscale y\nset format y '%.0e'\n"
       "set ylabel 'along the motion, relative'\n"
       "plot $along using 1:2 with lines lw 1.5 lc 1 title 'lambda', "
-      "$along using 1:3 with lines lw 1.5 dt 2 lc 1 title 'its bound'\n{}"
+      "$along using 1:3 with lines lw 1.5 dt 2 lc 1 title 'bound of lambda'\n{}"
       "set ylabel 'along the motion'\n"
       "plot $along using 1:4 with lines lw 1.5 lc 2 title 'positions [m]', "
       "$along using 1:5 with lines lw 1.5 lc 4 title 'rotations [rad]'\nunset multiplot\n",

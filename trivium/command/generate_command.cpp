@@ -28,7 +28,7 @@ scenes::Scene generate(const GenerateArguments& arguments) {
   if (arguments.kind == "ring") {
     if (arguments.n < 3)
       throw Error(ErrorKind::input,
-                  fmt::format("N: found {}; accepted: 3 bars of a ring or more", arguments.n));
+                  fmt::format("N: found {}; accepted: at least 3 bars for a ring", arguments.n));
     return scenes::ring(arguments.n);
   }
   if (arguments.kind == "hub") return scenes::hub(arguments.n);
@@ -48,15 +48,15 @@ int run_generate(const GenerateArguments& arguments) {
 
 Command add_generate_command(ProgramOptions& program) {
   auto arguments = std::make_shared<GenerateArguments>();
-  ProgramOptions options =
-      program.add_subcommand("generate", "A chain, ladder, tree, ring or hub of N as a scene file");
-  options.add_option("KIND", &arguments->kind, "chain, ladder, tree, ring or hub")
+  ProgramOptions options = program.add_subcommand(
+      "generate", "Write a chain, ladder, tree, ring or hub of size N as a scene file");
+  options.add_option("KIND", &arguments->kind, "Kind of mechanism")
       .required()
       .one_of({"chain", "ladder", "tree", "ring", "hub"});
-  options.add_option("N", &arguments->n, "Bars (3 or more of a ring), or loops of the ladder")
+  options.add_option("N", &arguments->n, "Number of bars (at least 3 for a ring), or of loops of a ladder")
       .required()
       .between(1, 100000);
-  options.add_option("--seed", &arguments->seed, "Seed of the tree")
+  options.add_option("--seed", &arguments->seed, "Seed of the random tree")
       .check(whole_number(std::numeric_limits<std::uint64_t>::max()))
       .show_default();
   options.add_option("--out", &arguments->out, "Write to this file instead of stdout").check(writable_file());

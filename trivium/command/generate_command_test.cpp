@@ -22,7 +22,7 @@ TEST(Generate, WritesWhatCheckAccepts) {
 TEST(Generate, RefusesARingOfTwo) {
   const Outcome r = run("trivium generate ring 2");
   EXPECT_EQ(r.exit_code, 2);
-  EXPECT_NE(r.err.find("N: found 2; accepted: 3 bars of a ring or more"), std::string::npos) << r.err;
+  EXPECT_NE(r.err.find("N: found 2; accepted: at least 3 bars for a ring"), std::string::npos) << r.err;
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ std::string misuse(const std::vector<Command>& commands, int argc, char** argv) 
   }
   const std::string found = argc > 1 ? "unknown subcommand " + scenes::in_quotes(word) : "no subcommand";
   const std::string slip = scenes::nearest(word, names);
-  return fmt::format("{}; accepted: {}{}; trivium --help says more", found, scenes::list_of(names),
+  return fmt::format("{}; accepted: {}{}; see trivium --help", found, scenes::list_of(names),
                      slip.empty() ? "" : fmt::format(" (did you mean {}?)", scenes::in_quotes(slip)));
 }
 

@@ -90,30 +90,31 @@ std::string MotionReport::text(const SimulationReport& r) const {
   const auto add = [&](const std::string& name, const std::string& value) { table.add({name, value}); };
   add("steps", fmt::format("{}", r.counters.steps));
   add("rejected steps", fmt::format("{}", r.counters.rejected_steps));
-  add("right sides", fmt::format("{}", r.counters.right_sides));
+  add("evaluations of the right side", fmt::format("{}", r.counters.right_sides));
   if (r.counters.iterations > 0) add("Newton iterations", fmt::format("{}", r.counters.iterations));
-  if (r.jacobians > 0) add("Jacobians (Newton's matrices)", fmt::format("{}", r.jacobians));
+  if (r.jacobians > 0) add("Jacobians (Newton matrices)", fmt::format("{}", r.jacobians));
   add("factorisations", fmt::format("{}", r.factorisations));
-  if (r.is_projected) add("changes by projection", fmt::format("{}", r.projection.changes));
+  if (r.is_projected) add("projection corrections", fmt::format("{}", r.projection.changes));
   add("restarts", fmt::format("{}", r.counters.restarts));
-  if (r.reframings > 0) add("re-framed bodies", fmt::format("{}", r.reframings));
-  add("largest violation of positions [m, rad]", fmt::format("{:.1e}", r.phi));
-  add("of velocities [m/s, rad/s]", fmt::format("{:.1e}", r.phi_dot));
+  if (r.reframings > 0) add("re-framings (chart changes)", fmt::format("{}", r.reframings));
+  add("position violation, largest [m, rad]", fmt::format("{:.1e}", r.phi));
+  add("velocity violation, largest [m/s, rad/s]", fmt::format("{:.1e}", r.phi_dot));
   if (r.is_projected) {
-    add("of positions before projection", fmt::format("{:.1e}", r.projection.position));
-    add("of velocities before projection", fmt::format("{:.1e}", r.projection.velocity));
+    add("position violation before projection [m, rad]", fmt::format("{:.1e}", r.projection.position));
+    add("velocity violation before projection [m/s, rad/s]", fmt::format("{:.1e}", r.projection.velocity));
   }
   if (r.has_own_lambda) add("largest |raw lambda - lambda of (q, v)|", fmt::format("{:.1e}", r.lambda_gap));
-  if (r.normalisation > 0) add("of p . p = 1", fmt::format("{:.1e}", r.normalisation));
+  if (r.normalisation > 0) add("violation of p . p = 1, largest", fmt::format("{:.1e}", r.normalisation));
   add("energy at the start [J]", fmt::format("{:.12g}", r.energy_start));
   add("energy at the end [J]", fmt::format("{:.12g}", r.energy_end));
-  if (r.does_work) add("work done on it [J]", fmt::format("{:.12g}", r.work));
-  add(r.does_work ? "largest change not accounted for [J]" : "largest change of energy [J]",
+  if (r.does_work) add("work of loads and drivers [J]", fmt::format("{:.12g}", r.work));
+  add(r.does_work ? "largest energy error [J]" : "largest change of energy [J]",
       fmt::format("{:.1e}", r.unaccounted_energy));
   out += table.text();
   for (const Impulse<double>& impulse : r.impulses) {
     out += fmt::format(
-        "\nvelocities jumped with a driver at t = {}: impulses [N s or N m s, over the row's scale]\n",
+        "\nvelocity jump of a driver at t = {}: impulse of every row [N s or N m s, divided by the scale of "
+        "the row]\n",
         impulse.t);
     Table rows({"row", "impulse"});
     for (std::size_t k = 0; k < mechanism.row_names.size(); ++k)

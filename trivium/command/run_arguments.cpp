@@ -19,18 +19,18 @@ SimulationOptions RunArguments::run_options() const {
 
 void add_run_options(ProgramOptions& options, RunArguments& arguments, const std::string& outputs) {
   SimulationOptions& run = arguments.options;
-  options.add_option("--integrator", &run.integrator, "Which method")
+  options.add_option("--integrator", &run.integrator, "Integration method")
       .one_of(integrators::method_names())
       .show_default();
-  options.add_option("--t-end", &run.end, "The end of the run [s]").check(finite_time()).show_default();
+  options.add_option("--t-end", &run.end, "End of the run [s]").check(finite_time()).show_default();
   const ProgramOption step =
-      options.add_option("--step", &run.step, "Steps of this length [s] instead of tolerances")
+      options.add_option("--step", &run.step, "Constant step size [s] instead of tolerances")
           .check(positive_number());
-  options.add_option("--rtol", &run.tolerances.rtol, "Relative tolerance of a step")
+  options.add_option("--rtol", &run.tolerances.rtol, "Relative tolerance for the error of a step")
       .check(positive_number())
       .excludes(step)
       .show_default();
-  options.add_option("--atol", &run.tolerances.atol, "Absolute tolerance of a step")
+  options.add_option("--atol", &run.tolerances.atol, "Absolute tolerance for the error of a step")
       .check(positive_number())
       .excludes(step)
       .show_default();
@@ -40,17 +40,17 @@ void add_run_options(ProgramOptions& options, RunArguments& arguments, const std
       .check(positive_number());
   options.add_option(
       "--order", &run.parameters.order,
-      "Of bdf, 1 to 5 (default 2); of arkode-erk, 2 to 8, and arkode-dirk, 2 to 5 (default 5)");
+      "Order: 1 to 5 for bdf (default 2), 2 to 6 or 8 for arkode-erk, 2 to 5 for arkode-dirk (default 5)");
   options.add_option("--rho", &run.parameters.rho,
-                     "Of generalized-alpha: spectral radius at infinity, 0 to 1 (default 0.8)");
-  options.add_option("--alpha", &run.parameters.alpha, "Of hht, -1/3 to 0 (default -0.2)");
+                     "Spectral radius of generalized-alpha at infinite frequency, 0 to 1 (default 0.8)");
+  options.add_option("--alpha", &run.parameters.alpha, "Parameter alpha of hht, -1/3 to 0 (default -0.2)");
   options.add_flag("--full-newton", &arguments.full_newton,
-                   "Of implicit methods: a matrix every iteration, not every step");
+                   "Implicit methods: a new Newton matrix in every iteration, not once per step");
   options.add_option("--sequence", &arguments.sequence, "Euler-angle sequence of r-epsilon")
       .one_of({euler_sequence_names.begin(), euler_sequence_names.end()})
       .show_default();
   options.add_flag("--no-reframe", &arguments.raw_chart,
-                   "Take the raw chart of the sequence, and fail where it is singular");
+                   "Keep the chart of the Euler-angle sequence; the run fails where the chart is singular");
 }
 
 OptionCheck figure_file() {
@@ -66,7 +66,7 @@ OptionCheck figure_file() {
 std::string why_no_figures() {
   return std::system("command -v gnuplot >/dev/null 2>&1") == 0
              ? std::string()
-             : std::string("gnuplot, which draws it, is not installed (Debian: gnuplot-nox)");
+             : std::string("gnuplot, which draws the figure, is not installed (Debian: gnuplot-nox)");
 }
 
 }  // namespace trivium

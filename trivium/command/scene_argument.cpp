@@ -13,7 +13,7 @@ void add_scene_options(ProgramOptions& options, SceneArguments& arguments) {
   options.add_option("SCENE", &arguments.scene, "A scene file, or the name of a catalogue scene").required();
   options
       .add_option("--t", &arguments.t,
-                  "The time at which the file's state is taken [s] (default: that of a saved run, else 0)")
+                  "Time of the state in the file [s] (default: the time of a saved run, else 0)")
       .check(finite_time());
   const ProgramOption assemble =
       options.add_flag("--assemble", &arguments.assemble, "First project the state onto its constraints");

@@ -52,7 +52,7 @@ int run_simulate(const SimulateArguments& arguments) {
   if (!arguments.save_end.empty() &&
       (arguments.save_end == arguments.out || arguments.save_end == arguments.plot))
     throw Error(ErrorKind::input,
-                fmt::format("--save-end: {} is written by another option; accepted: a file of its own",
+                fmt::format("--save-end: {} is written by another option; accepted: a different file",
                             arguments.save_end));
   LoadedScene loaded = load(arguments);
   const Model<double>& model = loaded.model;
@@ -91,24 +91,26 @@ Command add_simulate_command(ProgramOptions& program) {
   auto arguments = std::make_shared<SimulateArguments>();
   SimulationOptions& run = arguments->options;
   ProgramOptions options = program.add_subcommand(
-      "simulate", "A scene's motion in one formulation by one method, its reactions and lambda");
+      "simulate", "Motion of a scene in one formulation by one method, with reactions and lambda");
   add_scene_options(options, *arguments);
-  options.add_option("--formulation", &run.formulation, "Which formulation")
+  options.add_option("--formulation", &run.formulation, "Formulation of the equations of motion")
       .one_of(formulation_names())
       .show_default();
   add_run_options(options, *arguments,
-                  fmt::format("start and end; with --plot {} of them", outputs_of_a_figure));
+                  fmt::format("only start and end; with --plot {} outputs", outputs_of_a_figure));
   options.add_option("--out", &arguments->out, "Write the motion to this CSV file").check(writable_file());
   options.add_option("--plot", &arguments->plot, "Draw the outputs to this SVG file").check(figure_file());
   options
-      .add_option("--save-end", &arguments->save_end,
-                  "Write the scene where the run ends to this file, from which a run goes on")
+      .add_option(
+          "--save-end", &arguments->save_end,
+          "Write the scene at the end of the run to this file; another run can continue from this file")
       .check(writable_file());
-  const ProgramOption no_projection = options.add_flag("--no-projection", &arguments->no_projection,
-                                                       "Leave drift off the constraints as it is");
+  const ProgramOption no_projection =
+      options.add_flag("--no-projection", &arguments->no_projection,
+                       "Do not project onto the constraints: their drift remains");
   options
       .add_option("--baumgarte", &arguments->baumgarte,
-                  "Phi'' + 2 alpha Phi' + beta^2 Phi = 0 instead of projection [1/s]")
+                  "Baumgarte stabilisation Phi'' + 2 alpha Phi' + beta^2 Phi = 0 instead of projection [1/s]")
       .values({"ALPHA", "BETA"})
       .check(number_from_zero())
       .excludes(no_projection);

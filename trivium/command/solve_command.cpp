@@ -74,19 +74,21 @@ int run_solve(const SolveArguments& arguments) {
 Command add_solve_command(ProgramOptions& program) {
   auto arguments = std::make_shared<SolveArguments>();
   ProgramOptions options = program.add_subcommand(
-      "solve", "Accelerations, lambda and reactions of a scene's state, in every formulation");
+      "solve", "Accelerations, lambda and reactions at the state of a scene, in every formulation");
   add_scene_options(options, *arguments);
   std::vector<std::string> formulations = formulation_names();
   formulations.push_back("all");
-  options.add_option("--formulation", &arguments->formulation, "Which formulation")
+  options
+      .add_option("--formulation", &arguments->formulation, "Formulation of the equations of motion, or all")
       .one_of(formulations)
       .show_default();
   options.add_option("--sequence", &arguments->sequence, "Euler-angle sequence of r-epsilon")
       .one_of({euler_sequence_names.begin(), euler_sequence_names.end()})
       .show_default();
   options.add_flag("--no-reframe", &arguments->raw_chart,
-                   "Take the raw chart of the sequence, however near its singularity");
-  options.add_option("--scalar", &arguments->scalar, "Arithmetic")
+                   "Keep the chart of the Euler-angle sequence, even near its singularity");
+  options
+      .add_option("--scalar", &arguments->scalar, "Arithmetic: quad has 113 bits, 50 has 50 decimal digits")
       .one_of({"float", "double", "quad", "50"})
       .show_default();
   options.add_flag("--json", &arguments->json, "JSON on stdout");

@@ -134,20 +134,22 @@ std::string SolveReport<Scalar>::reaction_table() const {
 template <class Scalar>
 std::string SolveReport<Scalar>::text() const {
   std::string out = fmt::format(
-      "{}: t = {}, {}, {} of rank {}, {}, condition {}\n", scene.name, t,
+      "{}: t = {}, {}, {} of rank {}, {}, condition number {}\n", scene.name, t,
       counted(mechanism.bodies.size(), "body", "bodies"), counted(mechanism.rows.size(), "row", "rows"),
       result.rows.rank, counted(static_cast<std::size_t>(dof()), "degree of freedom", "degrees of freedom"),
       std::isnan(result.rows.kappa) ? "not determined" : fmt::format("{:.1e}", result.rows.kappa));
   if (solver != std::string_view("printed"))
-    out += fmt::format("solved by the {} solver: too large for the dense one\n", solver);
+    out += fmt::format("solved by the {} solver: the scene is too large for the dense solver\n", solver);
   if (solved().empty()) return out;
   if (mechanism.nc() > 0) out += "\nlambda\n" + lambda_table();
   out += "\naccelerations [m/s^2, global; rad/s^2, body frame]\n" + acceleration_table();
   if (mechanism.nc() > 0)
-    out += fmt::format("\nreactions on body j [N, N m; global frame, about the joint's point on i] ({})\n",
-                       solved().front()->name) +
-           reaction_table();
-  Table estimates({"formulation", "error of lambda", "of accelerations", "matrix-free residual", "charts"});
+    out +=
+        fmt::format("\nreactions on body j [N, N m; global frame, about the joint's point on body i] ({})\n",
+                    solved().front()->name) +
+        reaction_table();
+  Table estimates(
+      {"formulation", "error of lambda", "error of accelerations", "matrix-free residual", "charts"});
   for (const auto* f : solved())
     estimates.add({f->name, fmt::format("{:.1e}", f->estimate.lambda),
                    fmt::format("{:.1e}", f->estimate.acceleration),
@@ -161,11 +163,11 @@ std::string SolveReport<Scalar>::text() const {
         result.any_unique() ? fmt::format("{:.1e}", d.lambda) : "none", d.r_ddot, d.omega_bar_dot);
   }
   if (!result.rows.dependent.empty()) {
-    out += "redundant rows (they follow from the others):";
+    out += "redundant rows (linear combinations of the other rows):";
     for (int k : result.rows.dependent) out += " " + mechanism.row_names[k];
     out +=
-        "\nmultipliers marked \"not unique\" are the ones of minimum |E lambda|, E^2 = diag(Phi M^-1 "
-        "Phi^T)\n";
+        "\nmultipliers marked \"not unique\": the solution of minimum norm |E lambda|, E^2 = diag(Phi_q M^-1 "
+        "Phi_q^T)\n";
   }
   return out;
 }

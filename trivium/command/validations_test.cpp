@@ -83,7 +83,8 @@ TEST(EveryValidation, RefusesToReplaceWhatIsNoRegularFileBeforeItReadsAScene) {
     for (const auto& [option, refused] : {std::pair{fifo, fifo}, {link, link}, {csv, manifest}}) {
       const Outcome r = run(program + " no_such_scene --csv " + option.string());
       EXPECT_EQ(r.exit_code, 2) << program;
-      EXPECT_NE(r.err.find("\"" + refused.string() + "\" is there and not a regular file"), std::string::npos)
+      EXPECT_NE(r.err.find("\"" + refused.string() + "\" exists but is not a regular file"),
+                std::string::npos)
           << r.err;
       EXPECT_EQ(r.err.find("no_such_scene"), std::string::npos) << r.err;
     }

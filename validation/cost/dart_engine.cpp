@@ -111,7 +111,7 @@ class Dart : public Engine {
       properties.mAxis = {{vector(axes[0].direction), vector(axes[1].direction)}};
       return add<UniversalJoint>(branch, scene, properties);
     }
-    throw NotTaken("no joint built for one of the scene's");
+    throw NotTaken("no DART joint is implemented for a joint of the scene");
   }
 
   void set_rates(const TreeJoint& branch, Eigen::VectorXd& rates) const {

@@ -71,8 +71,9 @@ std::unique_ptr<Engine> try_out(Entrant& entrant, const QuadSolution& exact) {
     row.error = exact.error_of(engine->r_ddot());
     if (const auto lambda = engine->lambda(); !lambda.empty())
       row.lambda_error = exact.lambda_error_of(lambda);
-    if (seconds > most_seconds) throw NotTaken(fmt::format("{:.0f} s an evaluation", seconds));
-    if (entrant.is_exact && !(*row.error <= largest_error)) throw std::runtime_error("its answer is wrong");
+    if (seconds > most_seconds) throw NotTaken(fmt::format("one evaluation takes {:.0f} s", seconds));
+    if (entrant.is_exact && !(*row.error <= largest_error))
+      throw std::runtime_error("the error of its answer is too large");
     return engine;
   } catch (const NotTaken& reason) {
     row.note = reason.what();

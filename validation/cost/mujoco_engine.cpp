@@ -33,7 +33,7 @@ Model read_model(const std::vector<TextFile>& texts) {
   mj_defaultVFS(files.get());
   for (const TextFile& file : texts) {
     if (mj_makeEmptyFileVFS(files.get(), file.name.c_str(), static_cast<int>(file.text.size())) != 0)
-      throw NotTaken("its file system in memory is full");
+      throw NotTaken("its in-memory file system is full");
     const int k = mj_findFileVFS(files.get(), file.name.c_str());
     std::memcpy(files->filedata[k], file.text.data(), file.text.size());
   }
@@ -50,7 +50,8 @@ class Mujoco : public MujocoEngine {
     for (std::size_t b = 0; b < scene.model.bodies.size(); ++b)
       body_.push_back(mj_name2id(model_.get(), mjOBJ_BODY, fmt::format("b{}", b).c_str()));
     const std::vector<double> rates = mujoco_velocities(scene);
-    if (static_cast<int>(rates.size()) != model_->nv) throw std::runtime_error("its velocities are others");
+    if (static_cast<int>(rates.size()) != model_->nv)
+      throw std::runtime_error("its number of velocities differs from the scene's");
     std::copy(rates.begin(), rates.end(), data_->qvel);
     for (std::size_t b = 0; b < scene.loads.size(); ++b) {
       mjtNum* load = data_->xfrc_applied + 6 * body_[b];

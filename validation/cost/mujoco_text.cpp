@@ -94,7 +94,7 @@ std::string closing(const PeerScene& scene, const simbody::Joint& joint) {
   if (joint.type == simbody::JointType::spherical) return connect(joint, false);
   if (joint.type == simbody::JointType::revolute)
     return connect(joint, false) + (scene.is_planar ? std::string() : connect(joint, true));
-  throw NotTaken(fmt::format("no equality for {}, which closes a loop", joint.name));
+  throw NotTaken(fmt::format("no equality constraint for the closing joint {}", joint.name));
 }
 
 }  // namespace

@@ -169,7 +169,8 @@ class Survey {
     for (const Answer& a : answers_)
       if (a.verdict == Verdict::cancels)
         out += fmt::format(
-            "{}: what could cause lambda cancels {:.2g}-fold; rounding exceeds the bound, within that\n",
+            "{}: the terms that determine lambda cancel by a factor of {:.2g}; the difference exceeds the "
+            "bound by less than this factor\n",
             a.scene, a.cancellation);
     if (answers_.size() > scenes) out += random_summary(scenes);
     return out;
@@ -210,14 +211,14 @@ class Survey {
       ratio.push_back(bound_factor * a.worst() / a.bound);
     }
     std::string out = counted(answers_.size() - from, "random mechanism", "random mechanisms");
-    out += fmt::format(" ({} without unique multipliers, {} beyond the bound where causes cancel{})", none,
-                       cancelling, errors ? fmt::format(", {} not solved", errors) : "");
+    out += fmt::format(" ({} without unique multipliers, {} beyond the bound with the verdict cancels{})",
+                       none, cancelling, errors ? fmt::format(", {} not solved", errors) : "");
     if (ratio.empty()) return out + "\n";
     std::sort(ratio.begin(), ratio.end());
     std::sort(difference.begin(), difference.end());
     return out + fmt::format(
-                     ": difference {:.1e} median, {:.1e} worst; in units of u kappa {:.2g} median, {:.2g} "
-                     "worst (bound {})\n",
+                     ": difference {:.1e} median, {:.1e} largest; in units of u kappa {:.2g} median, {:.2g} "
+                     "largest (bound {})\n",
                      difference[difference.size() / 2], difference.back(), ratio[ratio.size() / 2],
                      ratio.back(), bound_factor);
   }
@@ -253,14 +254,15 @@ int lambda_invariance(int argc, char** argv, const ComparedFormulations& formula
   Program program("Is lambda the same number in every formulation?", "lambda_invariance");
   Arguments arguments;
   program.options()
-      .add_option("--random", &arguments.random,
-                  "How many random mechanisms beside them (default 200, or 0 where scenes are named)")
+      .add_option(
+          "--random", &arguments.random,
+          "Number of random mechanisms in addition to the scenes (default 200, or 0 if scenes are named)")
       .check(whole_number(1'000'000'000));
   program.options()
       .add_option("--seed", &arguments.seed, "Seed of the first random mechanism")
       .check(whole_number(std::numeric_limits<std::uint64_t>::max()))
       .show_default();
-  program.options().add_flag("--all", &arguments.all_rows, "A line for every random mechanism too");
+  program.options().add_flag("--all", &arguments.all_rows, "Also print a line for every random mechanism");
   return program.run(argc, argv, [&] { return run(formulations, program, arguments); });
 }
 

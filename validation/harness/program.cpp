@@ -12,7 +12,7 @@ Program::Program(const std::string& question, const std::string& name, const std
   options_.add_option("SCENE", &names_,
                       fmt::format("Scene files or catalogue names (default: {})", default_scenes));
   options_.add_flag("--json", &json_, "JSON on stdout");
-  options_.add_option("--csv", &csv_, "Write the table to this CSV file, and a manifest beside it")
+  options_.add_option("--csv", &csv_, "Write the table to this CSV file, and a manifest next to it")
       .check(writable_file())
       .check({[](const std::string& csv) { return why_not_writable(manifest_of(csv).string()); }, ""});
 }

@@ -27,7 +27,9 @@ struct TrustedNumbers {
   TrustedNumbers(const std::string& directory, const std::string& name) {
     const std::string path = directory + "/" + name + ".csv";
     std::ifstream file(path);
-    if (!file) throw std::runtime_error(path + ": cannot be read; TRIVIUM_REFERENCE names its folder");
+    if (!file)
+      throw std::runtime_error(
+          path + ": cannot be read; set TRIVIUM_REFERENCE to the folder of the reference tables");
     std::string table;
     for (std::string line; std::getline(file, line);)
       if (!line.starts_with('#')) table += line + "\n";
@@ -47,7 +49,7 @@ struct TrustedNumbers {
   double value(const std::string& name) const {
     for (std::size_t k = 0; k < names.size(); ++k)
       if (names[k] == name) return columns.at("value")[k];
-    throw std::runtime_error("no value " + name);
+    throw std::runtime_error("the reference table has no value " + name);
   }
 };
 

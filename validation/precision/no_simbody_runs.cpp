@@ -6,7 +6,7 @@ namespace trivium::precision {
 
 std::vector<RunSettings> peer_settings(bool) { return {}; }
 PeerMotion peer_motion(const TimedMotion&, const RunSettings&) {
-  throw std::runtime_error("Simbody is not there");
+  throw std::runtime_error("the program was built without Simbody");
 }
 
 }  // namespace trivium::precision
