@@ -115,6 +115,16 @@ TEST(FrontDoorMotions, CountTheTurnsOfASpringOn) {
   expect_to_go_on(wheel, 0.01, 60);
 }
 
+TEST(FrontDoorMotions, CountEnergyAndWorkFromTheirOwnStart) {
+  for (const char* name : {"driven_crank", "universal_shaft_line", "basic_drivers"}) {
+    const Motion first = simulate(read_scene(path_of(name)), {.end = 0.5});
+    const Motion rest = simulate(first.end, {.end = 1});
+    EXPECT_LE(rest.unaccounted_energy, 1e-6) << name;
+    EXPECT_NEAR(rest.work, rest.energy_end - rest.energy_start, 1e-6) << name;
+    EXPECT_TRUE(rest.warnings.empty()) << name << ": " << rest.warnings.front();
+  }
+}
+
 TEST(FrontDoorMotions, GoOnWithinTheirTolerancesWhereStepsAreChosen) {
   const Scene scene = read_scene(path_of("spatial_slider_crank"));
   for (const integrators::MethodInfo& method : integrators::methods()) {

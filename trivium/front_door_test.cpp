@@ -209,7 +209,8 @@ TEST(FrontDoor, ASceneThatWasMovedFromIsAnError) {
   Scene scene = pendulum();
   const Scene taken = std::move(scene);
   EXPECT_EQ(taken.bodies().size(), 1u);
-  EXPECT_EQ(error_of([&] { scene.bodies(); }).kind(), ErrorKind::input);  // NOLINT: on purpose
+  EXPECT_EQ(error_of([&] { scene.bodies(); }).kind(), ErrorKind::input);               // NOLINT: on purpose
+  EXPECT_EQ(error_of([&] { scene.add_effect("gravity"); }).kind(), ErrorKind::input);  // NOLINT
 }
 
 TEST(FrontDoor, ErrorsSayWhichBodyAndWhen) {
@@ -243,6 +244,23 @@ TEST(FrontDoor, MechanismsThatAreTooLargeForTheDenseSolverAreSolvedAlongTheirGra
     EXPECT_FALSE(one.condition.has_value());
     EXPECT_TRUE(one.warnings.empty()) << one.warnings.front();
   }
+}
+
+TEST(FrontDoor, BeyondTheDenseSolverABodyWithoutInertiaAboutAnAxisIsSolvedWithoutNorms) {
+  const Solutions all = solve_in_all(scene_of(scenes::ladder(300)));
+  EXPECT_TRUE(all.failed.empty());
+  EXPECT_TRUE(std::isnan(all.lambda_difference));
+  EXPECT_FALSE(all.solved.front().redundant.empty());
+}
+
+TEST(FrontDoor, TheScenesOfAnInstalledCatalogueAreFoundBesideTheHeader) {
+  const std::filesystem::path prefix = temporary("prefix"), scenes = prefix / "share" / "trivium" / "scenes";
+  std::filesystem::create_directories(scenes);
+  std::filesystem::copy_file(path_of("heavy_top"), scenes / "only_here.json",
+                             std::filesystem::copy_options::overwrite_existing);
+  const std::filesystem::path header = prefix / "include" / "trivium" / "scene.hpp";
+  EXPECT_EQ(catalogue_scenes(header), std::vector<std::string>{"only_here"});
+  EXPECT_EQ(read_scene("only_here", {}, header).bodies(), std::vector<std::string>{"top"});
 }
 
 }  // namespace

@@ -34,11 +34,14 @@ std::string AgainstReport::text() const {
                fmt::format("{:.1e}", c.size), verdict_of(c)});
   out += fmt::format("\n{}\n", table.text());
   if (options.step)
-    out += "bound: twice the change by halving the step\n";
+    out +=
+        "bound: twice the change by halving the step, and number of steps * default tolerance * "
+        "amplification "
+        "for the other code\n";
   else if (comparison.neighbour_distance > 0)
     out += fmt::format(
-        "bound: 2 * number of steps * tolerance * amplification, measured by a run from a neighbouring start "
-        "at relative distance {:.1e}\n",
+        "bound: 2 * number of steps * tolerance * amplification, measured by runs from neighbouring "
+        "starts at relative distance {:.1e}\n",
         comparison.neighbour_distance);
   else
     out +=

@@ -136,6 +136,26 @@ TEST(CompareAgainst, ANumberThatIsOffExceedsItsBound) {
   EXPECT_NE(r.out.find("1 of 1 column EXCEED their bounds"), std::string::npos) << r.out;
 }
 
+TEST(CompareAgainst, ABodyThatTurnsAboutTheOriginIsJudgedAsWell) {
+  const std::string file = temporary_scene("garbage.csv", "t,body.x,body.e0\n0,5,1\n1,99,-3\n2,-1e6,7\n");
+  const Outcome r = run("trivium compare dzhanibekov --against " + file);
+  EXPECT_EQ(r.exit_code, 1) << r.out;
+  EXPECT_NE(r.out.find("2 of 2 columns EXCEED their bounds"), std::string::npos) << r.out;
+}
+
+TEST(CompareAgainst, AFileWithoutAColumnThatHasABoundIsRefused) {
+  const std::string file = temporary_scene("violations.csv", "t,phi,phi_dot\n0,0,5\n1,0,5\n");
+  const Outcome r = run("trivium compare heavy_top --against " + file);
+  EXPECT_EQ(r.exit_code, 2) << r.out;
+  EXPECT_NE(r.err.find("has no column with a bound"), std::string::npos) << r.err;
+}
+
+TEST(CompareAgainst, WithGivenStepsTheOtherCodeIsAllowedErrorsOfItsOwn) {
+  const Outcome r = run("trivium compare spatial_slider_crank --step 0.001 --against " +
+                        other_motion("stepped.csv").string());
+  EXPECT_EQ(r.exit_code, 0) << r.out << r.err;
+}
+
 TEST(CompareAgainst, WhatIsNoMotionIsRefusedByItsPlace) {
   const auto refusal = [](const std::string& text) {
     const Outcome r =

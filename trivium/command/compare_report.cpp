@@ -10,6 +10,7 @@
 #include "base/gnuplot.hpp"
 #include "base/number_text.hpp"
 #include "base/table.hpp"
+#include "simulation/neighbouring_start.hpp"
 
 namespace trivium {
 
@@ -114,7 +115,7 @@ std::string CompareReport::text() const {
          instants_table();
   if (comparison.neighbour_distance > 0)
     out += fmt::format(
-        "\namplification: relative change of lambda by a neighbouring start, divided by the relative "
+        "\namplification: relative change of lambda by neighbouring starts, divided by the relative "
         "distance {} of the starts\nbound: number of steps * tolerance * amplification\n",
         brief(comparison.neighbour_distance));
   else if (options.step)
@@ -124,9 +125,10 @@ std::string CompareReport::text() const {
     out += "\nbound: number of steps * tolerance; the constraints admit no neighbouring start\n";
   if (comparison.judged_until)
     out += fmt::format(
-        "from t = {:.6g} on, neighbouring motions have diverged (verdict \"parted\"): lambda along the "
-        "motion is not judged\n",
-        *comparison.judged_until);
+        "from t = {:.6g} on, neighbouring motions have diverged or the bound exceeds {} (verdict "
+        "\"parted\"): "
+        "lambda along the motion is not judged\n",
+        *comparison.judged_until, small_difference);
   if (const auto singular = std::count_if(comparison.instants.begin(), comparison.instants.end(),
                                           [](const ComparedInstant& now) { return now.is_singular; });
       singular > 0)

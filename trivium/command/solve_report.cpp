@@ -156,7 +156,12 @@ std::string SolveReport<Scalar>::text() const {
                    fmt::format("{:.1e}", f->residual.worst()),
                    f->charts.empty() ? "-" : fmt::format("{}", fmt::join(f->charts, ", "))});
   out += "\nestimated relative errors\n" + estimates.text();
-  if (solved().size() > 1) {
+  const bool has_norms = result.rows.E.size() > 0 || mechanism.nc() == 0;
+  if (solved().size() > 1 && !has_norms) {
+    out +=
+        "\ndifferences between formulations: not determined, since the structured solver has no norm if an "
+        "inertia is singular\n";
+  } else if (solved().size() > 1) {
     const Discrepancy d = result.discrepancy();
     out += fmt::format(
         "\nlargest difference between formulations: lambda {}, r'' {:.1e}, omega_bar' {:.1e}\n",
@@ -165,9 +170,9 @@ std::string SolveReport<Scalar>::text() const {
   if (!result.rows.dependent.empty()) {
     out += "redundant rows (linear combinations of the other rows):";
     for (int k : result.rows.dependent) out += " " + mechanism.row_names[k];
-    out +=
-        "\nmultipliers marked \"not unique\": the solution of minimum norm |E lambda|, E^2 = diag(Phi_q M^-1 "
-        "Phi_q^T)\n";
+    out += has_norms ? "\nmultipliers marked \"not unique\": the solution of minimum norm |E lambda|, E^2 = "
+                       "diag(Phi_q M^-1 Phi_q^T)\n"
+                     : "\nmultipliers marked \"not unique\": a solution with 0 in redundant rows\n";
   }
   return out;
 }
