@@ -33,6 +33,10 @@ foreach(page IN LISTS pages)
                    ${CMAKE_BINARY_DIR}/docs ${page})
   set_tests_properties(docs.${name}.shows_what_programs_print PROPERTIES LABELS validation)
 endforeach()
+add_test(NAME docs.wrong_pages_are_found
+         COMMAND ${CMAKE_COMMAND} -DBIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
+                 -DWORK=${CMAKE_BINARY_DIR}/docs_test -P ${PROJECT_SOURCE_DIR}/cmake/test_docs_pages.cmake)
+set_tests_properties(docs.wrong_pages_are_found PROPERTIES LABELS validation)
 add_test(NAME sources.are_formatted COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
                                             -P ${PROJECT_SOURCE_DIR}/cmake/check_format.cmake)
 set_tests_properties(sources.are_formatted PROPERTIES SKIP_REGULAR_EXPRESSION "clang-format is not installed")

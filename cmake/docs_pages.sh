@@ -33,7 +33,7 @@ RUN
 
 # same EXPECTED ACTUAL KIND: whether the two agree; shows the first lines that do not.
 same() {
-  paste -d '\037' "$1" "$2" | awk -F '\037' -v kind="$3" '
+  awk -v kind="$3" '
     function is_number(x) { return x ~ /^[-+]?[0-9]+(\.[0-9]*)?([eE][-+]?[0-9]+)?$/ }
     function size(x) { return x < 0 ? -x : x }
     function agree(a, b) {
@@ -43,16 +43,25 @@ same() {
       if (size(a) < 1e-9 && size(b) < 1e-9) return 1
       return size(a - b) <= 0.01 * (size(a) > size(b) ? size(a) : size(b))
     }
-    {
+    function agree_in_words(x, y,   a, b, k, m) {
       # rules below table headings follow the width of the columns
-      if ($1 ~ /^-+$/ && $2 ~ /^-+$/) next
-      gsub(/[,;:()\[\]=\/%|]/, " & ", $1); gsub(/[,;:()\[\]=\/%|]/, " & ", $2)
-      m = split($1, a, /[ \t]+/); n = split($2, b, /[ \t]+/)
-      is_same = m == n
-      for (k = 1; is_same && k <= m; ++k) is_same = agree(a[k], b[k])
-      if (!is_same) { printf "  line %d shows    %s\n          it prints %s\n", NR, $1, $2; bad = 1; if (++shown == 3) exit }
+      if (x ~ /^-+$/ && y ~ /^-+$/) return 1
+      gsub(/[,;:()\[\]=\/%|]/, " & ", x); gsub(/[,;:()\[\]=\/%|]/, " & ", y)
+      m = split(x, a, /[ \t]+/)
+      if (m != split(y, b, /[ \t]+/)) return 0
+      for (k = 1; k <= m; ++k) if (!agree(a[k], b[k])) return 0
+      return 1
     }
-    END { exit bad }'
+    FNR == NR { expected[++lines] = $0; next }
+    { actual[++printed] = $0 }
+    END {
+      for (k = 1; k <= lines || k <= printed; ++k)
+        if (!agree_in_words(expected[k], actual[k])) {
+          printf "  line %d shows     %s\n          it prints %s\n", k, expected[k], actual[k]
+          if (++differing == 3) break
+        }
+      exit differing > 0
+    }' "$1" "$2"
 }
 
 # options_exist COMMAND: each --option of a command of this project is in its help.
