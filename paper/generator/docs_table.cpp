@@ -110,7 +110,9 @@ void time_by_engine(Results& results) {
     const std::string column = column_of(row);
     if (std::find(columns.begin(), columns.end(), column) == columns.end()) columns.push_back(column);
     const std::string& time = table.text(row, "microseconds");
-    cell[{table.text(row, "scene"), column}] = time == "none" ? "-" : rounded(to_number(time));
+    // of an engine with several formulations the first one, r-omega
+    cell.emplace(std::pair(table.text(row, "scene"), column),
+                 time == "none" ? "-" : rounded(to_number(time)));
   }
   std::vector<std::string> head{"scene"};
   head.insert(head.end(), columns.begin(), columns.end());
