@@ -17,7 +17,7 @@ class BasicConstraints : public testing::Test {};
 using Scalars = testing::Types<double, Quad>;
 TYPED_TEST_SUITE(BasicConstraints, Scalars);
 
-TYPED_TEST(BasicConstraints, PhiIsTheDotProductOfTheLectureNotes) {
+TYPED_TEST(BasicConstraints, PhiEqualsItsDefinition) {
   using S = TypeParam;
   Random random(21);
   for (int n = 0; n < 50; ++n) {
@@ -128,7 +128,7 @@ TYPED_TEST(BasicConstraints, KeepTheirLawsAndLawsFindOneThatBreaksThem) {
   }
 }
 
-TYPED_TEST(BasicConstraints, AScaleThatIsNotANumberStaysOneAndNoneIsOne) {
+TYPED_TEST(BasicConstraints, RowScaleKeepsNaNAndReplacesZeroByOne) {
   using S = TypeParam;
   const Vector3<S> x = Vector3<S>::UnitX(), none = Vector3<S>::Zero();
   const Vector3<S> broken = x * std::numeric_limits<S>::quiet_NaN();

@@ -40,6 +40,7 @@ class ConstraintLaws {
     const S of_places = row.r_i.norm() + row.r_j.norm(), of_turns = row.rot_i.norm() + row.rot_j.norm();
     if (!C::is_of_angle)
       require("a row of a length depends on positions r", of_places > S(0) || of_turns == S(0));
+    // 1e-3: the gradient is far from zero. 1e-9: smaller than any threshold that a solver passes to vanishes
     if constexpr (requires { c_.vanishes(i_, j_, scale); })
       require("vanishes is false if the gradient of the row is not zero",
               !(of_places + of_turns > S(1e-3) * scale && c_.vanishes(i_, j_, S(1e-9))));
@@ -62,11 +63,13 @@ class ConstraintLaws {
           body.A = (A * body.A).eval();
           return body;
         };
+        // 1e4 is a safety factor on the rounding error, here and below
         equal("a common rigid motion of both bodies does not change Phi",
               row_position(c_, carried(i_), carried(j_), t_), row.phi, 1e4 * static_cast<double>(u));
       }
-    // central differences: both bodies are moved by +-h along their r' and omega. With h = cbrt(2 u)
-    // truncation and rounding errors are both of order h^2.
+    // central differences: both bodies are moved by +-h along their r' and omega. The truncation error is of
+    // order h^2, the rounding error of order epsilon / h, where epsilon is the local `u`. With h =
+    // cbrt(epsilon) both are of order h^2.
     const double coarse = 1e4 * static_cast<double>(h) * static_cast<double>(h);
     equal("Phi_q q' - nu is the time derivative of Phi", along - row.nu, S((phi(h) - phi(-h)) / (2 * h)),
           coarse);

@@ -1,16 +1,19 @@
 #pragma once
 /// r-p: the unknowns of a body are r'' and the second derivative p'' of its four Euler parameters
 /// p = (e0, e). One internal row per body, the normalisation row, keeps p a unit vector. Haug (1989),
-/// section 11.3; J^p, P, tau_hat, gamma^p as in the lecture notes:
+/// section 11.3; J^p, P, tau_hat, gamma^p as in Negrut, ME 751: Advanced Computational Multibody Dynamics
+/// (lecture notes, University of Wisconsin-Madison):
 ///
 ///     m r'' + Phi_r^T lambda = F
 ///     J^p p'' + Phi_p^T lambda + P^T lambda^p = tau_hat
 ///     P p'' = gamma^p
 ///
-/// The row is (p . p - 1)/2 = 0, so P = p^T and gamma^p = -p' . p'. Some notes combine this P with
-/// gamma^p = -2 p' . p', which belongs to the row p . p - 1 = 0. Their omega_bar' and lambda are wrong
-/// wherever Phi_p p is not 0. The multiplier lambda^p depends on how the function A(p) continues off the
-/// unit sphere; here A = E G^T. Between codes, compare lambda, not lambda^p.
+/// The row is (p . p - 1)/2 = 0, so P = p^T and gamma^p = -p' . p'. Some lecture notes combine this P
+/// with gamma^p = -2 p' . p', which belongs to the row p . p - 1 = 0. The resulting p'' has a wrong part
+/// along p. Because J^p p = 0, this part has no effect on rows with Phi_p p = 0 (dp1 of perpendicular
+/// vectors), which hides the error; with other rows omega_bar' and lambda are wrong. The multiplier lambda^p
+/// depends on how the function A(p) continues off the unit sphere; here A = E G^T. Between codes, compare
+/// lambda, not lambda^p.
 
 #include "bodies/rigid_body.hpp"
 #include "bodies/rotations/so3.hpp"
@@ -113,7 +116,7 @@ struct RP {
       return v.a_bar.cross(Vector3<S>(this->A.transpose() * w)).transpose();
     }
   };
-  static constexpr bool reduced_mass_is_constant = true;
+  static constexpr bool reduced_mass_is_constant = true;  // of reduced_mass_block [3x3]
   static AngularMotion<S> angular_motion(const Reduced& k) {
     return {k.A, k.A, k.A * k.omega_bar, Vector3<S>::Zero()};
   }
@@ -152,7 +155,7 @@ struct RP {
   }
 
   // steps of implicit methods: p and p' are added as plain vectors, also off the unit sphere. The normalise
-  // functions bring them back onto the internal row: a change of p'' by c moves p (or p') by share c
+  // functions bring them back onto the internal row: a change c of p'' changes p (or p') by share * c
   static Orientation step(const Chart&, const Orientation& p, const Unknown& change) { return p + change; }
   static Unknown displacement(const Chart&, const Orientation& from, const Orientation& to) {
     return to - from;
@@ -167,7 +170,7 @@ struct RP {
                                       Unknown& p_ddot) {
     p_ddot -= p.dot(p_dot) / (share * p.squaredNorm()) * p;
   }
-  static constexpr bool inertia_is_constant = false;
+  static constexpr bool inertia_is_constant = false;  // of mass_block [4x4], which depends on p
   // generalized forces in the reduced unknowns (1/2 G removes the part along p), and as a moment [N m, body
   // frame]
   static Vector3<S> reduced(const Reduced& k, const Unknown& force) { return k.G * force / 2; }

@@ -1,8 +1,9 @@
 #pragma once
-/// The scalar types of the library, in order of precision: float, double, long double, Quad (quad.hpp) and
-/// Real50 (real50.hpp). All formulas are templates over them. This file defines their order, the unit
-/// roundoff and the cast of a matrix to another scalar. Quad and Real50 have headers of their own, so that
-/// only files which name them depend on Boost.Multiprecision.
+/// The scalar types of the library, in order of precision: float, double, long double, Quad (quad.hpp),
+/// Real50 and Real100 (real50.hpp; Real100 only checks results in Real50). A Batch (batch.hpp) holds several
+/// numbers of one type. All formulas are templates over the scalar type. This file defines the order of the
+/// types, the unit roundoff and the cast of a matrix to another scalar. Only files that include quad.hpp or
+/// real50.hpp depend on Boost.Multiprecision.
 
 #include <Eigen/Core>
 #include <limits>

@@ -8,8 +8,8 @@
 
 namespace trivium::test {
 
-/// Uses no distributions of the C++ standard, as these differ between machines. Draws doubles, so that every
-/// Scalar gets exactly the same values.
+/// Does not use the distributions of the C++ standard, because their values differ between standard
+/// libraries. Numbers are drawn as doubles, so that they are the same in every Scalar.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -27,7 +27,8 @@ class Random {
     for (int k = 0; k < N; ++k) v[k] = S(uniform(-size, size));
     return v;
   }
-  /// A random direction, with norm 1 up to the rounding of S; uniform, by rejection outside the unit ball.
+  /// A random direction, with norm 1 up to the rounding of S. Uniform: vectors outside the unit ball are
+  /// drawn again, also those shorter than 0.1, because the zero vector has no direction.
   template <class S, int N = 3>
   Vector<S, N> direction() {
     for (;;) {

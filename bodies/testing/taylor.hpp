@@ -1,7 +1,8 @@
 #pragma once
 /// Forward-mode automatic differentiation of second order. Taylor is a scalar type that holds a value and its
-/// first and second derivative with respect to one parameter. Library code evaluated over Taylor yields exact
-/// derivatives, independent of the derivatives that the library programs. Used by tests only.
+/// first and second derivative with respect to one parameter. A function template of the library, called with
+/// Taylor numbers, also returns these derivatives, without the error of difference quotients. Tests compare
+/// them with the derivatives for which the library has formulas. Used by tests only.
 
 #include <cmath>
 #include <concepts>

@@ -18,6 +18,7 @@ concept ReducedEquations = BodyKinematics<typename F::Reduced> && F::Reduced::ro
                                     const typename F::Kinematics& body, const typename F::Reduced& reduced,
                                     const typename F::Unknown& force) {
   { F::angular_motion(reduced) } -> std::same_as<AngularMotion<typename F::Scalar>>;
+  // whether reduced_mass_block is independent of the state
   { F::reduced_mass_is_constant } -> std::convertible_to<bool>;
   { F::reduced_mass_block(body, J_bar) } -> std::convertible_to<Matrix3<typename F::Scalar>>;
   { F::reduced_force(body, J_bar, v) } -> std::convertible_to<Vector3<typename F::Scalar>>;

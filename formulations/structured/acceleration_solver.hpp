@@ -90,10 +90,11 @@ class AccelerationSolver {
 
   // on demand: these cost one solution per dependent row and allocate memory
 
-  /// By row, whether its multiplier is unique: no null space vector of Phi^T contains the row.
+  /// By row, whether its multiplier is unique: no null space vector of Phi_q^T contains the row.
   std::vector<bool> unique();
-  /// The lambda of minimum |E lambda| among all with the same Phi^T lambda, E = diag(Phi M^-1 Phi^T)^(1/2).
-  /// Throws a ModelError that names the body if there are dependent rows and an inertia is singular.
+  /// The lambda of minimum |E lambda| among all with the same Phi_q^T lambda, where
+  /// E = diag(Phi_q M^-1 Phi_q^T)^(1/2). Throws a ModelError that names the body if there are dependent rows
+  /// and an inertia is singular.
   VectorX<S> minimum_norm_lambda();
 
  private:
@@ -136,7 +137,7 @@ class AccelerationSolver {
 
   // unique multipliers (unique_multipliers_impl.hpp)
 
-  /// A basis of the null space of Phi^T [nc x number of dependent rows].
+  /// A basis of the null space of Phi_q^T [nc x number of dependent rows].
   MatrixX<S> left_null_space();
   /// By row, the sum over its bodies of norm2(body, r, x), where (r, x) is the row's gradient on the body.
   template <class Norm2>

@@ -5,7 +5,8 @@
 ///     C^T a - B_cc lambda_c - sum over later closings of B_cn lambda_n = gamma_c
 ///
 /// The pivots of B_cc = L D L^T decide which rows of the closing are dependent (tolerances:
-/// rank_tolerance.hpp). A part of graph_solver_impl.hpp.
+/// rank_tolerance.hpp). A closing that is eliminated at the ground has no a and no C; its multipliers then
+/// couple with those of later closings only. A part of graph_solver_impl.hpp.
 
 #include <algorithm>
 
@@ -24,6 +25,11 @@ void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
   const bool on_body = closing.column_slot >= 0;
   if (on_body) f.C = column_[closing.column_slot];
   if (how_ == DependentRows::detect_near_singular || how_ == DependentRows::keep_count) choose_rows(c);
+  // A pivot is the diagonal entry of a row after the rows and closings before it were eliminated. own: the
+  // entry before other closings were eliminated. size.product: the size of the entry if no terms had
+  // cancelled on the way along the loop. The rounding error of the pivot is relative to both. is_marked_:
+  // rows that are dependent whatever their pivot is, by an earlier decision, by the caller or by
+  // choose_rows().
   const S sine2 = direction_tolerance<S>() * direction_tolerance<S>();
   for (int k = 0; k < n; ++k) {
     const S pivot = block(k, k);
@@ -81,6 +87,9 @@ void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
 
 template <class S>
 void GraphSolver<S>::choose_rows(int c) {
+  // keep_count chooses as many rows as were independent, but not necessarily the same. detect_near_singular
+  // excludes rows that are marked already, and those of relative pivot up to near_singular_pivot_. The pivots
+  // of the rows not yet chosen change with every choice, because the chosen row is eliminated from them.
   const ClosingFactor& f = closing_[c];
   Matrix6<S> block = coupling_[plan_.diagonal_slot[c]];
   const int n = rows_of_closing(c);

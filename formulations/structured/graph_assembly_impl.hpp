@@ -10,6 +10,7 @@ namespace trivium {
 template <Formulation F>
 GraphAssembly<F>::GraphAssembly(const MechanismOf<F>& mechanism, const EliminationPlan& plan)
     : mechanism_(mechanism), plan_(plan), matrix_(plan) {
+  // the last body is the ground, which never moves
   body_.resize(mechanism.nb() + 1);
   body_.back() = Body{body_kinematics(std::vector<BodyState<F>>{}).back()};
   angular_motion_.resize(mechanism.nb() + 1);
@@ -29,6 +30,7 @@ GraphAssembly<F>::GraphAssembly(const MechanismOf<F>& mechanism, const Eliminati
     if (plan.rows_slot[e] < 0 || edge.is_soft) continue;
     if (edge.is_point) {
       closings_.push_back({e, {mechanism, edge}});
+      // the constant part of the three rows r_j'' + L_j^T x_j - r_i'' - L_i^T x_i = gamma
       EdgeRows<S>& rows = matrix_.rows[plan.rows_slot[e]];
       for (int k = 0; k < 3; ++k) {
         rows.C_i.r(k, k) = S(-1);
@@ -111,6 +113,7 @@ void GraphAssembly<F>::assemble_closing(const ClosingJoint& closing, const S& t,
   closing.joint.evaluate(angular_motion_, body_, t, rows.C_i.x.template leftCols<3>(),
                          rows.C_j.x.template leftCols<3>(), rows.C_i.x.template rightCols<3>(),
                          rows.C_j.x.template rightCols<3>(), right_side.edge[closing.edge]);
+  // evaluate() writes +L_i; the rows contain -L_i^T x_i
   rows.C_i.x.template leftCols<3>() *= S(-1);
 }
 
@@ -126,6 +129,7 @@ void GraphAssembly<F>::assemble_rows(int e, const S& t, GraphVector<S>& right_si
       C.r.col(k) = padded<S>(r.transpose());
       C.x.col(k) = padded<S>(x.transpose());
     };
+    // a row may name the two bodies of its edge in the opposite order
     place(pair.i == edge.i ? rows.C_i : rows.C_j, row.r_i, row.rot_i);
     place(pair.i == edge.i ? rows.C_j : rows.C_i, row.r_j, row.rot_j);
     right_side.edge[e][k] = row.gamma;

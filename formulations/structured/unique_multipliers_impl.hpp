@@ -1,6 +1,6 @@
 #pragma once
 /// AccelerationSolver: which multipliers are unique, and the multipliers of minimum norm. Both use a basis of
-/// the null space of Phi^T, one vector per dependent row. A part of acceleration_solver_impl.hpp.
+/// the null space of Phi_q^T, one vector per dependent row. A part of acceleration_solver_impl.hpp.
 
 #include <fmt/format.h>
 
@@ -67,10 +67,11 @@ std::vector<bool> AccelerationSolver<F>::unique() {
   std::vector<bool> flags(mechanism_.nc(), true);
   const MatrixX<S> N = left_null_space();
   if (N.cols() == 0) return flags;
-  // solve() measures the levers only if it tests dropped rows
+  // lever2() below needs them, and solve() does not compute them at every state
   solver_.measure_levers();
-  // A multiplier is not unique if its row has more than a negligible share in a null space vector. Shares are
-  // weighted by the norm of the rows, with rotations converted to lengths by the lever of the component.
+  // A multiplier is not unique if its row has more than a negligible share in a null space vector. The share
+  // is the coefficient times the norm of the row's gradient. In this norm the rotational part is divided by
+  // the lever, a length that is the same for all bodies that joints connect.
   const VectorX<S> size2 = row_sizes([&](int b, const Vector3<S>& r, const Vector3<S>& x) {
     return S(r.squaredNorm() + x.squaredNorm() / solver_.lever2(b));
   });
@@ -94,6 +95,8 @@ VectorX<typename F::Scalar> AccelerationSolver<F>::minimum_norm_lambda() {
   if (N.cols() == 0) return all;
   const VectorX<S> E2 = row_sizes([&](int b, const Vector3<S>& r, const Vector3<S>& x) {
     const Matrix3<S> J = assembly_.matrix().H[b].xx.template topRows<3>();
+    // The determinant is the product of the principal moments, trace / 3 is their mean. If the product is at
+    // most u mean^3, the smallest moment may be rounding error of the others, and J counts as singular.
     const S moments = J.trace() / 3;
     if (!(J.determinant() > unit_roundoff<S>() * moments * moments * moments))
       throw ModelError({fmt::format("body \"{}\"", mechanism_.body_names[b]), static_cast<double>(t_)},

@@ -55,7 +55,7 @@ struct SolvedTwice {
 
   double accelerations_apart() const { return acceleration_distance(printed.rows, by_graph, by_print).all; }
   double lambda_apart() const { return lambda_distance(printed.rows, by_graph.lambda, by_print.lambda); }
-  /// Difference of Phi^T lambda on a body, relative to the largest force of a row [-].
+  /// Difference of Phi_q^T lambda on a body, relative to the largest force of a row [-].
   double forces_apart() const {
     const auto eom =
         equations_of_motion<ROmega<S>>(mechanism, to_coordinates<ROmega<S>>(mechanism, state, {}), state.t);
@@ -77,7 +77,7 @@ struct SolvedTwice {
   }
 };
 
-/// Expects equal rank and unique multipliers, and equal accelerations, unique lambda and Phi^T lambda to
+/// Expects equal rank and unique multipliers, and equal accelerations, unique lambda and Phi_q^T lambda to
 /// rounding.
 template <class F>
 void expect_agreement(const scenes::Scene& scene, const std::string& what) {

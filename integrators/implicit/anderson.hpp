@@ -18,7 +18,8 @@ namespace trivium::integrators {
 template <class S>
 class Anderson {
  public:
-  /// Forgets all changes: for another iteration or another matrix.
+  /// Forgets all changes: for another iteration, and where a matrix replaces one that was kept. Iterations
+  /// that factor a matrix at every iterate do not call it in between.
   void clear() { kept_ = 0; }
 
   /// The step to take where the matrix gives `change`.
@@ -37,7 +38,9 @@ class Anderson {
           products_.topLeftCorner(n, n);
       Eigen::Matrix<S, Eigen::Dynamic, 1, 0, depth, 1> sides(n);
       for (int a = 0; a < n; ++a) sides[a] = turns_[a].head(measured).dot(change.head(measured));
-      // regularisation: differences so small that they are mostly rounding get no weight
+      // Regularisation: differences df_j below 3e-7 (the square root of 1e-13) of the largest get almost no
+      // weight, as rounding may dominate them. The value is for double; a more precise S keeps it, which can
+      // cost iterations but no accuracy.
       products.diagonal().array() +=
           products.diagonal().maxCoeff() * S(1e-13) + std::numeric_limits<S>::min();
       const auto shares = products.ldlt().solve(sides).eval();
@@ -49,7 +52,7 @@ class Anderson {
   }
 
  private:
-  static constexpr int depth = 3;
+  static constexpr int depth = 3;  ///< number of differences that are combined; chosen by experiment
   StateVector<S> before_, step_;
   /// The last steps dx_j, and in turns_ the differences df_j of consecutive changes.
   std::array<StateVector<S>, depth> steps_, turns_;

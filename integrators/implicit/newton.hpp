@@ -2,8 +2,9 @@
 /// Newton's method for the equations of one implicit step of BDF, generalised-alpha and HHT. As a rule the
 /// matrix is factored once per step, and Anderson acceleration makes up for the terms that the matrix leaves
 /// out. This file decides when the equations count as solved, when the matrix is factored again, and when the
-/// iteration diverges: if the residual fails to halve five times although the matrix was factored at that
-/// iterate, or after forty iterations. These methods take given steps, so that a divergence ends the run.
+/// iteration diverges: if five times a correction fails to halve the residual although its matrix was
+/// factored at the iterate that it corrects, or after forty iterations. These methods take given steps, so
+/// that a divergence ends the run.
 
 #include <fmt/format.h>
 
@@ -22,7 +23,8 @@ namespace trivium::integrators {
 
 /// When the equations of a step count as solved: `tolerance` [-] bounds the imbalance relative to the forces
 /// at work. The constraints are always met to rounding, because an error of Phi causes an error of lambda
-/// that is 1 / h^2 times as large.
+/// that is 1 / h^2 times as large. The default 1e-10 is chosen by experiment: far above rounding in double,
+/// which saves the last iterations.
 struct NewtonOptions {
   double tolerance = 1e-10;
   bool is_full = false;  ///< factor in every iteration; else once per step, and again where needed
@@ -96,8 +98,9 @@ class Newton {
       violation = system.position_rows(at_, phi_);
       if (is_stabilised) raise(violation, Violation<S>(system.velocity_rows(at_, phi_dot_)));
       if (imbalance <= enough() && violation.relative <= rounding<S>()) return;
-      // A residual that does not halve with a matrix factored at this iterate has reached rounding, or the
-      // iteration diverges.
+      // `is_fresh`: the matrix of the last correction was factored at the iterate that it corrected. If even
+      // such a correction does not halve the residual, rounding is reached or the iteration diverges. Up to
+      // 1000 times the bounds (a safety factor) it counts as rounding.
       const S now = imbalance / enough() + violation.relative / rounding<S>();
       const bool falls = now <= before / 2;
       if (!falls && is_fresh) {
@@ -141,6 +144,7 @@ class Newton {
   const typename System::Evaluation& at() const { return at_; }
 
  private:
+  /// Chosen by experiment. Less would give up slow iterations; more only delays the end of divergent ones.
   static constexpr int most_iterations = 40, most_rises = 5;
 
   S enough() const { return std::max(S(options_.tolerance), rounding<S>()); }

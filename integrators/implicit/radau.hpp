@@ -2,21 +2,23 @@
 /// Radau IIA with s stages, of order 2 s - 1, for the stabilised index-2 equations of Gear, Gupta and
 /// Leimkuhler. Sources: Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.8 and VII;
 /// for more than three stages: Hairer and Wanner, Stiff differential equations solved by Radau methods, J.
-/// Comput. Appl. Math. 111 (1999). Stage i = 1 .. s has the unknowns V'_i, lambda_i and a shift s_i; the last
-/// stage lies at the end of the step:
+/// Comput. Appl. Math. 111 (1999). Stage i = 1 .. s has the unknowns v'_i, lambda_i and a shift sigma_i; the
+/// last stage lies at the end of the step:
 ///
-///   V_i = v_n + h sum a_ij V'_j,   M(Q_i) V'_i + Phi_q^T lambda_i = Q(Q_i, V_i, t_i),   Phi_q V_i = nu
+///   v_i = v_n + h sum a_ij v'_j,   M(q_i) v'_i + Phi_q^T lambda_i = Q(q_i, v_i, t_i),   Phi_q v_i = nu
 ///
-///   Q_i = q_n o exp(theta_i),   theta_i = h sum a_ij T(theta_j)^-1 (V_j + s_j)
+///   q_i = q_n o exp(theta_i),   theta_i = h sum a_ij T(theta_j)^-1 (v_j + sigma_j)
 ///
-///   Phi(Q_i, t_i) = 0,   M s_i + Phi_q^T mu_i = 0
+///   Phi(q_i, t_i) = 0,   M sigma_i + Phi_q^T mu_i = 0
 ///
-/// The last equation makes s_i the smallest motion that the position rows need. Its M and Phi_q are those of
-/// the factored Newton matrix, and M includes the resistance of the springs. The method's own lambda has
-/// order s. The parts of the method:
+/// q_n, v_n: the state at the start of the step. q o exp(theta): the positions q, displaced by theta. Q: the
+/// generalised force. A = (a_ij): the coefficient matrix of the method, not a rotation. The last equation
+/// makes sigma_i the smallest motion that satisfies the position rows; mu_i are its multipliers. The equation
+/// takes M and Phi_q from the factored Newton matrix, where M includes the resistance of the springs. The
+/// method's own lambda has order s. The parts of the method:
 ///
 ///   radau_coefficients.hpp   c, A and the weights of the error estimate
-///   radau_stages.hpp         the stages: Q_i and V_i from the unknowns, internal rows
+///   radau_stages.hpp         the stages: q_i and v_i from the unknowns, internal rows
 ///   radau_springs.hpp        coupling of the stages by springs and dampers
 ///   radau_error.hpp          norms of corrections and of the error estimate
 ///   row_projection.hpp       projection of the step's end onto the constraints
@@ -47,7 +49,8 @@
 
 namespace trivium::integrators {
 
-/// The number of stages s must be odd.
+/// The number of stages s is odd: only then does A have a real eigenvalue, with which the matrices of the
+/// stages are real.
 template <HasSprings System, int s>
 requires HasInternalRows<System>
 class Radau {
@@ -57,13 +60,18 @@ class Radau {
   /// With tolerances the method chooses its steps; without them it takes the given steps.
   Radau(std::optional<Tolerances> tolerances, const NewtonOptions& newton)
       : newton_(newton), stages_(placed_within(tolerances)) {
-    // the errors of order 9 soon fall below the effect of an imbalance of 1e-10
+    // With order 9 the error of a step soon falls below the effect of an imbalance of 1e-10, the default
+    // tolerance. With tolerances the size of the corrections ends the iteration, because the imbalance of
+    // forces does not tell how large the errors of positions are. In both cases 0 demands an imbalance of
+    // rounding size; `solve_stages` accepts a larger one only if the iteration can no longer reduce it.
     if (tolerances || s > 3) newton_.tolerance = 0;
     if (!tolerances) return;
     error_.emplace(*tolerances);
-    // the size of the corrections, in tolerances, ends the iteration: the imbalance of forces does not tell
-    // how large the errors are that the tolerances limit
+    // The factor 10 is chosen by experiment: a larger one accepts less accurate stages, a smaller one takes
+    // rounding for divergence.
     rounding_level_ = std::min(rounding_level_, 10 * tolerances->rtol);
+    // 0.03 as in the code RADAU5 of Hairer and Wanner. With order 5 the number of steps grows with rtol^-1/4,
+    // so that the factor rtol^1/4 keeps the sum of the iteration errors of all steps about the same.
     iteration_tolerance_ = 0.03 * std::min(1.0, std::pow(tolerances->rtol / 1e-3, 0.25));
   }
 
@@ -76,6 +84,7 @@ class Radau {
       return;
     }
     error_->begin(system, t, y);
+    // a step may be up to 8 times as long as the one before, as in RADAU5
     take_chosen_step(
         system, step_size_, {S(-1) / (s + 1), S(8)}, counters_, t, y, stop,
         [&](const S& h) {
@@ -107,6 +116,8 @@ class Radau {
     nv_ = system.velocity_size();
     nc_ = system.multipliers();
     springs_.begin(system);
+    // The start evaluates the model up to h / 8 ahead. With tolerances stop - t is no step size, and a state
+    // so far ahead may not exist, hence h / 1000. Only v' and lambda are used here; they do not depend on h.
     const S h = stop - t;
     const InitialAcceleration<S> start(system, t, y, error_ ? h / 1000 : h, counters_);
     stages_.begin(system, springs_.size(), start.v_dot, start.lambda);
@@ -122,7 +133,8 @@ class Radau {
   using Stage = typename Stages::Stage;
 
   /// Relative tolerance [-] of the displacements theta_i. It is relative to the displacement, not to the
-  /// position, so that the errors of many short steps add up to no more than those of a few long steps.
+  /// position, so that the errors of many short steps add up to no more than those of a few long steps. The
+  /// factor 1e-3 is a safety factor below rtol.
   static S placed_within(const std::optional<Tolerances>& tolerances) {
     return std::max(2 * std::numeric_limits<S>::epsilon(), tolerances ? S(1e-3 * tolerances->rtol) : S(0));
   }
@@ -151,6 +163,7 @@ class Radau {
     v_ = y.segment(nq_, nv_);
     anderson_.clear();
     S before = std::numeric_limits<S>::max(), moved_before = before, moved_earlier = before;
+    // 1000: a safety factor, as rounding may leave more than rounding<S>()
     const S enough = std::max(S(newton_.tolerance), rounding<S>()),
             rounding_level = std::max(S(rounding_level_), S(1000 * rounding<S>()));
     // Matrices are factored in the first iteration. As soon as residuals or changes fail to halve, they are
@@ -159,6 +172,7 @@ class Radau {
     const auto refresh = [&] {
       if (!std::exchange(at_each, true)) anderson_.clear();
     };
+    // 40 iterations, 5 without progress: the limits of newton.hpp
     for (int k = 0, rises = 0; k < 40 && rises < 5; ++k) {
       stages_.place(system, h, y, v_);
       stages_.normalise(system, h, y, v_);
@@ -179,6 +193,7 @@ class Radau {
       if (imbalance <= enough && violation_.relative <= rounding<S>()) return true;
       const bool falls = now <= before / 2;
       if (!falls) {
+        // The residual no longer halves. If it is small, rounding is the cause, and the stages are solved.
         // The imbalance is relative to the largest forces and hides the forces on much lighter bodies. The
         // last change shows these too, so that it must be within the tolerances.
         const bool is_still = !error_ || moved_before <= S(1);
@@ -212,8 +227,8 @@ class Radau {
     return false;
   }
 
-  /// Solves for a correction of V', lambda and the shift of every stage, and of the springs' stretch by the
-  /// shift; adds the accelerated correction to the stages. Returns it.
+  /// Solves for corrections of the unknowns of every stage (v', lambda, shift) and of `stretched`, the
+  /// stretch of the springs by the shift. Adds the accelerated correction to the stages and returns it.
   const StateVector<S>& correct(System& system, const S& h, bool makes_matrix) {
     if (makes_matrix) factor(system, h);
     const auto& inverse = stages_.coefficients().inverse;
@@ -226,8 +241,9 @@ class Radau {
     stages_.solve_each(
         system,
         [&](int i) -> const StateVector<S>& {
-          // Right side -M s: the solution removes the part of the shift that is tangential to the
-          // constraints. The slack -stretched makes the springs resist the whole shift, not only its change.
+          // Right side -M sigma: the solution removes the part of the shift that is tangential to the
+          // constraints. The slack -stretched makes the springs resist the whole shift, not only the
+          // correction that is solved for.
           system.inertia_force(stages_[i].factors, stages_[i].shift, force_);
           force_ = -force_;
           system.reduce(stages_[i].factors, force_, along_);
@@ -267,7 +283,9 @@ class Radau {
 
   NewtonOptions newton_;
   std::optional<RadauError<System, s>> error_;  ///< absent for given steps
-  double rounding_level_ = 1e-7;                ///< relative imbalance [-] that rounding may leave
+  /// Relative imbalance [-] up to which a residual that no longer halves counts as rounding: 1000 times the
+  /// default tolerance of NewtonOptions.
+  double rounding_level_ = 1e-7;
   S iteration_tolerance_{0};  ///< bound of the changes still to come [tolerances]; less for a tighter rtol
   StepSizeControl<S> step_size_;
   Anderson<S> anderson_;

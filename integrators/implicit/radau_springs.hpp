@@ -28,7 +28,7 @@ class RadauSprings {
     resistance_ = share * damping_ + share * share * stiffness_;
   }
 
-  /// Solves for the changes of V' and lambda of all stages. A stage's matrix lets a spring resist the stretch
+  /// Solves for the changes of v' and lambda of all stages. A stage's matrix lets a spring resist the stretch
   /// of that stage alone, where A asks for a mixture of the stretches of all stages. A slack per spring and
   /// stage corrects the difference. The effect of slacks is linear, so that corrections found once are used
   /// again until the matrices change.

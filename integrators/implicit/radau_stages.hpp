@@ -1,12 +1,13 @@
 #pragma once
-/// The stages of one step of Radau IIA: their first guess, their states Q_i and V_i, and their internal rows.
-/// From the unknowns V'_i, lambda_i and the shift s_i of each stage,
+/// The stages of one step of Radau IIA: their first guess, their states q_i and v_i, and their internal rows.
+/// From the unknowns v'_i, lambda_i and the shift sigma_i of each stage,
 ///
-///   V_i = v_n + h sum a_ij V'_j,   Q_i = q_n o exp(theta_i)
+///   v_i = v_n + h sum a_ij v'_j,   q_i = q_n o exp(theta_i)
 ///
-///   theta_i = h sum a_ij T(theta_j)^-1 (V_j + s_j)
+///   theta_i = h sum a_ij T(theta_j)^-1 (v_j + sigma_j)
 ///
 /// where T(theta)^-1 is displacement_rate of the system: it maps a motion of the bodies to the rate of theta.
+/// The symbols are those of radau.hpp; A = (a_ij) is the coefficient matrix of the method.
 
 #include <algorithm>
 #include <array>
@@ -32,16 +33,17 @@ class RadauStages {
     StateVector<S> v_dot, lambda;
   };
   struct Stage : Known {
-    StateVector<S> shift;                ///< s_i: extra motion that the position rows need
+    StateVector<S> shift;                ///< sigma_i: extra motion that the position rows need
     StateVector<S> internal_correction;  ///< extra motion that the internal rows need
-    StateVector<S> v, theta, rate, y;    ///< V_i, theta_i, the rate of theta_i, (Q_i, V_i)
+    StateVector<S> v, theta, rate, y;    ///< v_i, theta_i, the rate of theta_i, (q_i, v_i)
     StateVector<S> chart_correction;     ///< rate - (v + shift + internal_correction)
-    StateVector<S> left, phi, phi_dot;   ///< residuals: of the forces, Phi, Phi_q V_i - nu
+    StateVector<S> left, phi, phi_dot;   ///< residuals: of the forces, Phi, Phi_q v_i - nu
     typename System::Evaluation at;      ///< the model evaluated at the stage
     typename System::Factors factors;    ///< Newton matrix at this iterate or an earlier one
     StateVector<S> rows;                 ///< right side of the rows for the next solve
-    StateVector<S> slack, stretch;       ///< of springs: given to the next solve, found by the last solve
-    StateVector<S> stretched;            ///< stretch of the springs by the shift
+    // one number per spring; the stretch by a motion (v' or a shift) is its component along the spring
+    StateVector<S> slack, stretch;  ///< stretch without resistance in the next solve; by the last solution x
+    StateVector<S> stretched;       ///< stretch by the whole shift sigma_i
   };
 
   /// The displacements theta are computed to the relative tolerance `placed_within` [-].
@@ -117,14 +119,15 @@ class RadauStages {
     return mixed(row, stage_, of);
   }
 
-  /// Computes Q_i and V_i from the unknowns.
+  /// Computes q_i and v_i from the unknowns.
   void place(System& system, const S& h, const StateVector<S>& y, const StateVector<S>& v) {
     for (int i = 0; i < s; ++i) {
       stage_[i].v = v + h * mixed(coefficients_.a[i], &Stage::v_dot);
       stage_[i].rate =
           stage_[i].v + stage_[i].shift + stage_[i].internal_correction + stage_[i].chart_correction;
     }
-    // fixed-point iteration: on a Lie group the rate of theta depends on theta itself
+    // fixed-point iteration: on a Lie group the rate of theta depends on theta itself. It ends when changes
+    // no longer become smaller; 50 is a safety limit.
     S before = std::numeric_limits<S>::max();
     for (int k = 0; k < 50; ++k) {
       S moved(0), size(0);
@@ -156,6 +159,7 @@ class RadauStages {
   /// would be a shift that no row asks for.
   void normalise(System& system, const S& h, const StateVector<S>& y, const StateVector<S>& v) {
     S before = std::numeric_limits<S>::max();
+    // 20 is a safety limit
     for (int k = 0; k < 20; ++k) {
       S off(0), way(0);
       for (int i = 0; i < s; ++i) {
@@ -167,6 +171,7 @@ class RadauStages {
         off += moved_[i].norm() + h * turned_[i].norm();
         way += h * stage.v.norm();
       }
+      // 2 epsilon per stage: the rounding of p, whose norm is 1, remains however short the step is
       if (off <= placed_within_ * way + 2 * s * std::numeric_limits<S>::epsilon() || !(off < before)) return;
       before = off;
       for (int i = 0; i < s; ++i) {
@@ -180,7 +185,8 @@ class RadauStages {
     }
   }
   /// Solves the linear system of every stage with its own factors, `rows` and `slack`, for the right side
-  /// left(i). Hands the solution to take(i, x, mu) and leaves the stage's `stretch`.
+  /// left(i). Passes the solution to take(i, x, mu) and stores the stretch of the springs by x in
+  /// `stretch`.
   template <class Left, class Take>
   void solve_each(System& system, const Left& left, const Take& take) {
     for (int i = 0; i < s; ++i) {

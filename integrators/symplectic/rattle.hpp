@@ -9,15 +9,17 @@
 ///   M v_n+1 = T(-theta)^-1 M theta / h + h/2 (f_n+1 - Phi_q^T mu_n+1),    Phi_q v_n+1 = nu
 ///
 /// T(theta)^-1 is displacement_rate of the system. f is the applied force; T contains the gyroscopic terms.
-/// The composition of five such steps (Suzuki, Physics Letters A 146 (1990)) has order 4. All five lie within
-/// the whole step, so that no force after an event is evaluated before it. The method's own multipliers are
-/// mu_n+1, corrected by an error estimate from mu_n and lambda_n; they have order 2. The work is integrated
-/// by the trapezoidal rule over each step of the composition, which has the order of the method.
+/// The composition of five such steps (Suzuki, Physics Letters A 146 (1990)) has order 4. All five begin and
+/// end within the whole step. A step that ends at an event, such as a jump of a force, therefore evaluates no
+/// force from beyond the event. The method's own multipliers are mu_n+1, corrected by an error estimate from
+/// mu_n and lambda_n; they have order 2. The work is integrated by the trapezoidal rule over each step of the
+/// composition, which has the order of the method.
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "integrators/contract/errors.hpp"
 #include "integrators/contract/newton_matrix.hpp"
@@ -108,7 +110,9 @@ class Rattle {
           theta_ += change_;
           known_ += momentum_of(system, change_) - left_;  // adds the constraint forces
         });
-    // the errors of mu_n and lambda_n have opposite signs and are proportional to the step before and after
+    // The error of mu_n is proportional to the length of the step before t_n, that of lambda_n to the length
+    // of the step after t_n, with the opposite sign. Their difference, 2 / h^2 mu_, thus gives the error of
+    // mu_n+1.
     off_ = h / (h + last_h_) * 2 / (h * h) * mu_;
     system.inertia_force(at_, theta_, momentum_);
     y.segment(nq, nv) = theta_ / h;
@@ -143,16 +147,20 @@ class Rattle {
 
   /// Solves one half of the step to rounding, with the factors made last. `look` puts the residual of the
   /// momentum balance into left_ and that of the rows into rows_, and returns the violation of the rows.
-  /// `move` applies the correction, which it finds in change_. The balance counts relative to `beside`.
+  /// `move` applies the correction, which it finds in change_. Residuals of the balance are relative to the
+  /// norm of `beside`, the given momentum of the balance.
   template <class Look, class Move>
   void approach(System& system, const S& t, const StateVector<S>& beside, const Look& look,
                 const Move& move) {
-    S before = std::numeric_limits<S>::max();
+    S before = std::numeric_limits<S>::max(), unbalanced(0);
     Violation<S> rows;
+    // The iteration ends at 4 epsilon, or where a residual of rounding size (up to 1024 epsilon, a safety
+    // factor) no longer halves. After the first corrections it must fall every time, else the iteration
+    // diverges. The limits 5 and 50 of the corrections are chosen by experiment.
     for (int k = 0; k < 50; ++k) {
       rows = look();
       const S size = beside.norm();
-      const S unbalanced = size > S(0) ? S(left_.norm() / size) : left_.norm();
+      unbalanced = size > S(0) ? S(left_.norm() / size) : left_.norm();
       S now = rows.relative;
       raise(now, unbalanced);
       if (now <= rounding<S>() / 4 || (now <= 64 * rounding<S>() && !(now <= before / 2))) return;
@@ -165,9 +173,11 @@ class Rattle {
       move();
       ++counters_.iterations;
     }
-    throw IntegrationError(
-        {fmt::format("row \"{}\"", system.row_name(rows.row)), static_cast<double>(t)},
-        "the iteration of the step does not satisfy this constraint row; take smaller steps");
+    const bool of_rows = rows.relative > unbalanced;
+    throw IntegrationError({of_rows ? fmt::format("row \"{}\"", system.row_name(rows.row)) : std::string(),
+                            static_cast<double>(t)},
+                           fmt::format("the iteration of the step does not {}; take smaller steps",
+                                       of_rows ? "satisfy this constraint row" : "balance the momentum"));
   }
 
   void factor(System& system) {
