@@ -46,9 +46,8 @@ struct ComparisonOptions {
 
 /// All formulations at one output. Every difference is the largest between any two of them.
 struct ComparedInstant {
-  double t = 0;  ///< [s]
-  double lambda = 0,
-         lambda_bound = 0;  ///< relative difference between runs in the norm |E lambda|; its bound
+  double t = 0;                         ///< [s]
+  double lambda = 0, lambda_bound = 0;  ///< relative difference in |E lambda| between runs [-]; its bound
   /// Largest relative change of lambda up to this output that a neighbouring start causes, divided by the
   /// relative distance of that start [-]; at least 1.
   double amplification = 1;
