@@ -83,9 +83,10 @@ std::string refusals(const std::vector<SimbodyComparison>& comparisons) {
   std::string out;
   for (const SimbodyComparison& c : comparisons)
     if (c.twin)
-      out +=
-          fmt::format("{}, {}: Simbody cannot solve the scene, so a physical twin is compared instead: {}\n",
-                      c.scene, name_of(c.way), c.refusal);
+      out += fmt::format(
+          "{}, {}: Simbody cannot solve the scene, so a physical twin (the scene with larger inertias) is "
+          "compared instead: {}\n",
+          c.scene, name_of(c.way), c.refusal);
   return out.empty() ? out : "\n" + out;
 }
 
