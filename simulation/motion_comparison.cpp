@@ -164,7 +164,7 @@ class Comparer {
       formulations_.front().simulate({model_.mechanism, start.state}, options, record);
       const bool is_near =
           lambda_distance(norms_[0], motion(0)[0].lambda, record.all[0].lambda) <= small_difference;
-      // the distances are 100, 1 and 0.01 tolerances; a nearer neighbour would be within rounding errors
+      // 0.02 ends the search after three distances: 100, 1 and 0.01 tolerances
       if (is_near || in_tolerances < 0.02) return {std::move(record.all), start.distance};
     }
   }

@@ -56,7 +56,7 @@ struct Instant {
   std::vector<bool> lambda_is_unique;  ///< per row: false if dependent rows leave its multiplier undetermined
   std::vector<JointReaction> reactions;  ///< per joint
   std::vector<std::string> charts;  ///< per body, its chart of Euler angles; no elements in r-omega and r-p
-  double lambda_error = 0, acceleration_error = 0;  ///< estimated relative errors by rounding [-]
+  double lambda_error = 0, acceleration_error = 0;  ///< estimated relative errors of the solution at t [-]
 
   // Access by name. An unknown name throws an Error of kind input that lists the known names.
   const BodyInstant& body(std::string_view name) const;
