@@ -6,7 +6,7 @@
 #   _GLIBCXX_DEBUG         containers                    __FAST_MATH__           isfinite, and comparisons with NaN
 #   EIGEN_MAX_STATIC_ALIGN_BYTES, -fpack-struct   layout of structs       EIGEN_DEFAULT_TO_ROW_MAJOR   matrices
 function(trivium_compiled_with output compiler flags eigen)
-  set(switches "__AVX__=-mavx or an -march with it" "__AVX512F__=-mavx512f or an -march with it"
+  set(switches "__AVX__=-mavx or an -march that includes it" "__AVX512F__=-mavx512f or an -march that includes it"
                "_GLIBCXX_DEBUG=-D_GLIBCXX_DEBUG" "__FAST_MATH__=-ffast-math"
                "EIGEN_DEFAULT_TO_ROW_MAJOR=-DEIGEN_DEFAULT_TO_ROW_MAJOR")
   # Ask the preprocessor for the values with the library's flags.
@@ -26,6 +26,7 @@ function(trivium_compiled_with output compiler flags eigen)
   set(alignment "${CMAKE_MATCH_1}")
   set(static_alignment "${CMAKE_MATCH_2}")
 
+  set(remedy "compile this file with the same flags as trivium")
   set(checks "")
   foreach(switch IN LISTS switches)
     string(REGEX REPLACE "=.*" "" macro "${switch}")
@@ -38,16 +39,17 @@ function(trivium_compiled_with output compiler flags eigen)
       set(library "with")
       set(here "without")
     endif()
-    string(APPEND checks "#${wrong} ${macro}\n#error \"trivium was compiled ${library} ${option}, this file ${here}\"\n#endif\n")
+    string(APPEND checks "#${wrong} ${macro}\n#error \"trivium was compiled ${library} ${option}, but this file is compiled "
+                         "${here} it: ${remedy}\"\n#endif\n")
   endforeach()
   string(APPEND checks "static_assert(EIGEN_MAX_ALIGN_BYTES == ${alignment},\n              \"trivium was compiled with "
-                       "EIGEN_MAX_ALIGN_BYTES = ${alignment}, this file with another\");\n"
+                       "EIGEN_MAX_ALIGN_BYTES = ${alignment}, but this file is compiled with another value: ${remedy}\");\n"
                        "static_assert(EIGEN_MAX_STATIC_ALIGN_BYTES == ${static_alignment},\n              \"trivium was compiled with "
-                       "EIGEN_MAX_STATIC_ALIGN_BYTES = ${static_alignment}, this file with another\");\n"
-                       "#if __FINITE_MATH_ONLY__\n#ifndef __FAST_MATH__\n#error \"trivium needs numbers that are none: "
+                       "EIGEN_MAX_STATIC_ALIGN_BYTES = ${static_alignment}, but this file is compiled with another value: ${remedy}\");\n"
+                       "#if __FINITE_MATH_ONLY__\n#ifndef __FAST_MATH__\n#error \"trivium needs NaN and infinity: "
                        "leave out -ffinite-math-only\"\n#endif\n#endif\n"
                        "namespace trivium::detail {\nstruct OfTwoAlignments {\n  char small;\n  double large;\n};\n"
                        "static_assert(sizeof(OfTwoAlignments) == 2 * sizeof(double), \"trivium was compiled without "
-                       "-fpack-struct, this file with\");\n}  // namespace trivium::detail")
+                       "-fpack-struct, but this file is compiled with it: ${remedy}\");\n}  // namespace trivium::detail")
   configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../bodies/numbers/compiled_with.hpp.in ${output} @ONLY)
 endfunction()

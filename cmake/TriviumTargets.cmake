@@ -11,7 +11,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
                   COMMAND_ERROR_IS_FATAL ANY)
   target_compile_options(trivium_options INTERFACE -idirafter ${gcc_headers})
 endif()
-# With -march=native, g++ 12 wrongly warns about its AVX-512 headers (GCC bug 105593) and about Eigen's loads.
+# The preset with TRIVIUM_BUILD_BENCH compiles with -march=native. With this flag, g++ 12 wrongly warns about its AVX-512
+# headers (GCC bug 105593) and about Eigen's loads.
 if(TRIVIUM_BUILD_BENCH)
   target_compile_options(trivium_options INTERFACE -Wno-maybe-uninitialized -Wno-uninitialized -Wno-array-bounds)
 endif()

@@ -39,10 +39,15 @@ struct EffectView {
 ///     type, name              the name of the type in scene files, and the name of this effect in its scene
 ///     keys                    presents every part with its key in a scene file (effect_keys.hpp)
 ///
-/// and, for effects of the library, operator==. It may have `follow(view)`, called at every accepted state,
-/// and `longest_step(view)` [s], if it counts full revolutions; `append_kinks`, if it has functions of time;
-/// `add_load_bounds`, if its wrenches are sums of terms that may cancel, to bound rounding errors by the
-/// magnitudes of the terms; and `sees_motion = false`, if its wrenches do not depend on the motion.
+/// and, for effects of the library, operator==. It may also have
+///
+///     follow                  counts full revolutions; called at every accepted state
+///     longest_step            the longest step [s] after which `follow` cannot miscount a revolution
+///     append_kinks            appends the times [s] at which its functions of time are not smooth; steps end
+///                             there, so that integrators keep their order
+///     add_load_bounds         bounds of its wrenches by the magnitudes of terms that may cancel, to estimate
+///                             rounding errors
+///     sees_motion = false     states that its wrenches do not depend on the motion
 template <class E, class Scalar>
 concept Effect = std::default_initializable<E> &&
     requires(const E& effect, const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) {
@@ -58,7 +63,8 @@ concept Effect = std::default_initializable<E> &&
 
 /// An effect that resists a change of one coordinate x between two bodies, a length [m] or an angle [rad].
 /// `gradient` gives the wrenches on bodies i and j whose power is x'; the spring acts with -tension times the
-/// gradient. `stiffness` [N/m or N m/rad] and `damping` are the derivatives of the tension by x and x'.
+/// gradient. `stiffness` [N/m or N m/rad] and `damping` [N s/m or N m s/rad] are the derivatives of the
+/// tension by x and x'.
 /// `tension_scale` [N or N m] is the size of the terms whose difference is the tension, to bound its rounding
 /// error. Implicit methods include springs in Newton's matrix. An effect with `gradient` must be a Spring.
 template <class E, class Scalar>

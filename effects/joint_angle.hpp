@@ -69,7 +69,8 @@ struct JointAngle {
   /// Updates the last counted angle at an accepted state.
   void follow(const EffectView<Scalar>& view) {
     const Scalar theta = value(view), moved = theta - tracked;
-    tracked = select(moved * moved > Scalar(1), theta, tracked);  // only after 1 rad: every update is rounded
+    // `tracked` is updated only after theta has moved by 1 rad, since an update changes the rounding of theta
+    tracked = select(moved * moved > Scalar(1), theta, tracked);
   }
   /// The time for 1 rad at the present rate [s]. After `follow` theta is within 1 rad of `tracked`, so that
   /// even a step of 2 rad leaves theta within pi of it.

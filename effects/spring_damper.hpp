@@ -20,7 +20,8 @@
 
 namespace trivium {
 
-/// Functions of the state throw a ModelError where the end points coincide, unless the tension is 0.
+/// Where the end points coincide (l = 0), the force has no direction. Functions that need l then throw a
+/// ModelError, unless k l0, c and h(t) are all 0, so that the force is 0 as well.
 template <class Scalar>
 struct SpringDamper {
   static constexpr std::string_view type = "spring_damper";
@@ -84,8 +85,9 @@ struct SpringDamper {
                (bi.r_dot.norm() + bi.omega_bar.norm() * s_i + bj.r_dot.norm() + bj.omega_bar.norm() * s_j);
   }
 
-  /// Calls add(body, F, n_bar) for both ends: magnitudes of the wrench components if the terms of the tension
-  /// are added by magnitude.
+  /// Calls add(body, F, n_bar) for both ends, with bounds of the wrench for estimates of rounding errors. The
+  /// bounds are the magnitudes of the force [N, global] and moment [N m, body frame] of the tension
+  /// k (l + |l0|) + |c l'| + |h(t)|, whose terms do not cancel.
   template <class Add>
   void add_load_bounds(const EffectView<Scalar>& view, const Add& add) const {
     using std::abs;
@@ -116,7 +118,8 @@ struct SpringDamper {
     const Vector3<Scalar> direction = d / length;
     return {length, direction.dot(point_offset_rate(bi, i.s_bar, bj, j.s_bar)), direction};
   }
-  /// l = 0, where the force has no direction: a ModelError unless k l0, c and h(t) are 0, hence the tension.
+  /// The line of end points that coincide, with direction 0, if k l0, c and h(t) are 0, so that the tension
+  /// is 0. Otherwise throws a ModelError, because the force has no direction.
   Line at_zero_length(const Scalar& t) const {
     if (stiffness * free_length != Scalar(0) || damping != Scalar(0) || actuator(t).f != Scalar(0))
       throw ModelError({fmt::format("spring_damper \"{}\"", name), static_cast<double>(t)},

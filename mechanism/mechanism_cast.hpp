@@ -63,8 +63,9 @@ Mechanism<To, Types> mechanism_cast(const Mechanism<From, Types>& from) {
   return detail::cast_to<To, Types>(from);
 }
 
-/// The same mechanism with larger lists of types. MoreTypes must have the types of the mechanism's own lists
-/// first, in the same order, followed by those that `With` added.
+/// The same mechanism with larger lists of types, such as `StandardConstraints::With<MyConstraint>`. The
+/// lists of MoreTypes must begin with the types of the mechanism's own lists, in the same order; new types
+/// follow.
 template <class MoreTypes, class S, class Types>
 Mechanism<S, MoreTypes> with_more_types(const Mechanism<S, Types>& from) {
   return detail::cast_to<S, MoreTypes>(from);

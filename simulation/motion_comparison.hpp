@@ -1,17 +1,17 @@
 #pragma once
-/// Comparison of one motion in several formulations. The theorem says that lambda is the same in all of them.
-/// Every formulation is integrated separately; lambda, positions and accelerations are compared at every
-/// output. This file decides two bounds.
+/// Comparison of one motion in several formulations. In exact arithmetic, unique multipliers lambda are the
+/// same in all formulations (docs/lambda.md). Every formulation is integrated separately; lambda, positions
+/// and orientations are compared at every output. This file decides two bounds.
 ///
 /// Along the motion the runs differ by the errors of their steps. If the method controls its step size, every
-/// step may have an error of the tolerance, and the motion amplifies it:
+/// step may have an error of the tolerance rtol + atol, and the motion amplifies it:
 ///
-///     bound of lambda = steps . tolerance . amplification
+///     bound of lambda = steps . (rtol + atol) . amplification
 ///
 /// Runs from neighbouring starts measure the amplification. Once the bound or the difference of a neighbour
-/// exceeds small_difference, lambda is not judged any more. If steps are given, every formulation also runs
-/// with half the step, and the bound is twice the sum of the two largest changes. At one state, where every
-/// formulation is solved at the states of all others, the bound is 100 u kappa.
+/// exceeds small_difference (0.1, neighbouring_start.hpp), lambda is not judged any more. If steps are given,
+/// every formulation also runs with half the step, and the bound is twice the sum of the two largest changes.
+/// At one state, where every formulation is solved at the states of all others, the bound is 100 u kappa.
 
 #include <functional>
 #include <optional>
@@ -40,22 +40,25 @@ std::vector<ComparedFormulation> compared_formulations(const std::vector<std::st
 struct ComparisonOptions {
   SimulationOptions run;  ///< settings of all runs; the formulation is ignored
   int outputs = 100;      ///< number of output intervals if the run has no output step
-  int states = 10;        ///< outputs, evenly spread, that are also compared at one state; fewer if large
+  int states = 10;  ///< outputs, evenly spread, that are also compared at one state; fewer above 500 unknowns
   std::function<void(double)> progress;  ///< receives the finished share of the work, 0 to 1
 };
 
 /// All formulations at one output. Every difference is the largest between any two of them.
 struct ComparedInstant {
   double t = 0;                         ///< [s]
-  double lambda = 0, lambda_bound = 0;  ///< relative difference along the motion, in the norm of E; its bound
-  double amplification = 1;             ///< growth of a relative difference of the start, in lambda, so far
-  double position = 0, rotation = 0;    ///< [m, rad]
-  bool is_singular = false;             ///< near a singular position, where lambda is not unique: not judged
+  double lambda = 0, lambda_bound = 0;  ///< relative difference in |E lambda| between runs [-]; its bound
+  /// Largest relative change of lambda up to this output that a neighbouring start causes, divided by the
+  /// relative distance of that start [-]; at least 1.
+  double amplification = 1;
+  /// Distance of centres of mass [m]; angle theta between orientations, as 4 sin(theta / 4) [rad].
+  double position = 0, rotation = 0;
+  bool is_singular = false;  ///< near a singular position, where lambda is not unique: not judged
   /// The comparison at one state.
   struct OneState {
-    double lambda = 0, bound = 0;  ///< at the state where the difference is largest relative to its bound
-    double acceleration = 0;       ///< relative, in the mass metric; bounded only if there are constraints
-    bool is_constrained = true;
+    double lambda = 0, bound = 0;  ///< difference and bound at the state where their ratio is largest
+    double acceleration = 0;       ///< largest relative difference of accelerations, in the mass metric
+    bool is_constrained = true;    ///< the mechanism has rows; otherwise accelerations are not judged
     bool holds() const { return lambda <= bound && (!is_constrained || acceleration <= bound); }
     double kappa = 1;  ///< largest condition number of these states
   };

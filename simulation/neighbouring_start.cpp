@@ -18,6 +18,8 @@ double turn_between(const Vector4<double>& p, const Vector4<double>& q) {
 
 namespace {
 
+/// Limits of the relative distance [-], chosen by experiment. The smallest is about 1e5 u, far above rounding
+/// errors. The largest keeps the neighbour near if the tolerances are loose.
 constexpr double least_distance = 1e-11, largest_distance = 1e-4;
 
 /// The length [m], speed [m/s] and angular velocity [rad/s] to which differences of states are relative.
@@ -46,9 +48,10 @@ double distance(const Scales& scales, const MechanismState<double>& a, const Mec
   return largest;
 }
 
-/// A state at a relative distance of about `size` from the model's state that satisfies the constraints:
-/// moved in the numbers of r-omega, and projected as the end of a step is.
+/// A state at a relative distance of about `size` from the model's state that satisfies the constraints. The
+/// state vector of the formulation r-omega is changed at random and then projected, as after a step.
 MechanismState<double> neighbour(const Model<double>& model, const Scales& scales, int seed, double size) {
+  // the distribution depends on the standard library: a seed gives the same numbers on one platform only
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   std::uniform_real_distribution<double> uniform(-1, 1);
   const auto draw = [&](double scale) {
@@ -80,10 +83,11 @@ NeighbouringStart neighbouring_start(const Model<double>& model, double toleranc
                                      double in_tolerances) {
   const Scales scales(model);
   double size = std::clamp(in_tolerances * tolerance, least_distance, largest_distance);
-  for (int tries = 3;; size /= 30) {
+  for (int tries = 3;; size /= 30) {  // 3 and 30 are chosen by experiment: the last distance is size / 900
     try {
       NeighbouringStart start{neighbour(model, scales, seed, size), 0};
-      // a smaller distance is the rounding of the projection: the constraints leave no neighbour
+      // The projection has removed nearly the whole change: the constraints leave no neighbour, and the rest
+      // is an error of the projection. The factor 1e-3 is a safety factor.
       if (const double apart = distance(scales, start.state, model.state); apart > 1e-3 * size)
         start.distance = apart;
       return start;

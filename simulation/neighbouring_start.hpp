@@ -16,8 +16,9 @@ struct NeighbouringStart {
   double distance = 0;
 };
 
-/// The relative difference of two motions up to which it counts as proportional to the difference of their
-/// starts. Beyond it the motions have diverged.
+/// Largest relative difference of two motions that counts as proportional to the difference of their starts.
+/// Motions that differ more have diverged. A safety factor: neglected terms of second order are then of the
+/// order of a tenth.
 inline constexpr double small_difference = 0.1;
 
 /// The default distance in tolerances; the first distance tried is at least 1e-11 and at most 1e-4.
@@ -27,13 +28,15 @@ inline constexpr double distance_in_tolerances = 100;
 /// amplifies, as near a singular position.
 inline constexpr int neighbours = 3;
 
-/// A random neighbour; seeds 1, 2, ... give different directions, and runs can be repeated. It is projected
-/// by the structured solver, so that its cost is that of a step. Throws an Error if no neighbour can be
-/// projected at three distances, each 30 times smaller than the one before.
+/// A random neighbour; seeds 1, 2, ... give different directions. On one platform a seed always gives the
+/// same neighbour. The structured solver projects it onto the constraints, which costs as much as a step.
+/// Throws an Error if no neighbour can be projected at three distances, each 30 times smaller than the one
+/// before.
 NeighbouringStart neighbouring_start(const Model<double>& model, double tolerance, int seed = 1,
                                      double in_tolerances = distance_in_tolerances);
 
-/// 4 sin(theta / 4), for small angles theta [rad], of the angle theta between two orientations p and q.
+/// 4 sin(theta / 4) [rad] for the angle theta between the orientations p and q (unit Euler parameters, whose
+/// signs do not matter). For small angles this is theta, up to theta^3 / 96.
 double turn_between(const Vector4<double>& p, const Vector4<double>& q);
 
 }  // namespace trivium

@@ -1,10 +1,10 @@
 #pragma once
 /// Comparison of one motion in several formulations, as in the program `trivium compare`. Every formulation
 /// is integrated separately. Two questions are answered. Along the motion: do the multipliers lambda of the
-/// separate runs agree within steps . tolerance . amplification (with given steps: within the change that
-/// half the step makes)? At one state: do all formulations give the same lambda and accelerations at the same
-/// positions and velocities, within 100 u kappa? Here u is the unit roundoff of double and kappa the
-/// condition number of the equilibrated Phi M^-1 Phi^T; where loads cancel, the bound is larger.
+/// separate runs agree within steps . (rtol + atol) . amplification? (With given steps, the bound is twice
+/// the sum of the two largest changes that half the step makes.) At one state: do all formulations give the
+/// same lambda and accelerations at the same positions and velocities, within 100 u kappa? Here u is the unit
+/// roundoff of double and kappa the condition number of Check::condition (trivium/solve.hpp).
 
 #include <optional>
 #include <string>
@@ -33,19 +33,24 @@ struct ComparedMotion {
 };
 
 /// All formulations at one output time. Every difference is the largest between any two formulations.
-/// Differences of lambda are relative, in the norm |E lambda| with E^2 = diag(Phi M^-1 Phi^T), over the
+/// Differences of lambda are relative, in the norm |E lambda| with E^2 = diag(Phi_q M^-1 Phi_q^T), over the
 /// unique multipliers; differences of accelerations are relative, in the metric of the mass matrix.
 struct ComparedOutput {
   double t = 0;                                    ///< time [s]
   double lambda_difference = 0, lambda_bound = 0;  ///< between the separate runs, and its bound [-]
-  double amplification = 1;        ///< largest growth so far of a relative difference of the start, in lambda
+  /// Largest relative change of lambda up to this output that a neighbouring start causes, divided by the
+  /// relative distance of that start [-]; at least 1, and 1 with given steps.
+  double amplification = 1;
   double position_difference = 0;  ///< distance of centres of mass [m]
-  double rotation_difference = 0;  ///< angle theta between orientations, as 4 sin(theta / 4) [rad]
-  /// Whether lambda_difference is held to its bound. It is not near a singular position, where lambda is not
-  /// unique, nor after a neighbouring motion has diverged.
+  double rotation_difference = 0;  ///< angle theta between orientations, as 4 sin(theta / 4) ~ theta [rad]
+  /// Whether lambda_difference is compared with its bound. It is not near a singular position, where lambda
+  /// is not unique, nor after the time at which a neighbouring motion has diverged or the bound exceeds 0.1.
   bool is_judged = true;
-  /// Every formulation solved at the states of all the others: relative differences, their bound, and kappa.
+  /// Every formulation solved at the states that all the separate runs have at this output.
   struct OneState {
+    /// Relative difference of lambda and its bound 100 u kappa [-], at the state where their ratio is
+    /// largest; largest relative difference of accelerations [-], with the same bound; largest kappa of the
+    /// states [-].
     double lambda_difference = 0, lambda_bound = 0, acceleration_difference = 0, condition = 1;
   };
   std::optional<OneState> one_state;  ///< only at the outputs that CompareSettings::states selects

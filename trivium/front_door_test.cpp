@@ -140,6 +140,20 @@ TEST(FrontDoor, SolvesAsTheRoomsBehindItDo) {
   }
 }
 
+TEST(FrontDoor, NamesTheTwoBodiesOfEveryJoint) {
+  for (const char* name : {"four_bar", "stewart_platform", "heavy_top"}) {
+    const Scene scene = read_scene(path_of(name));
+    const scenes::Scene& of = scene.contents().scene;
+    const Names names = *solve(scene).names;
+    ASSERT_EQ(names.joint_bodies_i.size(), of.constraints.size()) << name;
+    ASSERT_EQ(names.joint_bodies_j.size(), of.constraints.size()) << name;
+    for (std::size_t k = 0; k < of.constraints.size(); ++k) {
+      EXPECT_EQ(names.joint_bodies_i[k], of.body_name(of.constraints[k].i.body)) << names.joints[k];
+      EXPECT_EQ(names.joint_bodies_j[k], of.body_name(of.constraints[k].j.body)) << names.joints[k];
+    }
+  }
+}
+
 TEST(FrontDoor, ChecksWhatAStateIs) {
   const Check check = trivium::check(read_scene(path_of("four_bar")));
   EXPECT_EQ(*check.rank, 17);

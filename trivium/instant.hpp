@@ -13,10 +13,12 @@
 
 namespace trivium {
 
-/// The names of a scene's parts, in the order of the scene. A joint here is a constraint of any type. A row
-/// is one scalar equation of a constraint, such as "tip.cd(e_y)"; it has one multiplier lambda.
+/// The names of a scene's parts, in the order of the scene. `joints` are constraints of all types; a basic
+/// constraint (dp1, dp2, d, cd) is a joint of one row. A row is one scalar equation of a constraint, such as
+/// "tip.cd(e_y)"; it has one multiplier lambda.
 struct Names {
   std::vector<std::string> bodies, joints, rows;
+  std::vector<std::string> joint_bodies_i, joint_bodies_j;  ///< per joint: its bodies i and j, or "ground"
 };
 
 /// Motion of a body at an instant. r is the position of its centre of mass.
@@ -26,8 +28,9 @@ struct BodyInstant {
   Components omega_bar{}, omega_bar_dot{};  ///< [rad/s, rad/s^2], body frame
 };
 
-/// Force and torque that a joint exerts on its body j, in the global frame. The torque is about `point`, the
-/// joint's point on body i.
+/// Force and torque that a joint exerts on its body j (Names::joint_bodies_j), in the global frame. The
+/// torque is about `point`, the joint's point on body i. The force on body i is opposite, and so is
+/// the torque about this point, except for a cd whose points are apart.
 struct JointReaction {
   Components force{}, torque{}, point{};  ///< [N, N m, m], global frame
 };
@@ -42,14 +45,18 @@ struct Instant {
   std::shared_ptr<const Names> names;  ///< shared by all outputs of a motion
   double t = 0;                        ///< time [s]
   std::vector<BodyInstant> bodies;     ///< per body
-  /// Multiplier of every row in M q'' + Phi_q^T lambda = Q [N or N m, divided by the unit of the row's
-  /// scale]. Where rows are dependent: the lambda with the least |E lambda|, E^2 = diag(Phi M^-1 Phi^T); if
-  /// that does not exist, one with zeros in dependent rows.
+  /// Multiplier of every row in M q'' + Phi_q^T lambda = Q. Its unit is J divided by the unit of the row Phi:
+  /// N for rows in m (cd, dp2 of a unit vector), N m for dp1 of unit vectors, N/m for rows in m^2 (d). If a
+  /// scene multiplies a row by a factor, such as the length of its vector, lambda is divided by this factor.
+  ///
+  /// Where rows are dependent, lambda is the solution with the least |E lambda|, E^2 = diag(Phi_q M^-1
+  /// Phi_q^T). The structured solver (all outputs of simulate; solve above 6000 unknowns) does not know E if
+  /// an inertia is singular; lambda is then 0 in dependent rows.
   std::vector<double> lambda;
   std::vector<bool> lambda_is_unique;  ///< per row: false if dependent rows leave its multiplier undetermined
   std::vector<JointReaction> reactions;  ///< per joint
-  std::vector<std::string> charts;  ///< per body: its chart of Euler angles; empty for other formulations
-  double lambda_error = 0, acceleration_error = 0;  ///< estimated relative errors [-]
+  std::vector<std::string> charts;  ///< per body, its chart of Euler angles; no elements in r-omega and r-p
+  double lambda_error = 0, acceleration_error = 0;  ///< estimated relative errors of the solution at t [-]
 
   // Access by name. An unknown name throws an Error of kind input that lists the known names.
   const BodyInstant& body(std::string_view name) const;

@@ -15,9 +15,13 @@ inline JointReaction plain(const Reaction<double>& r) {
 }
 
 inline Names names_of(const Mechanism<double>& mechanism) {
-  Names names{{}, {}, mechanism.row_names};
+  Names names{{}, {}, mechanism.row_names, {}, {}};
   for (int b = 0; b < mechanism.nb(); ++b) names.bodies.push_back(mechanism.body_names[b]);
-  for (const Joint<double>& joint : mechanism.joints) names.joints.push_back(joint.name);
+  for (const Joint<double>& joint : mechanism.joints) {
+    names.joints.push_back(joint.name);
+    names.joint_bodies_i.push_back(mechanism.body_names[joint.i]);
+    names.joint_bodies_j.push_back(mechanism.body_names[joint.j]);
+  }
   return names;
 }
 

@@ -20,8 +20,10 @@ struct SimulateSettings {
   std::string integrator = "dopri5";    ///< one of integrators::method_names()
   double end = 10;                      ///< end time [s]; the start is the time of the scene
   std::optional<double> step = {};      ///< constant step size [s]; none: the method controls its step size
-  std::optional<double> output_step = {};      ///< time between outputs [s]; none: outputs at start and end
-  double rtol = 1e-8, atol = 1e-10;            ///< allowed error per step of a number x of y: atol + rtol |x|
+  std::optional<double> output_step = {};  ///< time between outputs [s]; none: outputs at start and end
+  /// Tolerances of chosen steps: a step may change every number x of the state vector (positions, rotational
+  /// coordinates and velocities of the formulation, in SI units) by an error of atol + rtol |x|.
+  double rtol = 1e-8, atol = 1e-10;
   std::optional<int> order = {};               ///< order of bdf, arkode-erk or arkode-dirk
   std::optional<double> rho = {}, alpha = {};  ///< of generalized-alpha (0 to 1); of hht (-1/3 to 0)
   bool full_newton = false;  ///< implicit methods: a new Newton matrix in every iteration, not every step
@@ -35,19 +37,22 @@ struct SimulateSettings {
 
 /// The state at an output time, with energy and constraint violations.
 struct Output : Instant {
-  std::vector<double> own_lambda;  ///< multipliers that the method itself computes; empty if it has none
-  double energy = 0;               ///< kinetic plus potential energy [J]
-  double phi = 0, phi_dot = 0;     ///< largest violation of a row [m or rad, m/s or rad/s]
+  /// Multipliers that the method itself computes, an approximation of `lambda` in the same units; empty if
+  /// the method has none. `lambda_is_unique` holds for them too: where it is false, they need not equal
+  /// `lambda`.
+  std::vector<double> own_lambda;
+  double energy = 0;            ///< kinetic plus potential energy [J]; for its zero see Check
+  double phi = 0, phi_dot = 0;  ///< largest violation of a row [m or rad, m/s or rad/s]
 };
 
 /// Called at every output; false stops the run.
 using Observer = std::function<bool(const Output&)>;
 
-/// A jump of velocities: a driver whose function of time has a kink demands another velocity.
+/// A sudden change of velocities at time t: the function of time of a driver has a kink there, so that the
+/// driver demands another velocity after t than before.
 struct Jump {
-  double t = 0;  ///< [s]
-  std::vector<double>
-      impulse;  ///< per row: integral of its multiplier over the jump [unit of lambda times s]
+  double t = 0;                 ///< [s]
+  std::vector<double> impulse;  ///< per row: integral of lambda over the jump [unit of lambda times s]
 };
 
 /// The result of a run. Counters are those of the integrator.
@@ -60,7 +65,7 @@ struct Motion {
   int chart_changes = 0;
   /// Largest values after any step: violation of a row [m or rad, m/s or rad/s]; in r-p | p . p - 1 | [-].
   double phi = 0, phi_dot = 0, normalisation = 0;
-  double energy_start = 0, energy_end = 0;  ///< kinetic plus potential energy [J]
+  double energy_start = 0, energy_end = 0;  ///< kinetic plus potential energy [J], as in Output
   double work = 0;                          ///< work of drivers and of non-conservative effects [J]
   double unaccounted_energy = 0;            ///< largest |change of energy - work| after any step [J]
   std::vector<double> singular_positions;   ///< times of the singular positions that the motion passed [s]

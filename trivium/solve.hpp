@@ -13,11 +13,13 @@ namespace trivium {
 
 /// One row of the constraints at a state.
 struct RowCheck {
-  double position_residual = 0, velocity_residual = 0;  ///< Phi, and Phi_q q' - nu, in the row's own scale
-  /// |residual| / |gradient of the row| [m or rad, m/s or rad/s]: independent of the scale of the row.
+  /// Phi [unit of the row: m for cd and dp2 of a unit vector, m^2 for d, - for dp1] and Phi_q q' - nu [the
+  /// same per s]. If a scene multiplies the row by a factor, both contain this factor.
+  double position_residual = 0, velocity_residual = 0;
+  /// |residual| / |gradient of the row| [m or rad, m/s or rad/s]: independent of such a factor.
   double position_violation = 0, velocity_violation = 0;
   bool is_unique = true;      ///< its multiplier is unique
-  bool is_redundant = false;  ///< dependent row: at this state it follows from other rows
+  bool is_redundant = false;  ///< the row is dependent at this state: it follows from the other rows
 };
 
 /// The result of check().
@@ -28,15 +30,22 @@ struct Check {
   std::vector<RowCheck> rows;  ///< per row
   /// Rank of Phi_q and 6 nb - rank. None if the structured solver cannot decide: the state violates its rows.
   std::optional<int> rank, degrees_of_freedom;
-  /// kappa, the condition number of the equilibrated Phi M^-1 Phi^T; none from the structured solver.
+  /// kappa [-], condition number of E^-1 Phi_q M^-1 Phi_q^T E^-1 over its nonzero singular values, where E^2
+  /// = diag(Phi_q M^-1 Phi_q^T); none from the structured solver.
   std::optional<double> condition;
-  std::vector<double> mu;  ///< per row: if M is singular, norms use M + Phi^T diag(mu) Phi; otherwise 0
+  /// Weights of the rows. If M is singular, as for point masses, norms use the regular matrix M + Phi_q^T
+  /// diag(mu) Phi_q instead of M; mu_k [inertia per square of the row's gradient] then gives row k the
+  /// inertia of the lighter of its bodies. All 0 if M is regular; empty if the structured solver does
+  /// not compute them.
+  std::vector<double> mu;
   std::vector<std::string> contradictory;       ///< dependent rows that contradict the rows before them
   std::vector<std::string> wrong_branches;      ///< joints whose rows hold on another branch than the joint's
   std::vector<std::string> unphysical_inertia;  ///< bodies that declare an unphysical inertia
   bool is_consistent = false;                   ///< positions, velocities and branches hold
   std::string inconsistency;  ///< the violated rows and branches, one per line; empty if none
-  double kinetic_energy = 0, potential_energy = 0, effect_power = 0;  ///< [J, J, W]
+  /// Energies [J] and the power of all effects on the bodies [W]. The potential energy of gravity is 0 for a
+  /// body whose centre of mass is at the global origin, that of a spring is 0 at its free length or angle.
+  double kinetic_energy = 0, potential_energy = 0, effect_power = 0;
 };
 
 /// Analyses a state, consistent or not. Rows hold within 1e-8 of the scene's own lengths and speeds. Throws
@@ -56,10 +65,10 @@ struct SolveSettings {
 
 /// Accelerations, multipliers and reactions at a state, in one formulation.
 struct Solution : Instant {
-  std::string formulation, solver;     ///< solver: "printed" or "structured", as in Check
-  std::vector<double> lambda_p;        ///< r-p: multiplier of p . p = 1 of every body; otherwise empty
-  std::optional<double> condition;     ///< kappa, as in Check
-  std::vector<std::string> redundant;  ///< names of the dependent rows
+  std::string formulation, solver;  ///< solver: "printed" or "structured", as in Check
+  std::vector<double> lambda_p;     ///< r-p: per body, multiplier of (p . p - 1)/2 = 0 [N m]; otherwise empty
+  std::optional<double> condition;  ///< kappa [-], as in Check
+  std::vector<std::string> redundant;  ///< names of the rows that are dependent at this state
   std::vector<std::string> warnings;   ///< uncertain numbers, unmet equations, unphysical inertias
 };
 

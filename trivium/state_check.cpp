@@ -33,8 +33,8 @@ void refuse(const std::string& source, const Model<double>& model, const Consist
   if (!consistency.wrong_branches.empty()) message += fmt::format("{}\n", wrong_branch_advice);
   if (saved && consistency.wrong_branches.empty())
     message += fmt::format(
-        "the state was saved by a run with {}, whose errors may cause these violations; the formulation {} "
-        "accepts the state as saved\n",
+        "the state was saved by a run with {}, whose errors may cause these violations; a simulation in {} "
+        "continues from the saved state\n",
         saved->integrator, saved->formulation);
   while (message.ends_with('\n')) message.pop_back();
   throw Error(ErrorKind::input, message, Place{source, model.state.t});

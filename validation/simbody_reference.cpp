@@ -1,7 +1,11 @@
 /// Question: are the accelerations, multipliers and reactions equal to those of Simbody? Every scene is
 /// rebuilt in Simbody in three ways: as a tree of mobilizers, as free bodies with one custom constraint for
 /// each row, and as free bodies with Simbody's own constraints. Each is compared with every formulation. The
-/// program fails if a solver fails, or if a relative difference exceeds max(1e-10, 100 u kappa).
+/// program fails if a solver fails, or if a relative difference exceeds max(1e-10, 100 u kappa). The floor
+/// 1e-10 is chosen by experiment.
+///
+/// The column `idle` counts closing rows that the tree of mobilizers satisfies identically; they are disabled
+/// (simbody/way.hpp). A physical twin is the scene with larger inertias (simbody/physical_inertia.hpp).
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -74,14 +78,15 @@ std::string impossibilities(const std::vector<SimbodyComparison>& comparisons) {
                      fmt::join(scenes, ", "));
 }
 
-/// One line for each scene that Simbody refused.
+/// One line for each scene and way that Simbody refused.
 std::string refusals(const std::vector<SimbodyComparison>& comparisons) {
   std::string out;
   for (const SimbodyComparison& c : comparisons)
     if (c.twin)
-      out +=
-          fmt::format("{}, {}: Simbody cannot solve the scene, so a physical twin is compared instead: {}\n",
-                      c.scene, name_of(c.way), c.refusal);
+      out += fmt::format(
+          "{}, {}: Simbody cannot solve the scene, so a physical twin (the scene with larger inertias) is "
+          "compared instead: {}\n",
+          c.scene, name_of(c.way), c.refusal);
   return out.empty() ? out : "\n" + out;
 }
 

@@ -12,7 +12,9 @@
 namespace trivium::scenes {
 namespace {
 
-/// A list of names of one kind, and the index of each name.
+/// Names of one kind, bodies or joints. `index` finds every name. `list` has the names that messages propose;
+/// of joints only those with an angle, because only these are accepted where a joint is asked for. A joint
+/// without an angle is found here and is refused later (scene_checks.cpp).
 struct Names {
   std::string_view noun;
   std::vector<std::string_view> list;
@@ -129,6 +131,7 @@ void read_value(const Json& json, const Path& at, Constraint& out, const Names& 
   object.read("angle", out.angle);
 }
 
+/// A safety limit: the angle 2 pi turns then still has a rounding error below 1e-9 rad.
 constexpr int most_turns = 1'000'000;
 
 /// Key visitor that reads an effect.

@@ -10,10 +10,12 @@
 ///     [ M + gamma' C + beta' K   Phi_q^T ] [ dv'     ]     [ M v' + Phi_q^T lambda - Q ]
 ///     [ Phi_q                    0       ] [ dlambda ] = - [ Phi / beta'               ]
 ///
-/// Here beta' = dq/dv' and gamma' = dv/dv' within the step, of order h^2 and h. The division of Phi by beta'
-/// keeps the condition number bounded as h -> 0. K and C hold the stiffness and damping of springs along
-/// their directions (spring_rows.hpp). Gyroscopic and geometric terms are left out of the matrix; the Newton
-/// iteration therefore converges linearly, with a rate of about the angle [rad] that bodies turn in a step.
+/// beta' [s^2] and gamma' [s] are numbers of the method, of order h^2 and h (integrators::Shares): within the
+/// step, a change dv' of v' changes q by beta' dv' and v by gamma' dv'. Only the primes of q' and v' are
+/// derivatives by time. The division of Phi by beta' keeps the condition number bounded as h -> 0. K and C
+/// hold the stiffness and damping of springs along their directions (spring_rows.hpp). Gyroscopic and
+/// geometric terms are left out of the matrix; the Newton iteration therefore converges linearly, with a rate
+/// of about the angle [rad] that bodies turn in a step.
 ///
 /// The class is a model of the concept integrators::ConstrainedSystem, which defines its functions.
 
@@ -149,7 +151,8 @@ class ConstrainedEquations {
   void inertia_force(const Factors& factors, const StateVector& x, StateVector& force) const {
     inertia_force(factors.at().body(), x, force);
   }
-  /// Generalised force of the effects, without gyroscopic terms; in the places of v.
+  /// Generalized force of the effects, without gyroscopic terms, with its components in the order of v: per
+  /// body a force [N] and one number for each rotational velocity of the formulation.
   void applied_force(const Evaluation& at, StateVector& force) {
     apply_effects(*at);
     force.resize(velocity_size());

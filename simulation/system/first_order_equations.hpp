@@ -1,7 +1,9 @@
 #pragma once
-/// The equations of motion of one formulation as ordinary differential equations y' = f(t, y) of index 1,
-/// with y as in state_layout.hpp. Other files of this folder provide the parts: projection and violation of
-/// constraints, energy, charts, jumps of velocities, the branch check and the log.
+/// The equations of motion of one formulation as ordinary differential equations y' = f(t, y), with y as in
+/// state_layout.hpp. Two derivatives of the constraints reduce the differential-algebraic equations from
+/// index 3 to index 1; a linear system then gives accelerations and lambda at every (t, y). Other files of
+/// this folder provide the parts: projection and violation of constraints, energy, charts, jumps of
+/// velocities, the branch check and the log.
 ///
 /// This file decides two things. Dependent rows are detected at every accepted state and kept within a step;
 /// the start of the motion decides how they are detected. Solutions between accepted states are refined only
@@ -74,9 +76,11 @@ class FirstOrderEquations {
       return;
     }
     accept_state(start.t, start_);
-    // A projected motion may pass a singular position: nearly dependent rows are then treated as dependent.
-    // If the start itself has such rows, only exactly dependent rows are, along the whole motion. A motion
-    // that drifts keeps the number of dependent rows of its start.
+    // The strict detection (`detect`) has just counted the dependent rows of the start. A projected motion
+    // also treats nearly dependent rows as dependent, since it may pass a singular position. If this changes
+    // the number of dependent rows already at the start, the strict detection is used along the whole motion.
+    // Without projection the constraints drift, so that dependent rows look independent: such a motion keeps
+    // the number of dependent rows of its start.
     const int found = solver_.factors().dependent_row_count();
     detection_ = options.is_projected ? DependentRows::detect_near_singular : DependentRows::keep_count;
     log_.begin();
@@ -319,8 +323,10 @@ class FirstOrderEquations {
   VectorX<S> lambda_;
   bool limits_steps_ = false;
   StateVector start_;
-  /// If refinement at the last accepted state corrected accelerations by a relative amount up to this,
+  /// If refinement at the last accepted state corrected the accelerations by this relative amount or less,
   /// solutions between accepted states are not refined: their errors are then far below those of a step.
+  /// 1e-13 is about 1000 u of double, and is used in all Scalars. In float nearly all solutions are refined.
+  /// In quad, solutions between accepted states may have errors up to 1e-13, more than quad allows.
   static constexpr double small_correction = 1e-13;
   // the state accepted last, if the solver still holds its solution, and whether it asks for refinement
   std::optional<S> accepted_t_;

@@ -18,7 +18,8 @@
 
 namespace trivium::convergence {
 
-/// Largest accepted difference between observed and published order.
+/// Largest accepted difference between observed and published order, chosen by experiment. It distinguishes
+/// orders, which are whole numbers, and admits errors of higher order at finite step sizes.
 constexpr double tolerance = 0.2;
 
 constexpr std::array<const char*, 4> quantities{"r", "v", "lambda", "raw lambda"};
@@ -43,7 +44,8 @@ struct OrderResult {
     return std::all_of(errors.begin(), errors.end(),
                        [&](const Errors& at) { return std::isfinite(at[quantity]); });
   }
-  /// The finest level whose error is above rounding; 0 if there is none, so that no order can be observed.
+  /// The index of the finest step size (in h) whose error is above rounding. The order is observed between
+  /// this level and the coarser one before it. With the result 0 there is no coarser one, and no order.
   std::size_t level(int quantity) const {
     std::size_t k = h.size() - 1;
     while (k > 0 && !(errors[k][quantity] > floor[quantity])) --k;
@@ -62,9 +64,11 @@ struct OrderResult {
     if (!is_known(quantity) || level(quantity) == 0) return false;  // no order is observed
     const double found = observed(quantity), p = published(quantity);
     if (!may_fall()) return std::abs(found - p) <= tolerance;
-    // The error of r contains a small part of order 1. This part may first cancel the part of order 2, so
-    // that r shows almost any order. Therefore the error of r must only be at most t_end times the error of
-    // v, whose order is 1.
+    // The error of r is the sum of a small part of order 1 and a part of order 2. If the two have opposite
+    // signs they cancel at some step size, and near this step size r shows almost any order. So the order of
+    // r may lie anywhere from 0 to p, but its error must not exceed t_end times the error of v, the distance
+    // that a constant error of velocity of this size causes over the whole run. The order of v must be at
+    // least 1.
     if (quantity == 0)
       return found <= p + tolerance && found >= -tolerance && errors.back()[0] <= t_end() * errors.back()[1];
     return found <= p + tolerance && found >= 1 - tolerance;
