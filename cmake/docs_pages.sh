@@ -161,7 +161,7 @@ run_commands() {
 
 mapfile -t pages < <(realpath "$@")
 for page in "${pages[@]}"; do
-  folder=$work/$(basename "$page" .md)
+  folder=$work/$(basename "$(dirname "$page")")_$(basename "$page" .md) # pages of two folders may have one name
   rm -rf "$folder"
   mkdir -p "$folder"
   cd "$folder"
