@@ -153,7 +153,8 @@ run_commands() {
       continue
     fi
     options_exist "$command" || problem "see above"
-    bash -c "$command" >>shown.out 2>&1 </dev/null ||
+    # a pipe into head ends the program silently, also where SIGPIPE is ignored outside
+    env --default-signal=PIPE bash -c "$command" >>shown.out 2>&1 </dev/null ||
       { problem "failed: $command"; tail -n 5 shown.out; }
   done < <(sed -e ':a' -e '/\\$/{N;s/\\\n *//;ba' -e '}' <<<"$1")
   sed -i 's/[ \t]*$//' shown.out
