@@ -11,6 +11,7 @@
 
 #include "base/exit_code.hpp"
 #include "base/program_options.hpp"
+#include "paper/generator/formulations.hpp"
 #include "paper/generator/statistics.hpp"
 #include "paper/generator/table.hpp"
 
@@ -18,23 +19,16 @@ namespace trivium::paper {
 
 namespace {
 
-/// The different texts of a column, in their order.
-std::vector<std::string> values_of(const ResultsTable& table, const std::string& column) {
-  std::vector<std::string> values;
-  for (std::size_t row = 0; row < table.rows.size(); ++row)
-    if (const std::string& value = table.text(row, column);
-        std::find(values.begin(), values.end(), value) == values.end())
-      values.push_back(value);
-  return values;
-}
-
 void print_row(const std::vector<std::string>& cells) {
   fmt::print("|");
   for (const std::string& cell : cells) fmt::print(" {} |", cell);
   fmt::print("\n");
 }
 
-void print_head(const std::vector<std::string>& cells) {
+/// The heading of a table: its first column, and the others.
+void print_head(const std::string& first, const std::vector<std::string>& others) {
+  std::vector<std::string> cells{first};
+  cells.insert(cells.end(), others.begin(), others.end());
   print_row(cells);
   print_row(std::vector<std::string>(cells.size(), "---"));
 }
@@ -60,11 +54,9 @@ std::string cheapest(const ResultsTable& table, const std::string& scene, const 
 /// What every method needs for an error of positions, one column a scene.
 void time_by_method(Results& results, double error) {
   const ResultsTable& table = results["work_precision"];
-  const std::vector<std::string> scenes = values_of(table, "scene");
-  std::vector<std::string> head{"method"};
-  head.insert(head.end(), scenes.begin(), scenes.end());
-  print_head(head);
-  for (const std::string& method : values_of(table, "method")) {
+  const std::vector<std::string> scenes = distinct(table, "scene");
+  print_head("method", scenes);
+  for (const std::string& method : distinct(table, "method")) {
     std::vector<std::string> cells{fmt::format("`{}`", method)};
     for (const std::string& scene : scenes) cells.push_back(cheapest(table, scene, method, error));
     // Simbody's methods have no formulation of ours
@@ -76,11 +68,9 @@ void time_by_method(Results& results, double error) {
 /// The time of a step in every formulation, relative to r-omega: the median over the scenes, and its range.
 void time_by_formulation(Results& results) {
   const ResultsTable& table = results["formulation_speed"];
-  const std::vector<std::string> formulations = values_of(table, "formulation");
-  std::vector<std::string> head{"method"};
-  head.insert(head.end(), formulations.begin(), formulations.end());
-  print_head(head);
-  for (const std::string& method : values_of(table, "method")) {
+  const std::vector<std::string> formulations = distinct(table, "formulation");
+  print_head("method", formulations);
+  for (const std::string& method : distinct(table, "method")) {
     std::vector<std::string> cells{method};
     for (const std::string& formulation : formulations) {
       Sample ratios;
@@ -114,10 +104,8 @@ void time_by_engine(Results& results) {
     cell.emplace(std::pair(table.text(row, "scene"), column),
                  time == "none" ? "-" : rounded(to_number(time)));
   }
-  std::vector<std::string> head{"scene"};
-  head.insert(head.end(), columns.begin(), columns.end());
-  print_head(head);
-  for (const std::string& scene : values_of(table, "scene")) {
+  print_head("scene", columns);
+  for (const std::string& scene : distinct(table, "scene")) {
     std::vector<std::string> cells{scene};
     for (const std::string& column : columns) {
       const auto found = cell.find({scene, column});
