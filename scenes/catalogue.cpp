@@ -11,6 +11,19 @@ namespace trivium {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The scene files of a folder, sorted.
+std::vector<fs::path> scene_files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
 fs::path catalogue_directory(const fs::path& header) {
   if (const char* from_environment = std::getenv("TRIVIUM_SCENES")) return from_environment;
   std::error_code error;
@@ -31,11 +44,7 @@ std::vector<fs::path> catalogue(const fs::path& header) {
     throw scenes::SceneError(
         folder.string(), "", "the folder of the catalogue does not exist",
         "an installation with share/trivium/scenes, or the environment variable TRIVIUM_SCENES");
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
+  return scene_files_in(folder);
 }
 
 namespace {
@@ -45,8 +54,8 @@ namespace {
 [[noreturn]] void throw_unknown_scene(const std::string& name, const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code error;
-  for (const fs::directory_entry& file : fs::directory_iterator(folder, error))
-    if (file.path().extension() == ".json") names.push_back(file.path().stem().string());
+  if (fs::is_directory(folder, error))
+    for (const fs::path& file : scene_files_in(folder)) names.push_back(file.stem().string());
   const fs::path asked(name);
   throw scenes::SceneError(name.empty() ? "\"\"" : name, "",
                            "no such file, and no such scene in the catalogue",
