@@ -122,14 +122,12 @@ class Comparer {
   /// error as it amplifies a difference of the start.
   void bound_by_neighbours() {
     const double tolerance = run_.tolerances.rtol + run_.tolerances.atol;
-    std::vector<Motion> near;
-    std::vector<double> distance;
+    std::vector<Neighbour> near;
     for (int seed = 1; seed <= neighbours; ++seed) {
-      const auto [motion, apart] = neighbouring_motion(tolerance, seed);
-      if (!(apart > 0)) break;  // the constraints leave no neighbour
-      near.push_back(motion);
-      distance.push_back(apart);
-      raise(out_.neighbour_distance, apart);
+      Neighbour one = neighbouring_motion(tolerance, seed);
+      if (!(one.distance > 0)) break;  // the constraints leave no neighbour
+      raise(out_.neighbour_distance, one.distance);
+      near.push_back(std::move(one));
     }
     long steps = 0;
     for (const ComparedRun& one : out_.runs) steps = std::max(steps, one.report.counters.steps);
@@ -138,9 +136,9 @@ class Comparer {
     for (std::size_t k = 0; k < out_.instants.size(); ++k) {
       ComparedInstant& now = out_.instants[k];
       bool is_near = true;
-      for (std::size_t n = 0; n < near.size(); ++n) {
-        const double apart = lambda_distance(norms_[k], motion(0)[k].lambda, near[n][k].lambda);
-        raise(amplification, apart / distance[n]);
+      for (const Neighbour& one : near) {
+        const double apart = lambda_distance(norms_[k], motion(0)[k].lambda, one.motion[k].lambda);
+        raise(amplification, apart / one.distance);
         is_near = is_near && apart <= small_difference;
       }
       now.amplification = amplification;
@@ -151,13 +149,17 @@ class Comparer {
     }
   }
 
-  /// The first formulation's motion from a neighbouring start, and the distance of that start; 0 if there is
-  /// none. If lambda is far more sensitive than the state, the neighbour's lambda differs too much already at
-  /// the start; a nearer neighbour is taken then.
-  std::pair<Motion, double> neighbouring_motion(double tolerance, int seed) {
+  /// A motion from a neighbouring start, and the relative distance of that start; 0 if there is none.
+  struct Neighbour {
+    Motion motion;
+    double distance = 0;
+  };
+  /// The neighbour of the first formulation's motion. If lambda is far more sensitive than the state, the
+  /// neighbour's lambda differs too much already at the start; a nearer neighbour is taken then.
+  Neighbour neighbouring_motion(double tolerance, int seed) {
     for (double in_tolerances = distance_in_tolerances;; in_tolerances /= 100) {
       const NeighbouringStart start = neighbouring_start(model_, tolerance, seed, in_tolerances);
-      if (!(start.distance > 0)) return {{}, 0.};
+      if (!(start.distance > 0)) return {};
       Recorder record = recorder(in_tolerances == distance_in_tolerances ? 1 : 0);
       SimulationOptions options = run_;
       options.formulation = formulations_.front().name;

@@ -50,7 +50,8 @@ double distance(const Scales& scales, const MechanismState<double>& a, const Mec
 
 /// A state at a relative distance of about `size` from the model's state that satisfies the constraints. The
 /// state vector of the formulation r-omega is changed at random and then projected, as after a step.
-MechanismState<double> neighbour(const Model<double>& model, const Scales& scales, int seed, double size) {
+MechanismState<double> neighbour(FirstOrderEquations<ROmega<double>>& equations, double t,
+                                 const Scales& scales, int seed, double size) {
   // the distribution depends on the standard library: a seed gives the same numbers on one platform only
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -58,7 +59,6 @@ MechanismState<double> neighbour(const Model<double>& model, const Scales& scale
     const double x = uniform(random), y = uniform(random), z = uniform(random);
     return Vector3<double>(scale * size * Vector3<double>(x, y, z));
   };
-  FirstOrderEquations<ROmega<double>> equations(model.mechanism, model.state);
   VectorX<double> y = equations.start();
   for (int b = 0; b < equations.nb(); ++b) {
     auto place = equations.layout().place(y, b);
@@ -72,9 +72,8 @@ MechanismState<double> neighbour(const Model<double>& model, const Scales& scale
     rate.tail<3>() += draw(scales.rate);
   }
   integrators::ProjectionReport<double> report;
-  integrators::ProjectionIteration<FirstOrderEquations<ROmega<double>>>()(equations, model.state.t, y,
-                                                                          report);
-  return equations.to_mechanism_state(model.state.t, y);
+  integrators::ProjectionIteration<FirstOrderEquations<ROmega<double>>>()(equations, t, y, report);
+  return equations.to_mechanism_state(t, y);
 }
 
 }  // namespace
@@ -82,10 +81,11 @@ MechanismState<double> neighbour(const Model<double>& model, const Scales& scale
 NeighbouringStart neighbouring_start(const Model<double>& model, double tolerance, int seed,
                                      double in_tolerances) {
   const Scales scales(model);
+  FirstOrderEquations<ROmega<double>> equations(model.mechanism, model.state);
   double size = std::clamp(in_tolerances * tolerance, least_distance, largest_distance);
   for (int tries = 3;; size /= 30) {  // 3 and 30 are chosen by experiment: the last distance is size / 900
     try {
-      NeighbouringStart start{neighbour(model, scales, seed, size), 0};
+      NeighbouringStart start{neighbour(equations, model.state.t, scales, seed, size), 0};
       // The projection has removed nearly the whole change: the constraints leave no neighbour, and the rest
       // is an error of the projection. The factor 1e-3 is a safety factor.
       if (const double apart = distance(scales, start.state, model.state); apart > 1e-3 * size)
