@@ -20,13 +20,11 @@ export PATH=$bin:$PATH
 
 # The commands of `run`, without its installing and building.
 make_run() {
-  cat >"$1/run" <<'RUN'
+  cat >"$1/run" <<RUN
 #!/usr/bin/env bash
-case ${1:-} in
-  '') lambda_invariance && exec simbody_reference ;;
-  solve | simulate | compare | check | list | generate | --*) exec trivium "$@" ;;
-  *) exec "$@" ;;
-esac
+((\$#)) || { lambda_invariance && simbody_reference; exit; }
+[[ ! -x $bin/\$1 ]] || exec "\$@"
+exec trivium "\$@"
 RUN
   chmod +x "$1/run"
 }
@@ -64,6 +62,9 @@ same() {
     }' "$1" "$2"
 }
 
+# has_option OPTION HELP: whether a help text names the option
+has_option() { grep -qE -- "(^|[ ,])$1([ ,]|$)" <<<"$2"; }
+
 # options_exist COMMAND: each --option of a command of this project is in its help.
 options_exist() {
   local words option help
@@ -72,17 +73,17 @@ options_exist() {
   [[ ${words[1]:-} && ! $1 =~ $runs_elsewhere ]] || return 0
   help=$(./run "${words[1]}" --help 2>/dev/null) || { echo "  there is no command: $1"; return 1; }
   for option in $(grep -oE -- ' --[a-z][a-z-]*' <<<" ${1%%|*}"); do
-    grep -qE -- "(^|[ ,])$option([ ,]|$)" <<<"$help" || { echo "  $option is no option of: $1"; return 1; }
+    has_option "$option" "$help" || { echo "  $option is no option of: $1"; return 1; }
   done
 }
 
-all_help=$({ trivium --help; for c in solve simulate compare check list generate; do trivium "$c" --help; done
-             for p in "$bin"/*; do [[ $p == */trivium ]] || "$p" --help; done; } 2>/dev/null)
+all_help=$(for p in "$bin"/*; do "$p" --help; done 2>/dev/null
+           for c in $(trivium --help | sed '1,/^Subcommands:/d; s/^  *\([a-z]*\).*/\1/'); do trivium "$c" --help; done)
 failed=0
 problem() { printf '%s:%d: %s\n' "$page" "$number" "$1"; failed=1; }
 
 read_page() {
-  local line text='' state=prose fence='' kind='' block='' file='' command='' generated=''
+  local line text='' state=prose fence='' kind='' block='' file='' generated='' option
   number=0
   : >shown.out
   while IFS= read -r line || [[ $line ]]; do
@@ -96,9 +97,9 @@ read_page() {
           generated=${BASH_REMATCH[1]} block='' state=generated
         elif [[ $line == '```'* ]]; then
           fence=${line#'```'} kind=${fence#* } block='' state=block
-        elif [[ $page != */CHANGELOG.md ]]; then
+        else
           for option in $(grep -oE -- '`--[a-z][a-z-]*' <<<"$line" | tr -d '`'); do
-            grep -qE -- "(^|[ ,])$option([ ,]|$)" <<<"$all_help" || problem "no program has the option $option"
+            has_option "$option" "$all_help" || problem "no program has the option $option"
           done
         fi
         ;;
