@@ -6,7 +6,9 @@ mathjax=/usr/share/javascript/mathjax # of Debian's libjs-mathjax
 type -P doxygen >/dev/null || { echo 'doxygen is not installed'; exit 0; }
 [[ -d $mathjax ]] || { echo 'libjs-mathjax is not installed'; exit 0; }
 mkdir -p "$1"
-{ cat docs/Doxyfile; echo "OUTPUT_DIRECTORY = \"$1\""; } | doxygen -
+# the pages in the order of their contents
+pages=$(sed -n 's|.*\](\([a-z_]*\.md\)).*|docs/\1|p' docs/README.md)
+{ cat docs/Doxyfile; echo "OUTPUT_DIRECTORY = \"$1\""; } | sed "s|^INPUT = |&README.md docs/README.md ${pages//$'\n'/ } |" | doxygen -
 # what renders formulas, without a network
 mkdir -p "$1/html/mathjax/jax/output" "$1/html/mathjax/fonts/HTML-CSS/TeX"
 cp -rL $mathjax/{MathJax.js,config,extensions} "$1/html/mathjax"

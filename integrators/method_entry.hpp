@@ -19,8 +19,8 @@ struct MethodInfo {
   bool takes_given_steps = false, chooses_steps = false;
   bool meets_constraints = false;           ///< meets Phi = 0 itself; integrate does not project it
   bool needs_constant_inertia = false;      ///< needs a mass matrix M that does not depend on q
-  bool has_own_lambda = meets_constraints;  ///< has multipliers of its own, besides those solved at a state
-  int own_lambda_order = order;             ///< order of its own multipliers at given steps
+  bool has_raw_lambda = meets_constraints;  ///< computes multipliers together with its step
+  int raw_lambda_order = order;             ///< order of these multipliers at given steps
   // the MethodParameters that the method accepts
   bool takes_order = false, takes_rho = false, takes_alpha = false, takes_full_newton = false;
 };

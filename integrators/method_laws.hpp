@@ -94,9 +94,9 @@ class MethodLaws {
     if (entry_.info.order > 0 && fine.y_error > 1e-12)
       at_most("the error of y decreases with the declared order",
               std::abs(std::log2(coarse.y_error / fine.y_error) - entry_.info.order), 0.5);
-    if (entry_.info.has_own_lambda && entry_.info.own_lambda_order > 0 && fine.lambda_error > 1e-11)
+    if (entry_.info.has_raw_lambda && entry_.info.raw_lambda_order > 0 && fine.lambda_error > 1e-11)
       at_most("the error of the method's own multipliers decreases with the declared order",
-              std::abs(std::log2(coarse.lambda_error / fine.lambda_error) - entry_.info.own_lambda_order),
+              std::abs(std::log2(coarse.lambda_error / fine.lambda_error) - entry_.info.raw_lambda_order),
               0.5);
     at_most("the error of y is small", fine.y_error, 0.05);
     at_most("a restart within the run keeps the accuracy",
@@ -145,8 +145,8 @@ class MethodLaws {
     restarts(Steps::chosen);
   }
   void own_multipliers(const Run& of) {
-    at_most("lambda returns multipliers if and only if has_own_lambda is declared",
-            (of.method->lambda() != nullptr) == entry_.info.has_own_lambda ? 0 : 1, 0);
+    at_most("lambda returns multipliers if and only if has_raw_lambda is declared",
+            (of.method->lambda() != nullptr) == entry_.info.has_raw_lambda ? 0 : 1, 0);
     at_most("the method's own multipliers are close to those of the state", of.lambda_error, 0.05);
     if (!entry_.info.meets_constraints) return;
     SphericalPendulum<double> pendulum;

@@ -100,8 +100,8 @@ void expect_order(const MethodInfo& method, double h, const MethodParameters& gi
   const int order = given.order.value_or(method.order);
   const Errors coarse = at_steps<S>(method, h, given), fine = at_steps<S>(method, h / 2, given);
   EXPECT_NEAR(std::log2(coarse.y / fine.y), order, 0.2) << coarse.y << " " << fine.y;
-  if (!method.has_own_lambda) return;
-  EXPECT_NEAR(std::log2(coarse.lambda / fine.lambda), given.order.value_or(method.own_lambda_order), 0.2)
+  if (!method.has_raw_lambda) return;
+  EXPECT_NEAR(std::log2(coarse.lambda / fine.lambda), given.order.value_or(method.raw_lambda_order), 0.2)
       << coarse.lambda << " " << fine.lambda;
 }
 
@@ -153,8 +153,8 @@ TEST(MethodLaws, FindAnEntryThatDoesNotDescribeItsMethod) {
   };
   EXPECT_FALSE(broken_when([](MethodInfo&) {}, "hht"));
   EXPECT_TRUE(broken_when([](MethodInfo& info) { info.order = 3; }, "hht"));
-  EXPECT_TRUE(broken_when([](MethodInfo& info) { info.has_own_lambda = false; }, "hht"));
-  EXPECT_TRUE(broken_when([](MethodInfo& info) { info.own_lambda_order = 3; }, "hht"));
+  EXPECT_TRUE(broken_when([](MethodInfo& info) { info.has_raw_lambda = false; }, "hht"));
+  EXPECT_TRUE(broken_when([](MethodInfo& info) { info.raw_lambda_order = 3; }, "hht"));
   EXPECT_TRUE(broken_when([](MethodInfo& info) { info.takes_given_steps = false; }, "hht"));
   EXPECT_TRUE(broken_when([](MethodInfo& info) { info.meets_constraints = true; }, "abm"));
 }

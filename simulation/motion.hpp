@@ -47,7 +47,7 @@ struct SimulationReport {
   bool complete = false;  ///< the end was reached; the observer did not stop the run
   integrators::Counters counters;
   long factorisations = 0, jacobians = 0;  ///< of all matrices; of Newton matrices alone
-  bool is_projected = true, is_implicit = false, has_own_lambda = false;
+  bool is_projected = true, is_implicit = false, has_raw_lambda = false;
   double lambda_gap = 0;  ///< largest |raw_lambda - lambda of the acceleration solver| of a row at an output
   integrators::ProjectionReport<double> projection;
   int reframings = 0;

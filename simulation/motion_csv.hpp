@@ -1,6 +1,6 @@
 #pragma once
 /// A motion as a CSV file, one line per output: t; per body r, p, r' and omega_bar (13 columns); per joint
-/// the force and torque on body j; lambda; energy and the largest violations; then the method's own lambda,
+/// the force and torque on body j; lambda; energy and the largest violations; then the method's raw lambda,
 /// if it has one. Numbers are written with 17 digits, so that a reader gets the same double.
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace trivium {
 
-/// The names of the columns. If not `has_raw_lambda`, the method's own lambda is left out.
+/// The names of the columns. If not `has_raw_lambda`, the method's raw lambda is left out.
 std::vector<std::string> motion_columns(const Mechanism<double>& mechanism, bool has_raw_lambda);
 /// The numbers of one line, in the same order.
 std::vector<double> motion_numbers(const MotionSample& sample, bool has_raw_lambda);

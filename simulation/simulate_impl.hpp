@@ -93,7 +93,7 @@ class Simulation {
       throw integrators::UsageError(
           fmt::format("{} solves for positions on the constraints: Baumgarte's stabilisation cannot be used",
                       method.name));
-    if (method.has_own_lambda && options.baumgarte)
+    if (method.has_raw_lambda && options.baumgarte)
       throw integrators::UsageError(
           fmt::format("{} satisfies the velocity constraints by its own multipliers: Baumgarte's "
                       "stabilisation of accelerations cannot be used",
@@ -126,7 +126,7 @@ class Simulation {
   void report_the_run(const integrators::ProjectionReport<S>& projection) {
     report_.is_projected = projects_;
     report_.is_implicit = is_implicit_;
-    report_.has_own_lambda = entry_.info.has_own_lambda;
+    report_.has_raw_lambda = entry_.info.has_raw_lambda;
     report_.counters = method_->counters();
     report_.factorisations = equations_.factorisations();
     report_.jacobians = equations_.newton_matrices();

@@ -29,7 +29,7 @@ std::vector<double> numbers_of(const Output& at) {
     for (const double e : body.p) all.push_back(sign * e);
   }
   all.insert(all.end(), at.lambda.begin(), at.lambda.end());
-  all.insert(all.end(), at.own_lambda.begin(), at.own_lambda.end());
+  all.insert(all.end(), at.raw_lambda.begin(), at.raw_lambda.end());
   return all;
 }
 

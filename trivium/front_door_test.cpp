@@ -122,7 +122,7 @@ TEST(FrontDoor, SolvesAsTheRoomsBehindItDo) {
       EXPECT_EQ(one.solver, "printed");
       EXPECT_EQ(one.lambda_is_unique, expected.rows.unique);
       EXPECT_EQ(one.charts, of.charts);
-      EXPECT_EQ(one.redundant.size(), expected.rows.dependent.size());
+      EXPECT_EQ(one.dependent.size(), expected.rows.dependent.size());
       EXPECT_GT(one.lambda_error, 0);
       for (std::size_t k = 0; k < one.lambda.size(); ++k) {
         EXPECT_EQ(one.lambda[k], of.solution.lambda[static_cast<Eigen::Index>(k)]);
@@ -161,7 +161,7 @@ TEST(FrontDoor, ChecksWhatAStateIs) {
   EXPECT_TRUE(check.is_consistent);
   EXPECT_EQ(check.rows.size(), 20u);
   EXPECT_EQ(std::count_if(check.rows.begin(), check.rows.end(),
-                          [](const RowCheck& row) { return row.is_redundant; }),
+                          [](const RowCheck& row) { return row.is_dependent; }),
             3);
   EXPECT_GT(check.kinetic_energy, 0);
 }
@@ -264,7 +264,7 @@ TEST(FrontDoor, BeyondTheDenseSolverABodyWithoutInertiaAboutAnAxisIsSolvedWithou
   const Solutions all = solve_in_all(scene_of(scenes::ladder(300)));
   EXPECT_TRUE(all.failed.empty());
   EXPECT_TRUE(std::isnan(all.lambda_difference));
-  EXPECT_FALSE(all.solved.front().redundant.empty());
+  EXPECT_FALSE(all.solved.front().dependent.empty());
 }
 
 TEST(FrontDoor, TheScenesOfAnInstalledCatalogueAreFoundBesideTheHeader) {

@@ -84,7 +84,7 @@ class PlainObserver : public SimulationObserver {
     out.lambda_error = s.lambda_error;
     out.acceleration_error = s.acceleration_error;
     out.charts = s.charts;
-    out.own_lambda = plain(s.raw_lambda);
+    out.raw_lambda = plain(s.raw_lambda);
     out.energy = s.energy;
     out.phi = s.phi;
     out.phi_dot = s.phi_dot;

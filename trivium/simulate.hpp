@@ -40,7 +40,7 @@ struct Output : Instant {
   /// Multipliers that the method itself computes, an approximation of `lambda` in the same units; empty if
   /// the method has none. `lambda_is_unique` holds for them too: where it is false, they need not equal
   /// `lambda`.
-  std::vector<double> own_lambda;
+  std::vector<double> raw_lambda;
   double energy = 0;            ///< kinetic plus potential energy [J]; for its zero see Check
   double phi = 0, phi_dot = 0;  ///< largest violation of a row [m or rad, m/s or rad/s]
 };

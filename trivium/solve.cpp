@@ -47,7 +47,7 @@ Solution solution_of(const FormulationResult<double>& result, const SolvedState&
   out.lambda_error = result.estimate.lambda;
   out.acceleration_error = result.estimate.acceleration;
   out.condition = if_known(rows.kappa);
-  out.redundant = named(rows.dependent, model.mechanism);
+  out.dependent = named(rows.dependent, model.mechanism);
   return out;
 }
 

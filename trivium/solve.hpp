@@ -19,7 +19,7 @@ struct RowCheck {
   /// |residual| / |gradient of the row| [m or rad, m/s or rad/s]: independent of such a factor.
   double position_violation = 0, velocity_violation = 0;
   bool is_unique = true;      ///< its multiplier is unique
-  bool is_redundant = false;  ///< the row is dependent at this state: it follows from the other rows
+  bool is_dependent = false;  ///< the row is dependent at this state: it follows from the other rows
 };
 
 /// The result of check().
@@ -68,7 +68,7 @@ struct Solution : Instant {
   std::string formulation, solver;  ///< solver: "printed" or "structured", as in Check
   std::vector<double> lambda_p;     ///< r-p: per body, multiplier of (p . p - 1)/2 = 0 [N m]; otherwise empty
   std::optional<double> condition;  ///< kappa [-], as in Check
-  std::vector<std::string> redundant;  ///< names of the rows that are dependent at this state
+  std::vector<std::string> dependent;  ///< names of the rows that are dependent at this state
   std::vector<std::string> warnings;   ///< uncertain numbers, unmet equations, unphysical inertias
 };
 

@@ -80,8 +80,8 @@ std::vector<MethodEntry<S>> explicit_methods() {
         .order = 5,
         .takes_given_steps = true,
         .chooses_steps = true,
-        .has_own_lambda = true,
-        .own_lambda_order = 4},
+        .has_raw_lambda = true,
+        .raw_lambda_order = 4},
        [](Request request) -> Made {
          return adapt<S>(HalfExplicit<AnySystem<S>, Hedop5Coefficients<S>>(request.tolerances));
        }},
@@ -89,8 +89,8 @@ std::vector<MethodEntry<S>> explicit_methods() {
         .summary = "half-explicit Runge-Kutta, index 2",
         .order = 4,
         .takes_given_steps = true,
-        .has_own_lambda = true,
-        .own_lambda_order = 2},
+        .has_raw_lambda = true,
+        .raw_lambda_order = 2},
        [](Request) -> Made { return adapt<S>(HalfExplicit<AnySystem<S>, Hem4Coefficients<S>>()); }},
   };
 }

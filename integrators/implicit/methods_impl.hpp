@@ -70,7 +70,7 @@ std::vector<MethodEntry<S>> implicit_methods() {
         .takes_given_steps = true,
         .chooses_steps = true,
         .meets_constraints = true,
-        .own_lambda_order = 3,
+        .raw_lambda_order = 3,
         .takes_full_newton = true},
        [](Request request) -> Made {
          return adapt<S>(Radau5<AnySystem<S>>(request.tolerances, newton(request)));
@@ -81,7 +81,7 @@ std::vector<MethodEntry<S>> implicit_methods() {
         .takes_given_steps = true,
         .chooses_steps = true,
         .meets_constraints = true,
-        .own_lambda_order = 5,
+        .raw_lambda_order = 5,
         .takes_full_newton = true},
        [](Request request) -> Made {
          return adapt<S>(Radau9<AnySystem<S>>(request.tolerances, newton(request)));

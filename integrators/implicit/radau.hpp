@@ -15,7 +15,7 @@
 /// generalised force. A = (a_ij): the coefficient matrix of the method, not a rotation. The last equation
 /// makes sigma_i the smallest motion that satisfies the position rows; mu_i are its multipliers. The equation
 /// takes M and Phi_q from the factored Newton matrix, where M includes the resistance of the springs. The
-/// method's own lambda has order s. The parts of the method:
+/// method's raw lambda has order s. The parts of the method:
 ///
 ///   radau_coefficients.hpp   c, A and the weights of the error estimate
 ///   radau_stages.hpp         the stages: q_i and v_i from the unknowns, internal rows

@@ -21,7 +21,7 @@ std::vector<MethodEntry<S>> symplectic_methods() {
         .takes_given_steps = true,
         .meets_constraints = true,
         .needs_constant_inertia = true,
-        .own_lambda_order = 2},
+        .raw_lambda_order = 2},
        [](const MethodRequest&) { return adapt<S>(Rattle<AnySystem<S>>(4)); }},
   };
 }

@@ -42,7 +42,7 @@ int run_check(const CheckArguments& arguments) {
 Command add_check_command(ProgramOptions& program) {
   auto arguments = std::make_shared<CheckArguments>();
   ProgramOptions options =
-      program.add_subcommand("check", "Rank, redundant rows, residuals, energy and sparsity of a scene");
+      program.add_subcommand("check", "Rank, dependent rows, residuals, energy and sparsity of a scene");
   add_scene_options(options, *arguments);
   options.add_flag("--json", &arguments->json, "JSON on stdout");
   return {options,

@@ -10,7 +10,7 @@ TEST(Check, ReportsRankRedundancyAndSparsity) {
   ASSERT_EQ(r.exit_code, 0) << r.err;
   const json c = json::parse(r.out);
   EXPECT_EQ(c["rank"], 485);
-  EXPECT_EQ(c["redundant"].size(), 120u);
+  EXPECT_EQ(c["dependent"].size(), 120u);
   for (const json& matrix : c["augmented_matrix"]) EXPECT_LT(matrix["percent"], 3.0) << matrix["formulation"];
 }
 

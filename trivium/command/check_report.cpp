@@ -33,8 +33,8 @@ std::vector<std::string> CheckReport::row_names(bool (*chosen)(const RowCheck&))
   return out;
 }
 
-std::vector<std::string> CheckReport::redundant() const {
-  return row_names([](const RowCheck& row) { return row.is_redundant; });
+std::vector<std::string> CheckReport::dependent() const {
+  return row_names([](const RowCheck& row) { return row.is_dependent; });
 }
 
 std::vector<std::string> CheckReport::not_unique() const {
@@ -52,7 +52,7 @@ std::string CheckReport::json() const {
   if (check.rank) json.number("dof", *check.degrees_of_freedom).number("rank", *check.rank);
   if (check.condition) json.number("condition", *check.condition);
   json.numbers("mu", check.mu)
-      .texts("redundant", redundant())
+      .texts("dependent", dependent())
       .texts("not_unique", not_unique())
       .texts("contradictory", check.contradictory)
       .texts("unphysical_inertia", check.unphysical_inertia)
@@ -105,8 +105,8 @@ std::string CheckReport::text() const {
           *least, *most);
   for (const std::string& body : check.unphysical_inertia)
     out += fmt::format("unphysical inertia  body \"{}\", as declared in the scene\n", body);
-  if (const auto rows = redundant(); !rows.empty()) {
-    out += fmt::format("redundant rows      {}\n", fmt::join(rows, ", "));
+  if (const auto rows = dependent(); !rows.empty()) {
+    out += fmt::format("dependent rows      {}\n", fmt::join(rows, ", "));
     out += fmt::format("lambda not unique   {}\n", fmt::join(not_unique(), ", "));
   }
   double position = 0, velocity = 0;

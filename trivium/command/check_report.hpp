@@ -22,7 +22,7 @@ struct CheckReport {
 
  private:
   std::vector<std::string> row_names(bool (*chosen)(const RowCheck&)) const;
-  std::vector<std::string> redundant() const;
+  std::vector<std::string> dependent() const;
   std::vector<std::string> not_unique() const;
 };
 

@@ -71,9 +71,9 @@ std::vector<ComparedFormulation> formulations_of(const CompareArguments& argumen
 void write_files(const CompareArguments& arguments, const CompareReport& report) {
   const fs::path folder(arguments.out);
   const MotionComparison& comparison = report.comparison;
-  const bool has_own_lambda = integrators::find_method(arguments.options.integrator)->has_own_lambda;
+  const bool has_raw_lambda = integrators::find_method(arguments.options.integrator)->has_raw_lambda;
   for (std::size_t f = 0; f < comparison.runs.size(); ++f) {
-    MotionCsv csv(report.mechanism, has_own_lambda, folder / (comparison.runs[f].formulation + ".csv"));
+    MotionCsv csv(report.mechanism, has_raw_lambda, folder / (comparison.runs[f].formulation + ".csv"));
     for (const MotionSample& sample : comparison.samples[f]) csv.add(sample);
     csv.keep();
   }

@@ -20,7 +20,7 @@ MotionOutput::MotionOutput(const Mechanism<double>& mechanism, double t_start,
       figure_file_(figure),
       progress_("simulating", most_ticks) {
   if (!csv.empty())
-    csv_.emplace(mechanism, integrators::find_method(options.integrator)->has_own_lambda, csv);
+    csv_.emplace(mechanism, integrators::find_method(options.integrator)->has_raw_lambda, csv);
   if (!figure.empty())
     plot_.emplace(mechanism,
                   fmt::format("{}: {}, {}", mechanism.name, options.formulation, options.integrator));

@@ -57,7 +57,7 @@ std::string MotionReport::json(const SimulationReport& r) const {
       .number("phi_before_projection", r.projection.position)
       .number("phi_dot_before_projection", r.projection.velocity)
       .number("normalisation", r.normalisation);
-  if (r.has_own_lambda) json.number("raw_lambda", r.lambda_gap);
+  if (r.has_raw_lambda) json.number("raw_lambda", r.lambda_gap);
   json.end_object();
   json.begin_object("energy").number("start", r.energy_start).number("end", r.energy_end);
   if (r.does_work) json.number("work", r.work);
@@ -103,7 +103,7 @@ std::string MotionReport::text(const SimulationReport& r) const {
     add("position violation before projection [m, rad]", fmt::format("{:.1e}", r.projection.position));
     add("velocity violation before projection [m/s, rad/s]", fmt::format("{:.1e}", r.projection.velocity));
   }
-  if (r.has_own_lambda) add("largest |raw lambda - lambda of (q, v)|", fmt::format("{:.1e}", r.lambda_gap));
+  if (r.has_raw_lambda) add("largest |raw lambda - lambda of (q, v)|", fmt::format("{:.1e}", r.lambda_gap));
   if (r.normalisation > 0) add("violation of p . p = 1, largest", fmt::format("{:.1e}", r.normalisation));
   add("energy at the start [J]", fmt::format("{:.12g}", r.energy_start));
   add("energy at the end [J]", fmt::format("{:.12g}", r.energy_end));

@@ -30,7 +30,7 @@ struct SimulateArguments : RunArguments {
   bool no_projection = false, json = false;
 };
 
-constexpr int outputs_of_a_figure = 500;
+constexpr int output_steps_of_a_figure = 500;
 
 /// Writes the scene at the end of the run to the file of --save-end. Returns false, with a message, on
 /// failure.
@@ -58,7 +58,7 @@ int run_simulate(const SimulateArguments& arguments) {
   const Model<double>& model = loaded.model;
   const double t = model.state.t;
   if (!arguments.plot.empty() && !options.output_step && options.end > t)
-    options.output_step = (options.end - t) / outputs_of_a_figure;
+    options.output_step = (options.end - t) / output_steps_of_a_figure;
   options.from = loaded.scene.saved;
   require_consistent(arguments.scene, model, options.from, options.formulation);
   const MotionReport of{model.mechanism, t, options};
@@ -97,7 +97,7 @@ Command add_simulate_command(ProgramOptions& program) {
       .one_of(formulation_names())
       .show_default();
   add_run_options(options, *arguments,
-                  fmt::format("only start and end; with --plot {} outputs", outputs_of_a_figure));
+                  fmt::format("only start and end; with --plot {} outputs", output_steps_of_a_figure + 1));
   options.add_option("--out", &arguments->out, "Write the motion to this CSV file").check(writable_file());
   options.add_option("--plot", &arguments->plot, "Draw the outputs to this SVG file").check(figure_file());
   options

@@ -82,9 +82,9 @@ std::string SolveReport<Scalar>::json() const {
       .number("omega_bar_dot", d.omega_bar_dot)
       .end_object();
   json.number("condition", result.rows.kappa).texts("rows", mechanism.row_names);
-  std::vector<std::string> redundant;
-  for (int k : result.rows.dependent) redundant.push_back(mechanism.row_names[k]);
-  json.texts("redundant", redundant).texts("warnings", warnings_of(scene, result)).end_object();
+  std::vector<std::string> dependent;
+  for (int k : result.rows.dependent) dependent.push_back(mechanism.row_names[k]);
+  json.texts("dependent", dependent).texts("warnings", warnings_of(scene, result)).end_object();
   return json.str();
 }
 
@@ -168,11 +168,11 @@ std::string SolveReport<Scalar>::text() const {
         result.any_unique() ? fmt::format("{:.1e}", d.lambda) : "none", d.r_ddot, d.omega_bar_dot);
   }
   if (!result.rows.dependent.empty()) {
-    out += "redundant rows (linear combinations of the other rows):";
+    out += "dependent rows (linear combinations of the other rows):";
     for (int k : result.rows.dependent) out += " " + mechanism.row_names[k];
     out += has_norms ? "\nmultipliers marked \"not unique\": the solution of minimum norm |E lambda|, E^2 = "
                        "diag(Phi_q M^-1 Phi_q^T)\n"
-                     : "\nmultipliers marked \"not unique\": a solution with 0 in redundant rows\n";
+                     : "\nmultipliers marked \"not unique\": a solution with 0 in dependent rows\n";
   }
   return out;
 }

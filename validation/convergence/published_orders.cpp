@@ -17,7 +17,7 @@ std::vector<Case> cases() {
                        const integrators::MethodParameters& parameters = {}) -> Case& {
     const integrators::MethodInfo& info = *integrators::find_method(method);
     const int order = parameters.order.value_or(info.order),
-              own = info.has_own_lambda ? parameters.order.value_or(info.own_lambda_order) : 0;
+              own = info.has_raw_lambda ? parameters.order.value_or(info.raw_lambda_order) : 0;
     all.push_back({std::move(label), method, parameters, order, own, steps});
     return all.back();
   };
