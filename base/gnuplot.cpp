@@ -8,7 +8,8 @@ namespace trivium {
 std::string gnuplot_quoted(std::string_view s) {
   std::string out = "'";
   for (const char c : s) {
-    // a newline ends a gnuplot string even inside quotes; control characters do not belong in a title
+    // A newline ends a gnuplot string even inside quotes; other control characters do not belong in a title.
+    // Text between backquotes is a shell command to gnuplot outside single quotes: a second barrier.
     const bool ends_a_string = static_cast<unsigned char>(c) < ' ' || c == 0x7f;
     out += c == '\'' ? std::string("''") : std::string(1, ends_a_string || c == '`' ? ' ' : c);
   }

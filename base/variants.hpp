@@ -1,6 +1,6 @@
 #pragma once
-/// Creates a std::variant that holds the n-th type of its list, with n known only at run time. Readers and
-/// tests use it to loop over a list of types; no switch is needed that could miss a type.
+/// Creates a std::variant that holds the n-th type of its list, with n known only at run time. The scene
+/// reader and tests loop over all types of a list by n; a switch over the types could miss one.
 
 #include <cstddef>
 #include <utility>

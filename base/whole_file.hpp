@@ -1,7 +1,7 @@
 #pragma once
 /// Reads whole files and replaces files atomically: a written file has either all of its new content or its
-/// old one. A path may be written if it names a regular file or nothing, also through symbolic links.
-/// Devices, FIFOs and folders are never replaced.
+/// old one. A path may be written if it names a regular file, directly or through symbolic links, or a file
+/// that does not exist yet. Devices, FIFOs and folders are never replaced.
 
 #include <filesystem>
 #include <fstream>
@@ -13,7 +13,7 @@
 namespace trivium {
 
 /// The file that a write to `path` replaces: the target of the link if `path` is a symbolic link, otherwise
-/// `path`. None if that is a device, a FIFO or a folder, or if the links form a cycle.
+/// `path`. None if this file is a device, a FIFO or a folder, or if the links form a cycle.
 std::optional<std::filesystem::path> file_to_write(std::filesystem::path path);
 
 /// A temporary file that replaces `target` when `keep` is called; without `keep` it is deleted. The file is

@@ -11,7 +11,7 @@
 namespace trivium {
 
 /// (to + arm_j) - (from + arm_i) [m, global]. The longer arm is added to the difference of the centres first:
-/// a point of the ground has its centre at the origin, so all of its position is in its arm.
+/// the centre of the ground is the origin, so the arm of a ground point is its whole position.
 template <class Scalar>
 Vector3<Scalar> offset_between(const Vector3<Scalar>& from, const Vector3<Scalar>& arm_i,
                                const Vector3<Scalar>& to, const Vector3<Scalar>& arm_j) {

@@ -14,7 +14,7 @@ struct RigidBody {
   Scalar mass{1};                                         ///< m [kg]
   Matrix3<Scalar> inertia = Matrix3<Scalar>::Identity();  ///< J_bar [kg m^2], centre of mass, body frame
 
-  /// Calls use(member...) for each member, with that member of all given bodies as arguments.
+  /// Calls use(a.m, b.m, ...) for every member m, where a, b, ... are the given bodies.
   template <class Use, class... Part>
   static void show_parts(const Use& use, Part&... p) {
     use(p.mass...);

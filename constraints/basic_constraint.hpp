@@ -5,8 +5,8 @@
 ///
 /// and TurningDP1, a DP1 whose first vector rotates relative to body i (rotation drivers). Each has its own
 /// file. Each is the dot product of two features (feature.hpp) minus a function of time; constraint_row.hpp
-/// derives its equations from that for every formulation. To add a constraint, write its file and enter it in
-/// StandardConstraints; a project outside the library adds it by `With`.
+/// derives the equations of every formulation from this product. To add a constraint, write its file and
+/// enter the type in StandardConstraints; a project outside the library adds its type by `With`.
 
 #include <concepts>
 #include <type_traits>
@@ -29,7 +29,7 @@ namespace trivium {
 ///     is_of_angle    true if Phi / scale measures an angle [rad], false if it measures a length [m]
 ///     scale(t)       the largest change of Phi per metre of its points or per radian of its vectors, at
 ///                    states where Phi = 0; Phi / scale is comparable between rows
-///     function       its function of time, f(t) or another that drives the row
+///     function       its function of time: f(t), or alpha(t) of TurningDP1
 ///     with_features  (on_i, on_j, t, use): returns use(x, y, f), its two features and f of Phi = x . y - f;
 ///                    on_i and on_j are bodies of any formulation (BodyKinematics)
 ///
@@ -41,7 +41,7 @@ namespace trivium {
 ///     needs_positive_f
 ///                    true if the row has no gradient, or cannot hold, at f = 0: scene files need f > 0
 ///     vanishes       (on_i, on_j, share): true if the gradient at this state is less than `share` of the
-///                    largest that vectors of these lengths can have
+///                    largest gradient that vectors of these lengths can have
 template <class C, class Scalar>
 concept DotProductConstraint = std::derived_from<C, BodyPair> && requires(const C& c, const Scalar& t) {
   { C::is_of_angle } -> std::convertible_to<bool>;
@@ -89,7 +89,7 @@ template <class... C>
 BodyPair bodies_of(const std::variant<C...>& constraint) {
   return std::visit([](const BodyPair& pair) { return pair; }, constraint);
 }
-/// scale(t) of the constraint, a divisor for Phi: 1 instead of 0. NaN stays NaN.
+/// scale(t) of the constraint as a divisor for Phi, hence 1 if scale(t) is 0. NaN stays NaN.
 template <class Scalar, class... C>
 Scalar row_scale(const std::variant<C...>& constraint, const Scalar& t) {
   const Scalar scale = std::visit([&](const auto& c) { return Scalar(c.scale(t)); }, constraint);
@@ -99,7 +99,7 @@ template <class... C>
 bool is_of_angle(const std::variant<C...>& constraint) {
   return std::visit([](const auto& c) { return c.is_of_angle; }, constraint);
 }
-/// False if the constraint does not declare it.
+/// Whether Phi depends only on the pose of j relative to i; false if the constraint does not declare this.
 template <class... C>
 bool sees_relative_motion(const std::variant<C...>& constraint) {
   const auto says = []<class One>(const One&) {

@@ -12,7 +12,7 @@ namespace trivium {
 struct BodyPair {
   int i = 0, j = 0;  ///< indices of bodies in the mechanism; nb, one past the last body, is the ground
 
-  /// Calls use(member...) for each member, with that member of all given pairs as arguments.
+  /// Calls use(a.m, b.m, ...) for every member m, where a, b, ... are the given pairs.
   template <class Use, class... Part>
   static void show_parts(const Use& use, Part&... p) {
     use(p.i...);

@@ -1,7 +1,7 @@
 #pragma once
 /// The function `keys` of a basic constraint presents its parts, except its bodies, to a visitor. It takes
-/// one constraint, or several of one type whose corresponding parts are passed together. Casts and batches
-/// use only this; so do the reader, writer, checks and random generator of scenes. A visitor has
+/// one constraint, or several of one type whose corresponding parts are passed together. Casts, batches, and
+/// the reader, writer, checks and random generator of scenes reach the parts by `keys` alone. A visitor has
 ///
 ///     vector_i(a_bar...), vector_j(a_bar...)   a vector of body i or j; key `vector` of that side in a file
 ///     point_i(s_bar...), point_j(s_bar...)     a point of body i or j; key `point` of that side

@@ -15,8 +15,9 @@
 
 namespace trivium {
 
-/// One row of the constraint equations, with its Jacobian blocks for bodies i and j. The unit of Phi is that
-/// of the dot product: - for DP1, m^2 for D, m for DP2 and CD if their vectors are dimensionless.
+/// One row of the constraint equations, with its Jacobian blocks for bodies i and j. The unit of Phi is the
+/// unit of the dot product: DP1 has none, D has m^2, DP2 and CD have m if their vectors are dimensionless. nu
+/// has the unit of Phi per s, gamma per s^2.
 template <class Scalar, int RotationalUnknowns>
 struct ConstraintRow {
   using Translational = Matrix<Scalar, 1, 3>;

@@ -6,19 +6,25 @@
 ///
 ///     x' = x_q q' + drift,   x'' = x_q q'' + bias,   drift = x_t (explicit dependence on time)
 ///
-/// Every feature has value() = x, rate() = x', bias_along(w) = w . bias, drift_along(w) = w . drift,
-/// add_jacobian(w, row), which adds w^T x_q to the Jacobian blocks of the row, acceleration(on_i, on_j) = x''
-/// for given accelerations of the bodies, and magnitude().
+/// Every feature has
+///
+///     value(), rate()                   x and x'
+///     bias_along(w), drift_along(w)     w . bias and w . drift
+///     add_jacobian(w, row)              adds w^T x_q to the Jacobian blocks of the row
+///     acceleration(on_i, on_j)          x'' for given accelerations of bodies i and j
+///     magnitude()                       bounds of x and its derivatives (FeatureMagnitude)
 
 #include "bodies/point_offset.hpp"
 #include "constraints/body_kinematics.hpp"
 
 namespace trivium {
 
-/// Sizes of a feature, to bound rounding errors: sums of the norms of its terms, as if no terms cancelled.
+/// Bounds of a feature and of its derivatives, for estimates of rounding errors: every bound is the sum of
+/// the norms of the terms, so that no terms cancel.
 template <class Scalar>
 struct FeatureMagnitude {
-  /// Sizes of x, x', the bias in r-omega, dx/dr of a body, and dx/d(rotation) of body i and of body j.
+  /// Bounds of x, of x', of the bias in r-omega, of the derivative of x by r of either body, and of the
+  /// derivatives of x by a small rotation of body i and of body j.
   Scalar value{0}, rate{0}, bias{0}, r{0}, rot_i{0}, rot_j{0};
 };
 
@@ -135,6 +141,8 @@ struct PointOffsetFeature {
     return (s_j.bias - s_i.bias) + (on_j.r_ddot - on_i.r_ddot) +
            (j.jacobian(s_j) * on_j.q_ddot - i.jacobian(s_i) * on_i.q_ddot);
   }
+  /// The offset, and the difference of the velocities of the centres, count as one term each: value() and
+  /// rate() form these differences first, and their cancellation belongs to the state.
   FeatureMagnitude<Scalar> magnitude() const {
     const Scalar on_i = s_i.a.norm(), on_j = s_j.a.norm();
     const Scalar omega_i = i.omega_bar.norm(), omega_j = j.omega_bar.norm();

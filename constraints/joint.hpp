@@ -16,10 +16,10 @@ namespace trivium {
 template <class Scalar>
 struct JointFrame {
   Vector3<Scalar> point = Vector3<Scalar>::Zero();  ///< joint point [m, body frame]
-  /// z is the joint axis; u is perpendicular to z and v = z x u [-, body frame].
+  /// z is the joint axis, u is perpendicular to z, v = z x u [-, body frame].
   Vector3<Scalar> u = Vector3<Scalar>::Unit(0), v = Vector3<Scalar>::Unit(1), z = Vector3<Scalar>::Unit(2);
 
-  /// Calls use(member...) for each member, with that member of all given frames as arguments.
+  /// Calls use(a.m, b.m, ...) for every member m, where a, b, ... are the given frames.
   template <class Use, class... Part>
   static void show_parts(const Use& use, Part&... p) {
     use(p.point...);

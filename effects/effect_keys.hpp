@@ -1,7 +1,8 @@
 #pragma once
 /// The function `keys` of an effect presents its parts to a visitor, each with its key in a scene file. It
-/// takes one effect, or several of one type whose corresponding parts are passed together. Casts, batches and
-/// the reader, writer, checks and random generator of scenes use only this. A visitor has
+/// takes one effect, or several of one type whose corresponding parts are passed together. Casts, batches,
+/// and the reader, writer, checks and random generator of scenes reach the parts by `keys` alone. A visitor
+/// has
 ///
 ///     body(key, index...)      the body on which a load acts
 ///     point(key, point...)     a point of a body (BodyPoint): an object with `body` and `point` in a file

@@ -13,11 +13,11 @@ namespace trivium {
 /// A point fixed in a body.
 template <class Scalar>
 struct BodyPoint {
-  int body = 0;                                     ///< index of the body; nb is the ground
-  Vector3<Scalar> s_bar = Vector3<Scalar>::Zero();  ///< [m, body frame]
+  int body = 0;  ///< index of the body, below the number of bodies nb; the index nb is the ground
+  Vector3<Scalar> s_bar = Vector3<Scalar>::Zero();  ///< from the centre of mass to the point [m, body frame]
   bool operator==(const BodyPoint&) const = default;
 
-  /// Calls use(member...) for each member, with that member of all given points as arguments.
+  /// Calls use(a.m, b.m, ...) for every member m, where a, b, ... are the given points.
   template <class Use, class... Part>
   static void show_parts(const Use& use, Part&... p) {
     use(p.body...);
@@ -25,7 +25,7 @@ struct BodyPoint {
   }
 };
 
-/// The frame of given components.
+/// The frame in which the three components of a force or torque are given.
 enum class ComponentFrame { global, body };
 
 /// The values of three components at time t [s].

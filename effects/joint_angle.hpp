@@ -26,7 +26,7 @@ struct JointAngle {
   /// The number of full revolutions nearest to theta [rad].
   static int turns_of(double theta) { return static_cast<int>(std::lround(theta / (2 * std::numbers::pi))); }
 
-  /// Calls use(member...) for each member, with that member of all given angles as arguments.
+  /// Calls use(a.m, b.m, ...) for every member m, where a, b, ... are the given angles.
   template <class Use, class... Part>
   static void show_parts(const Use& use, Part&... p) {
     use(p.joint...);
@@ -72,8 +72,9 @@ struct JointAngle {
     // `tracked` is updated only after theta has moved by 1 rad, since an update changes the rounding of theta
     tracked = select(moved * moved > Scalar(1), theta, tracked);
   }
-  /// The time for 1 rad at the present rate [s]. After `follow` theta is within 1 rad of `tracked`, so that
-  /// even a step of 2 rad leaves theta within pi of it.
+  /// The time for 1 rad at the present rate [s]. After `follow` theta is within 1 rad of `tracked`. Even if
+  /// the rate doubles during a step and theta moves by 2 rad, theta stays within 3 rad, less than pi, of
+  /// `tracked`.
   Scalar longest_step(const EffectView<Scalar>& view) const {
     using std::abs;
     const Scalar speed = abs(rate(view)), never = std::numeric_limits<Scalar>::max();

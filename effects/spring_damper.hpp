@@ -66,7 +66,7 @@ struct SpringDamper {
   }
 
   std::pair<int, int> bodies() const { return {i.body, j.body}; }
-  /// The gradient of l: the wrenches on i and j of a tension of -1; their power is l'.
+  /// The gradient of l: the wrenches on bodies i and j of a tension of -1 N. Their power is l'.
   std::pair<Wrench<Scalar>, Wrench<Scalar>> gradient(const EffectView<Scalar>& view) const {
     const Vector3<Scalar> push = measure(view).direction;
     std::pair<Wrench<Scalar>, Wrench<Scalar>> on;
@@ -75,8 +75,9 @@ struct SpringDamper {
     return on;
   }
 
-  /// k times the sum of the lengths that l - l0 is computed from, plus the same for c l' [N]. The positions
-  /// of the centres count in full, since far from the origin their rounding errors are errors of l.
+  /// k times the sum of the lengths whose difference is l - l0, plus c times the sum of the speeds whose
+  /// difference is l' [N]. The distance of each centre from the origin is one of these lengths, since the
+  /// rounding error of a position is an error of l.
   Scalar tension_scale(const EffectView<Scalar>& view) const {
     const BodyMotion<Scalar>&bi = view.motion[i.body], &bj = view.motion[j.body];
     const Scalar s_i = i.s_bar.norm(), s_j = j.s_bar.norm();
@@ -85,9 +86,10 @@ struct SpringDamper {
                (bi.r_dot.norm() + bi.omega_bar.norm() * s_i + bj.r_dot.norm() + bj.omega_bar.norm() * s_j);
   }
 
-  /// Calls add(body, F, n_bar) for both ends, with bounds of the wrench for estimates of rounding errors. The
-  /// bounds are the magnitudes of the force [N, global] and moment [N m, body frame] of the tension
-  /// k (l + |l0|) + |c l'| + |h(t)|, whose terms do not cancel.
+  /// Bounds of the wrenches, for estimates of rounding errors. Calls add(body, F, n_bar) for both ends, where
+  /// F [N, global] and n_bar [N m, body frame] are the magnitudes, component by component, of the force and
+  /// the moment of the tension k (l + |l0|) + |c l'| + |h(t)|. All terms of this tension are positive, so
+  /// that none cancel.
   template <class Add>
   void add_load_bounds(const EffectView<Scalar>& view, const Add& add) const {
     using std::abs;

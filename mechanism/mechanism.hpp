@@ -23,7 +23,7 @@ struct Joint : BodyPair {
   int first_row = 0, rows = 0;          ///< index of the first row in Mechanism::rows, and number of rows
   TimeFunction angle;                   ///< alpha(t) [rad] of a rotation_driver
 
-  /// Calls use(member...) for each member, with that member of all given joints as arguments.
+  /// Calls use(a.m, b.m, ...) for every member m, where a, b, ... are the given joints.
   template <class Use, class... Part>
   static void show_parts(const Use& use, Part&... p) {
     BodyPair::show_parts(use, p...);

@@ -1,6 +1,6 @@
 #pragma once
-/// Converts a mechanism to another Scalar; if that is a Batch, every lane gets the same numbers. The members
-/// are visited by show_parts (parts.hpp), so that a new member needs no change here.
+/// Converts a mechanism to another Scalar. If this Scalar is a Batch, every lane gets the same numbers. The
+/// members are visited by show_parts (parts.hpp), so that a new member needs no change here.
 
 #include <cstddef>
 #include <tuple>

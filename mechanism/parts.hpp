@@ -1,8 +1,8 @@
 #pragma once
-/// `show_parts` presents every part of a mechanism to a visitor; or the corresponding parts of several
-/// mechanisms of equal structure, which may have different Scalars. A part is a number, vector or matrix of
-/// the Scalar, or an index, type, name or function of time, which no Scalar changes. The names of the
-/// mechanism and of effects are not parts. Each type lists its members in its own `show_parts` or `keys`.
+/// `show_parts` presents every part of a mechanism to a visitor, or the corresponding parts of several
+/// mechanisms of equal structure, which may have different Scalars. A part is a number, vector or matrix over
+/// the Scalar, or an index, type, name or function of time, which is the same over every Scalar. The names of
+/// the mechanism and of effects are not parts. Each type lists its members in its own `show_parts` or `keys`.
 
 #include <cstddef>
 #include <tuple>

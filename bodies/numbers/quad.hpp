@@ -21,7 +21,9 @@ struct NextPrecision<long double> {
 
 namespace detail {
 /// Eigen's traits of a Boost.Multiprecision number. The traits of Boost 1.74 are not used: their lowest() is
-/// positive and they have no infinity.
+/// positive and they have no infinity. The costs are rough: they make Eigen store an intermediate result
+/// that is used several times instead of computing it again. dummy_precision(), the tolerance of isApprox(),
+/// is that of Boost.
 template <class Number>
 struct MultiprecisionTraits : Eigen::GenericNumTraits<Number> {
   using Limits = std::numeric_limits<Number>;

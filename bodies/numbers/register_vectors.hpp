@@ -29,9 +29,9 @@ inline constexpr std::size_t register_bytes = 32;
 inline constexpr std::size_t register_bytes = 16;
 #endif
 
-/// The four entries of a padded vector as one register; `exists` if S is float or double and four of them
-/// fit. Vectors are assembled in the register: four separate stores to memory, followed by one load of all
-/// four, would stall the processor for about a dozen cycles.
+/// The four entries of a padded vector as one register. `exists` is true if S is float or double and a
+/// register holds four numbers of type S. Vectors are assembled in the register: four separate stores to
+/// memory, followed by one load of all four entries, would stall the processor for about a dozen cycles.
 template <class S>
 struct Register {
   static constexpr bool exists =
@@ -51,7 +51,8 @@ struct Register {
     return stored;
   }
 
-  // (a0, b0, a2, b2), (a1, b1, a3, b3), (a0, a1, b0, b1) and (a2, a3, b2, b3)
+  // entries of a and b side by side. even: (a0, b0, a2, b2), odd: (a1, b1, a3, b3), front: (a0, a1, b0, b1),
+  // back: (a2, a3, b2, b3)
   TRIVIUM_INLINE static Register even(const Register& a, const Register& b) {
     return {__builtin_shufflevector(a.places, b.places, 0, 4, 2, 6)};
   }

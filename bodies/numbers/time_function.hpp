@@ -32,8 +32,9 @@ struct Phase {
   Jet<Scalar> g;   ///< the rounded angle with its time derivatives
   Scalar rest{0};  ///< correction of g.f for its rounding error [rad], where known
 
-  /// sum + rest = x y + constant, with `sum` the rounded value. The error of the product is fma(x, y, -p),
-  /// that of the sum follows from Knuth's two-sum. `rest` is 0 unless Scalar is a hardware type.
+  /// sum + rest = x y + constant, with `sum` the rounded value. The error of the rounded product p is
+  /// fma(x, y, -p), that of the sum follows from Knuth's two-sum. `rest` is 0 unless Scalar is float, double
+  /// or long double.
   static void add_product(const Scalar& x, const Scalar& y, const Scalar& constant, Scalar& sum,
                           Scalar& rest) {
     const Scalar product = x * y;
@@ -119,7 +120,8 @@ class TimeFunction {
   bool is_constant() const {
     return std::visit([](const auto& kind) { return constant(kind); }, kind_);
   }
-  /// Appends the times where f'' has a kink or f, f' or f'' jumps; steps that end there keep their order.
+  /// Appends the times where f'' has a kink or where f, f' or f'' jumps. An integration method keeps its
+  /// order if its steps end at these times.
   void append_kinks(std::vector<double>& times) const {
     std::visit([&](const auto& kind) { add_kinks(kind, times); }, kind_);
   }
