@@ -197,7 +197,9 @@ struct DrawnParts : ValueVisitor<DrawnParts> {
   void body(std::string_view, int& index) const { index = 1; }
   void point(std::string_view, BodyPoint<S>& end) { end = {next++ % 2, random.vector<S, 3>()}; }
   void joint(std::string_view, JointAngle<S>& angle) const { angle = joined; }
-  void value(std::string_view, S& x) const { x = S(random.uniform(0.5, 3)); }
+  void value(std::string_view, S& x) const {
+    x = S((random.uniform() > 0 ? 1 : -1) * random.uniform(0.5, 3));
+  }
   void value(std::string_view, Vec& v) const { v = random.vector<S, 3>(); }
   void value(std::string_view, ComponentFrame& frame) const {
     frame = random.uniform() > 0 ? ComponentFrame::global : ComponentFrame::body;

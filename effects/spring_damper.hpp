@@ -75,27 +75,28 @@ struct SpringDamper {
     return on;
   }
 
-  /// k times the sum of the lengths whose difference is l - l0, plus c times the sum of the speeds whose
+  /// |k| times the sum of the lengths whose difference is l - l0, plus |c| times the sum of the speeds whose
   /// difference is l' [N]. The distance of each centre from the origin is one of these lengths, since the
   /// rounding error of a position is an error of l.
   Scalar tension_scale(const EffectView<Scalar>& view) const {
+    using std::abs;
     const BodyMotion<Scalar>&bi = view.motion[i.body], &bj = view.motion[j.body];
     const Scalar s_i = i.s_bar.norm(), s_j = j.s_bar.norm();
-    return stiffness * (bi.r.norm() + s_i + bj.r.norm() + s_j + free_length) +
-           damping *
+    return abs(stiffness) * (bi.r.norm() + s_i + bj.r.norm() + s_j + abs(free_length)) +
+           abs(damping) *
                (bi.r_dot.norm() + bi.omega_bar.norm() * s_i + bj.r_dot.norm() + bj.omega_bar.norm() * s_j);
   }
 
   /// Bounds of the wrenches, for estimates of rounding errors. Calls add(body, F, n_bar) for both ends, where
   /// F [N, global] and n_bar [N m, body frame] are the magnitudes, component by component, of the force and
-  /// the moment of the tension k (l + |l0|) + |c l'| + |h(t)|. All terms of this tension are positive, so
+  /// the moment of the tension |k| (l + |l0|) + |c l'| + |h(t)|. All terms of this tension are positive, so
   /// that none cancel.
   template <class Add>
   void add_load_bounds(const EffectView<Scalar>& view, const Add& add) const {
     using std::abs;
     const Line line = measure(view);
     if (line.length == Scalar(0)) return;  // the force is zero (at_zero_length)
-    const Scalar pull = stiffness * (line.length + abs(free_length)) + abs(damping * line.length_rate) +
+    const Scalar pull = abs(stiffness) * (line.length + abs(free_length)) + abs(damping * line.length_rate) +
                         abs(actuator(view.t).f);
     const auto load = [&](const BodyPoint<Scalar>& end) {
       const Vector3<Scalar> arm = end.s_bar.cross(view.motion[end.body].A.transpose() * line.direction);

@@ -60,11 +60,12 @@ struct TorsionalSpringDamper {
   std::pair<Wrench<Scalar>, Wrench<Scalar>> gradient(const EffectView<Scalar>& view) const {
     return angle.gradient(view);
   }
-  /// k times 10 rad plus c times the sum of both angular velocities [N m]. 10 rad stands for |theta| +
+  /// |k| times 10 rad plus |c| times the sum of both angular velocities [N m]. 10 rad stands for |theta| +
   /// |theta0|; a spring that is wound up by many revolutions has larger rounding errors than this scale.
   Scalar tension_scale(const EffectView<Scalar>& view) const {
-    return stiffness * Scalar(10) +
-           damping * (view.motion[angle.i].omega_bar.norm() + view.motion[angle.j].omega_bar.norm());
+    using std::abs;
+    return abs(stiffness) * Scalar(10) +
+           abs(damping) * (view.motion[angle.i].omega_bar.norm() + view.motion[angle.j].omega_bar.norm());
   }
 
  private:
