@@ -20,22 +20,14 @@ namespace {
 /// float (u = 6e-8) rounding alone exceeds 1e-6. Related constant: warn_above in motion_warnings.cpp.
 constexpr double warn_above = 1e-6, rounding_units = 1e6;
 
-}  // namespace
-
-namespace {
-
 void refuse(const std::string& source, const Model<double>& model, const Consistency& consistency,
-            const std::optional<SavedRun>& saved) {
+            const std::string& about_saved) {
   std::string message = fmt::format("{}: the state at t = {} does not satisfy its constraints:\n{}", source,
                                     model.state.t, consistency.report());
   if (!consistency.holds_rows())
     message += "--assemble projects the state onto its constraints (in C++: assemble)\n";
   if (!consistency.wrong_branches.empty()) message += fmt::format("{}\n", wrong_branch_advice);
-  if (saved && consistency.wrong_branches.empty())
-    message += fmt::format(
-        "the state was saved by a run with {}, whose errors may cause these violations; a simulation in {} "
-        "continues from the saved state\n",
-        saved->integrator, saved->formulation);
+  if (consistency.wrong_branches.empty()) message += about_saved;
   while (message.ends_with('\n')) message.pop_back();
   throw Error(ErrorKind::input, message, Place{source, model.state.t});
 }
@@ -45,7 +37,13 @@ void refuse(const std::string& source, const Model<double>& model, const Consist
 void require_consistent(const std::string& source, const Model<double>& model,
                         const std::optional<SavedRun>& saved) {
   const Consistency consistency = check_consistency(model.mechanism, model.state);
-  if (!consistency.holds()) refuse(source, model, consistency, saved);
+  if (consistency.holds()) return;
+  refuse(source, model, consistency,
+         saved
+             ? fmt::format("the state was saved by a run with {}, whose errors may cause these violations; a "
+                           "simulation in {} continues from the saved state\n",
+                           saved->integrator, saved->formulation)
+             : "");
 }
 
 void require_consistent(const std::string& source, const Model<double>& model,
@@ -55,10 +53,15 @@ void require_consistent(const std::string& source, const Model<double>& model,
   // The saved violations are measured with other row scales than those here, hence a factor of 10. A body
   // that was moved by hand within that margin is found later: the run compares its saved y with the bodies.
   constexpr double measures = 10, floor = 1e-12;
-  const bool is_as_left = saved && saved->formulation == formulation && consistency.wrong_branches.empty() &&
+  if (!saved || saved->formulation != formulation) return require_consistent(source, model, saved);
+  const bool is_as_left = consistency.wrong_branches.empty() &&
                           worst_size(consistency.positions) <= saved->phi * measures + floor &&
                           worst_size(consistency.velocities) <= saved->phi_dot * measures + floor;
-  if (!is_as_left) refuse(source, model, consistency, saved);
+  if (!is_as_left)
+    refuse(
+        source, model, consistency,
+        "the violations are larger than those that the saved run left: the file was changed; remove its key "
+        "\"saved\" to start a new run\n");
 }
 
 SolvedState solve_state(const scenes::Scene& scene, const Model<double>& model, const SolveOptions& options) {

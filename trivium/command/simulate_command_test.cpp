@@ -235,6 +235,13 @@ TEST(Simulate, RefusesASavedRunThatIsNotItsScenes) {
                 "the saved run cannot be continued: the state is taken at t = 0; without the key \"saved\""),
             std::string::npos)
       << early.err;
+  json moved = json::parse(slurp(file));
+  moved["bodies"][0]["position"][0] = moved["bodies"][0]["position"][0].get<double>() + 0.1;
+  const Outcome by_hand =
+      run("trivium simulate " + temporary_scene("by_hand.json", moved.dump()) + " --t-end 1");
+  EXPECT_EQ(by_hand.exit_code, 2);
+  EXPECT_NE(by_hand.err.find("the file was changed; remove its key \"saved\""), std::string::npos)
+      << by_hand.err;
   json scene = json::parse(slurp(file));
   scene["saved"]["y"].push_back(1);
   const std::string longer = temporary_scene("longer.json", scene.dump());
