@@ -26,6 +26,7 @@ const Functions cvode{.free = CVodeFree,
                       .failed_solves = CVodeGetNumStepSolveFails,
                       .iterations = CVodeGetNumNonlinSolvIters};
 
+/// Adams methods and BDF of CVODE; BDF with projection if it `projects`.
 class Cvode final : public OdeStepper {
  public:
   enum class Formula { adams, backward };
