@@ -206,8 +206,8 @@ class Ida final : public Stepper {
     Eigen::Map<StateVectorD> w = flat(weights);
     self.weigh(self.state(numbers), self.tolerances_, w);
     // The work follows from q and v, and sigma is 0: neither counts in error estimates and convergence tests.
-    // IDA's norm is the mean over all unknowns. The factor makes it the mean over q and v, so that the error
-    // of a step does not depend on the number of multipliers.
+    // IDA's norm is the root mean square over all unknowns. The factor makes it the one over q and v, so that
+    // the error of a step does not depend on the number of multipliers.
     w.tail(w.size() - self.nq_ - self.nv_).setConstant(no_weight);
     w.head(self.nq_ + self.nv_) *=
         std::sqrt(static_cast<double>(w.size()) / static_cast<double>(self.nq_ + self.nv_));
