@@ -16,8 +16,9 @@ namespace trivium {
 
 namespace {
 
-/// Estimated relative errors and residuals above 1e-6 give a warning. A residual is allowed 1e6 u as well: in
-/// float (u = 6e-8) rounding alone exceeds 1e-6. Related constant: warn_above in motion_warnings.cpp.
+/// Estimated relative errors and residuals above 1e-6 give a warning: fewer than six digits are then certain.
+/// A residual is allowed 1e6 u as well: in float (u = 6e-8) rounding alone exceeds 1e-6. Related constant:
+/// warn_above in motion_warnings.cpp.
 constexpr double warn_above = 1e-6, rounding_units = 1e6;
 
 }  // namespace
