@@ -7,6 +7,7 @@
 namespace trivium::scenes {
 namespace {
 
+/// Largest length of a line in characters, as in the sources of the project.
 constexpr std::size_t page_width = 110;
 
 class Printer {
