@@ -1,3 +1,5 @@
+/// The Runge-Kutta methods of ARKODE, explicit and diagonally implicit.
+
 #include <arkode/arkode_arkstep.h>
 
 #include "integrators/sundials/methods.hpp"

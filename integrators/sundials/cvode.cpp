@@ -1,3 +1,5 @@
+/// The Adams methods and BDF of CVODE.
+
 #include <cvode/cvode.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 

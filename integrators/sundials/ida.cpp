@@ -1,3 +1,5 @@
+/// The method of IDA for the stabilised index-2 equations, with the linear systems of its iterations.
+
 #include <ida/ida.h>
 
 #include "integrators/projection_iteration.hpp"

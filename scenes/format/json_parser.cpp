@@ -1,3 +1,5 @@
+/// Parses JSON by events of nlohmann::json, and describes values for messages (declared in json.hpp).
+
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,5 @@
+/// Prints JSON in lines of limited length (declared in json.hpp).
+
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>

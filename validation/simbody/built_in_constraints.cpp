@@ -1,3 +1,5 @@
+/// Adds the rows of a joint as Simbody's own constraints (declared in rows.hpp).
+
 #include <cmath>
 
 #include "validation/simbody/rows.hpp"
