@@ -53,8 +53,9 @@ void require_consistent(const std::string& source, const Model<double>& model,
                         const std::optional<SavedRun>& saved, const std::string& formulation) {
   const Consistency consistency = check_consistency(model.mechanism, model.state);
   if (consistency.holds()) return;
-  // The saved violations are measured with other row scales than those here, hence a factor of 10. A body
-  // that was moved by hand within that margin is found later: the run compares its saved y with the bodies.
+  // The saved violations are measured with other row scales than those here, hence a factor of 10. The floor
+  // 1e-12 is the rounding of violations that are zero. A body that was moved by hand within that margin is
+  // found later: the run compares its saved y with the bodies.
   constexpr double measures = 10, floor = 1e-12;
   const bool is_as_left = saved && saved->formulation == formulation && consistency.wrong_branches.empty() &&
                           worst_size(consistency.positions) <= saved->phi * measures + floor &&

@@ -1,7 +1,7 @@
 /// Example: a user-written constraint and a user-written effect, added to the mechanism of a scene. The
 /// constraint keeps a point of a body in a turning plane; the effect is drag proportional to the square of
-/// the speed. Fails if one of them breaks its laws, if lambda differs between the formulations, or if two
-/// motions differ.
+/// the speed. Fails if one of them breaks its laws, if lambda differs between the formulations, or if the
+/// motions in r-p and in r-omega differ.
 ///
 ///   own_types_move SCENE...
 
@@ -88,8 +88,8 @@ Model<double, Mine> with_a_bead(const Model<double>& scene) {
   auto& m = model.mechanism;
   const int bead = add_body<double, Mine>(model, "bead", {2, Vector3<double>(0.1, 0.2, 0.3).asDiagonal()},
                                           {{0.4, 0, -0.2}, {1, 0, 0, 0}}, {{0, 1, 0}, {0, 0, 0}});
-  // n(0) = e_y and the plane turns at 2 rad/s: it carries the bead along, which also moves outwards in the
-  // plane
+  // n(0) = e_y and the plane turns at 2 rad/s: it carries the bead along, and the bead also moves outwards in
+  // the plane
   TurningPlane<double> plane;
   plane.i = m.ground();
   plane.j = bead;

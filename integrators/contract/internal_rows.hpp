@@ -18,10 +18,9 @@ namespace trivium::integrators {
 ///
 /// For methods whose steps do not normalise:
 ///
-///   internal_residual    from (at, v', left): the residual gamma - P v' of the second time derivatives of
-///   the
-///                        internal rows, where P is their Jacobian. The elements of `left` that `residual`
-///                        has set to 0 receive it; the others keep the residual of the forces
+///   internal_residual    from (at, v', left): the residual gamma - P v' of the internal rows, differentiated
+///                        twice by time, where P is their Jacobian. It is put into the elements of `left`
+///                        that `residual` has set to 0; the others keep the residual of the forces
 ///   solve_internal_rows  from (at, left, x): adds to x the smallest change c of v' with P c = gamma - P v',
 ///                        so that the residual becomes 0
 template <class System>
