@@ -9,7 +9,8 @@ std::string gnuplot_quoted(std::string_view s) {
   std::string out = "'";
   for (const char c : s) {
     // A newline ends a gnuplot string even inside quotes; other control characters do not belong in a title.
-    // Text between backquotes is a shell command to gnuplot outside single quotes: a second barrier.
+    // Outside single quotes gnuplot executes text between backquotes as a shell command; without backquotes a
+    // title is safe even there.
     const bool ends_a_string = static_cast<unsigned char>(c) < ' ' || c == 0x7f;
     out += c == '\'' ? std::string("''") : std::string(1, ends_a_string || c == '`' ? ' ' : c);
   }

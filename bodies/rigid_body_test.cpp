@@ -1,3 +1,5 @@
+/// Motion of points, wrenches, kinetic energy and the check of inertias.
+
 #include "bodies/rigid_body.hpp"
 
 #include "bodies/inertia.hpp"

@@ -1,3 +1,5 @@
+/// Basic constraints equal their definitions and keep their laws; the laws detect constraints with one error.
+
 #include "constraints/basic_constraint.hpp"
 
 #include "bodies/numbers/quad.hpp"

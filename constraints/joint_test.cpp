@@ -1,3 +1,5 @@
+/// Joint frames, the rows of every joint, and the motions that every joint leaves free.
+
 #include "constraints/joint.hpp"
 
 #include <Eigen/QR>

@@ -1,3 +1,5 @@
+/// Power, energy and laws of all effects; the laws detect effects with one error.
+
 #include "effects/effect_laws.hpp"
 #include "effects/effect_list.hpp"
 

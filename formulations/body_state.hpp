@@ -12,7 +12,9 @@
 
 namespace trivium {
 
-/// Position r [m], velocity r' [m/s] and orientation of one body, in the chart chosen for it.
+/// The state of one body: position r [m, global] and velocity r' [m/s, global] of its centre of mass, and q,
+/// the rotational coordinates and velocities of the formulation (A and omega_bar, p and p', or epsilon and
+/// epsilon') in the chart that is chosen for the body.
 template <EquationsAsPrinted F>
 struct BodyState {
   Vector3<typename F::Scalar> r, r_dot;

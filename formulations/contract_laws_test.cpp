@@ -1,4 +1,4 @@
-// The laws of contract/laws.hpp hold for every formulation, and wrong formulations violate them.
+/// The laws of contract/laws.hpp hold for every formulation, and wrong formulations violate them.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 #pragma once
-/// The definitions of body_state.hpp and equations_of_motion.hpp, compiled once per Scalar in instances/.
-/// Include this file only for another Scalar, such as a batch.
+/// The definitions of the function templates of body_state.hpp and equations_of_motion.hpp. The library
+/// compiles them in instances/, for float to Real100. Include this file only for a Scalar without an
+/// instance, such as a Batch.
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 /// The charts of r-epsilon: an Euler sequence and a constant rotation C per body, A = A(epsilon) C.
 ///
 /// The distance of a chart from its singularity is |sin theta| (sequences iji) or |cos theta| (ijk). C is
-/// the identity if the distance is at least 0.3 with it; otherwise C is the first quarter turn about x, y or
-/// z that gives 0.3. Such a C always exists: the distance depends on one entry of A C^T, and the list puts
-/// each of the three entries of a row of A there. The smallest of them is at most 1/sqrt(3), which gives a
-/// distance of at least sqrt(2/3).
+/// the identity if the distance is then at least 0.3; otherwise C is the first quarter turn about x, y or z
+/// whose distance is at least 0.3. Such a C always exists: the distance is sqrt(1 - a^2), where a is one
+/// entry of A C^T, and the four choices of C bring each of the three entries of a row of A to this place. The
+/// smallest of the three is at most 1/sqrt(3), which gives a distance of at least sqrt(2/3).
 
 #include <fmt/format.h>
 
@@ -29,6 +29,8 @@ struct Reframing {
 };
 inline constexpr std::array<Reframing, 4> reframings{
     {{"I", -1}, {"Rx(90)", 0}, {"Ry(90)", 1}, {"Rz(90)", 2}}};
+/// Least distance of a chart from its singularity. The error of lambda grows as u / theta^3 (r_epsilon.hpp),
+/// so it stays below about 40 u; a larger value would change charts more often.
 inline constexpr double reframing_distance = 0.3;
 
 template <class S>

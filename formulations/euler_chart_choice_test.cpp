@@ -1,3 +1,5 @@
+/// The choice of an Euler sequence and a re-framing by the distance from the singularity.
+
 #include "formulations/euler_chart_choice.hpp"
 
 #include "bodies/rotations/euler_angles.hpp"

@@ -104,8 +104,8 @@ TEST(RadauOfThreeStages, HasItsPublishedCoefficients) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(r.error[i], r.gamma / 3 * error[i], 1e-15) << i;
 }
 
-// Hairer, Norsett, Wanner (1993), II.2. In addition the stages after the second have order 2, as index 2
-// requires.
+// The order conditions of Hairer, Norsett, Wanner (1993), II.2. In addition, index 2 requires order 2 of the
+// stages after the second.
 TEST(HalfExplicit, MeetsTheOrderConditionsOfFour) {
   const Hem4Coefficients<double> m;
   Eigen::MatrixXd A(5, 5);

@@ -8,7 +8,8 @@
 namespace trivium::integrators {
 
 /// v' and lambda of index 1 at a state, and their rates along the motion. The rates come from one-sided
-/// differences over h / 16 and h / 8 ahead: a state before the start may lie on another branch.
+/// differences over h / 16 and h / 8 ahead, since a state before the start may lie on another branch. These
+/// fractions of the step size h are small enough for the truncation error and large compared with rounding.
 template <class S>
 struct InitialAcceleration {
   StateVector<S> v_dot, lambda, v_ddot, lambda_dot;

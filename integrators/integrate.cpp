@@ -83,8 +83,8 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
   }
   if (at_output(t, y) == Continue::no) return false;
   TimeGrid::Walk<S> walk(grid);
-  std::deque<S> passed;  // output times that steps may step over
-  constexpr std::size_t most_passed = 1000;
+  std::deque<S> passed;                      // output times that steps may step over
+  constexpr std::size_t most_passed = 1000;  // bounds the memory of runs with very many outputs
   using std::abs, std::max;
   while (auto stop = walk.next()) {
     while (method.interpolates() && !stop->is_event && stop->t < S(grid.end()) &&

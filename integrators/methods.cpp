@@ -99,6 +99,8 @@ std::unique_ptr<AnyMethod<S>> make_method(const MethodEntry<S>& method, Steps st
                                           const Tolerances& tolerances, const MethodParameters& given) {
   check(method.info, steps, given);
   const bool chosen = steps == Steps::chosen;
+  // u here is the machine epsilon, twice the unit roundoff. A step rounds y by about four epsilons, below
+  // which an error estimate measures rounding only.
   if (const double u = static_cast<double>(std::numeric_limits<S>::epsilon());
       chosen && tolerances.rtol < 4 * u && tolerances.atol < 4 * u)
     throw UsageError(

@@ -1,3 +1,6 @@
+/// Methods that need no constrained system, on one-page models: order, tolerances, restarts, events,
+/// projection.
+
 #include "integrators/methods.hpp"
 
 #include <gtest/gtest.h>

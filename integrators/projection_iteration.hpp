@@ -39,14 +39,17 @@ class ProjectionIteration {
   }
 
  private:
-  /// Corrects until the violation is rounding or a fresh matrix no longer halves it. Near a singular position
-  /// nearly dependent rows are left out of the corrections, so that a violation above rounding may remain for
-  /// a while; a relative violation above 1e-6 is an error.
+  /// Corrects until the violation is rounding, or until a correction by a matrix that is factored at the
+  /// current state no longer halves the violation. Near a singular position nearly dependent rows are left
+  /// out of the corrections, so that a violation above rounding may remain for some steps. A relative
+  /// violation above 1e-6 is an error; the value is chosen by experiment: singular positions leave less, and
+  /// projections that start too far away leave more.
   template <class Measure, class Correct>
   int approach(System& system, const S& t, const char* what, S& found, S& left, long& changes,
                const Measure& measure, const Correct& correct) {
     Violation<S> off = measure();
     raise(found, off.size);
+    // Newton's method needs about four corrections, a kept matrix a few more. 30 is a safety limit.
     constexpr int most_changes = 30;
     for (int k = 0; k < most_changes && off.relative > rounding<S>(); ++k) {
       const bool factors = !is_factored_;

@@ -1,4 +1,4 @@
-// Every method on its own, on a one-page model: a spherical pendulum in Cartesian coordinates.
+/// Every method on its own, on a one-page model: a spherical pendulum in Cartesian coordinates.
 
 #include "integrators/contract/spherical_pendulum.hpp"
 

@@ -20,7 +20,8 @@
 namespace trivium::integrators {
 
 /// The first step size for a method of this order: an explicit Euler step of that size moves y by about a
-/// hundredth of its own size, and f hardly changes over the step. Hairer, Norsett, Wanner (1993), II.4.
+/// hundredth of its own size, and f hardly changes over the step. Hairer, Norsett, Wanner (1993), II.4, with
+/// the constants of that algorithm.
 template <FirstOrderSystem System>
 typename System::Scalar first_step(System& system, const typename System::Scalar& t,
                                    const StateVector<typename System::Scalar>& y, int order,
@@ -58,7 +59,7 @@ class StepSizeControl {
   /// The step size to try next; the step does not go beyond `stop`.
   S length(const S& t, const S& stop) {
     const S room = stop - t;
-    lands_ = proposed_ >= room * S(1 - 1e-10);
+    lands_ = proposed_ >= room * S(1 - 1e-10);  // a rest of 1e-10 of a step would be a step of its own
     cut_ = proposed_ > room / 2;
     tried_ = lands_ ? room : cut_ ? S(room / 2) : proposed_;  // two halves: no tiny last step
     return tried_;
@@ -74,7 +75,9 @@ class StepSizeControl {
     limit_growth_ = std::min(S(8), S(limit_growth_ * limit_growth_));
   }
   void reject(const S& next) { proposed_ = next; }
-  /// The step could not be solved. A quarter is tried next, and later steps grow slowly at first.
+  /// The step could not be solved. A quarter is tried next, and later steps grow slowly at first: by 1.1,
+  /// then by its powers 1.1^2, 1.1^4 and so on. The factors are chosen by experiment: with faster growth the
+  /// steps soon fail again, with slower growth a single failure costs many short steps.
   void fail() {
     proposed_ = tried_ / 4;
     limit_ = tried_ / 2;
@@ -123,7 +126,9 @@ template <FirstOrderSystem System>
 }
 
 /// The factor from a step size to the next: 0.9 error^power, between 0.2 and `most`, for an estimated error
-/// in tolerances. The power is negative: -1 / (order of the estimate + 1).
+/// in tolerances. The power is negative: -1 / (order of the estimate + 1). 0.9 makes the next step likely to
+/// be accepted, 0.2 distrusts estimates far outside the asymptotic range (Hairer, Norsett, Wanner (1993),
+/// II.4).
 template <class S>
 struct StepRule {
   S power, most;

@@ -1,6 +1,8 @@
 #pragma once
-/// The time grid of a run: times t_k = t0 + k h with an integer k, never sums of steps. Outputs, given steps
-/// and events are times of the grid, and a run lands on each of them exactly.
+/// The time grid of a run: the times of its outputs, given steps and events. Output k and given step k are at
+/// start + k h, one product and one sum, so that rounding errors do not add up over the steps. A run ends a
+/// step on every time of the grid, except on outputs within a step of a method that interpolates
+/// (integrate.hpp).
 
 #include <fmt/format.h>
 
@@ -15,8 +17,8 @@
 
 namespace trivium::integrators {
 
-/// Relative difference [-] up to which two step sizes count as equal: rounding of decimal steps and of
-/// differences of times is far smaller.
+/// Relative difference [-] up to which two step sizes count as equal. The rounding of decimal numbers and of
+/// differences of times is far smaller, and no user means two step sizes by numbers this close.
 inline constexpr double step_rounding = 1e-9;
 
 /// Whether two step sizes between times of a grid are equal.
@@ -112,8 +114,10 @@ class TimeGrid {
       }
       if (more_outputs && are_same(output, stop.t)) ++output_;
       if (grid_.step_ && are_same(step, stop.t)) {
-        // In double a stop takes the time of the given step, so that steps do not depend on outputs and the
-        // end. In quad the step is a rounded double, and its multiple would miss the time of the output.
+        // The two times may differ by rounding. In double the stop takes the time of the given step, so that
+        // the lengths of steps do not depend on outputs and the end. In quad the step size is a rounded
+        // double whose multiple misses the output in the 17th digit; there the stop keeps the time of the
+        // output.
         if constexpr (std::is_same_v<S, double>) stop.t = step;
         ++step_;
       }
@@ -122,7 +126,8 @@ class TimeGrid {
     }
     S next_step() const { return grid_.step_ ? grid_.at<S>(step_, *grid_.step_) : S(grid_.end_); }
     bool is_end(const S& t) const { return !(t < S(grid_.end_)) || are_same(t, S(grid_.end_)); }
-    /// Equal up to rounding in double, because the numbers of the grid are doubles.
+    /// Equal up to rounding in double, because the numbers of the grid are doubles: 8 epsilon for the
+    /// product, the sum and the decimal numbers of each time.
     bool are_same(const S& a, const S& b) const {
       using std::abs;
       const double scale = std::max(std::abs(grid_.start_), std::abs(grid_.end_));
@@ -140,11 +145,14 @@ class TimeGrid {
   S at(long k, double step) const {
     return S(start_) + S(static_cast<double>(k)) * S(step);
   }
+  /// The number of steps that fit. 1e-12 keeps a last step that rounding has made too long; with at most 1e9
+  /// outputs it is less than a thousandth of a step.
   long number_of(double step) const {
     const double ratio = (end_ - start_) / step;
     if (!(ratio < 1e9)) throw UsageError(fmt::format("the output step {} makes more than 1e9 outputs", step));
     return static_cast<long>(std::floor(ratio * (1 + 1e-12)));
   }
+  /// Up to 1e15 steps can be counted in a double.
   static void require_whole(double length, double step, const char* what) {
     const double ratio = length / step, nearest = std::round(ratio);
     if (!(ratio < 1e15))

@@ -1,3 +1,5 @@
+/// The times of a run: steps, outputs and events, and which of them coincide.
+
 #include "integrators/time_grid.hpp"
 
 #include <gtest/gtest.h>

@@ -27,7 +27,7 @@ std::vector<fs::path> scene_files_in(const fs::path& folder) {
 fs::path catalogue_directory(const fs::path& header) {
   if (const char* from_environment = std::getenv("TRIVIUM_SCENES")) return from_environment;
   std::error_code error;
-  // bin/program and include/trivium/header.hpp
+  // the prefixes of PREFIX/bin/program and of PREFIX/include/trivium/header.hpp
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   for (const fs::path& prefix :
        {program.parent_path().parent_path(), header.parent_path().parent_path().parent_path()})

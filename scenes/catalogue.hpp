@@ -12,9 +12,9 @@
 
 namespace trivium {
 
-/// The folder of the catalogue: $TRIVIUM_SCENES if set, else share/trivium/scenes of the installation that
-/// the program belongs to, else that of the installation that `header` (below include/trivium) belongs to,
-/// else the folder in the source tree.
+/// The folder of the catalogue: $TRIVIUM_SCENES if set. Otherwise it is share/trivium/scenes in the
+/// installation of the running program, or in the installation of `header` (a path below include/trivium). If
+/// neither exists, it is the folder in the source tree.
 std::filesystem::path catalogue_directory(const std::filesystem::path& header = {});
 
 /// The paths of all scene files of the catalogue, sorted. Throws scenes::SceneError if there is no such

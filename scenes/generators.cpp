@@ -57,6 +57,7 @@ Body body_of(const std::string& name, const Bar& bar) {
   Body body;
   body.name = name;
   body.mass = 1;
+  // of a homogeneous bar, 1 kg, 1 m x 0.1 m x 0.1 m
   body.inertia = Vector3{1.0 / 600, 1.01 / 12, 1.01 / 12};
   body.position = plain(bar.r);
   body.orientation = EulerParameters{{bar.p[0], bar.p[1], bar.p[2], bar.p[3]}};
@@ -108,6 +109,8 @@ Body rod(const std::string& name, const Vector3& inertia, const Vector3& positio
 
 }  // namespace
 
+// Angles and rates are sines and cosines of multiples of k, so that no two joints of a scene are alike. The
+// amplitudes are chosen by experiment, far from singular positions.
 Scene chain(int n) {
   Scene scene = sized("chain", n, 1, fmt::format("{} bars in series on revolutes with alternating axes", n));
   Bar last;
@@ -209,7 +212,8 @@ Scene ring(int n) {
 
 Scene hub(int n) {
   Scene scene = sized("hub", n, 1, fmt::format("a wheel on an upright axle, {} bars hung on its rim", n));
-  const double radius = 1, turn = 0.7;  // the length of a bar, so that a spoke ends at the rim
+  // the radius [m] is the length of a bar, so that the outer end of a spoke lies on the rim
+  const double radius = 1, turn = 0.7;
   Body wheel = rod("wheel", {2.5, 2.5, 5}, {0, 0, 0}, {0, 0, 0}, turn);
   wheel.mass = 10;
   scene.bodies.push_back(wheel);

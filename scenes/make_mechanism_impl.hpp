@@ -55,7 +55,8 @@ Matrix3<Scalar> matrix_of(const scenes::Matrix3& rows, const RangeCheckedCast<Sc
 
 /// The matrix [3x3, kg m^2] that raises the negative principal moments of J to zero when added to J. The
 /// reader accepts moments slightly below zero within its tolerance, but no body has them. Moments above -8 u
-/// max|J| are rounding of the eigenvalue solver (J is singular as written) and stay as they are.
+/// max|J| are rounding of the eigenvalue solver, and stay as they are: J is singular as written. The factor 8
+/// is chosen by experiment.
 inline Matrix3<double> lift_of_negative_moments(const Matrix3<double>& J) {
   const Eigen::SelfAdjointEigenSolver<Matrix3<double>> principal(J);
   const double rounding = 8 * unit_roundoff<double>() * J.cwiseAbs().maxCoeff();

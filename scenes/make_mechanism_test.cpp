@@ -1,3 +1,5 @@
+/// Mechanisms and states made from scenes, in every Scalar.
+
 #include "scenes/make_mechanism.hpp"
 #include "mechanism/additions.hpp"
 

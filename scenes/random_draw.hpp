@@ -28,10 +28,13 @@ class RandomDraw {
     const double z = uniform(low, high), y = uniform(low, high), x = uniform(low, high);
     return {x, y, z};
   }
+  /// A random unit vector. Only vectors inside the unit ball are used, so that no direction is preferred;
+  /// very short vectors are rejected because rounding would affect their direction.
   V direction() {
     for (;;)
       if (const V v = vector(); v.norm() > 0.2 && v.norm() < 1) return v.normalized();
   }
+  /// A random rotation matrix. The limit 0.2 keeps x away from the direction of z, to which x is made normal.
   M rotation() {
     const V z = direction();
     V x = direction();

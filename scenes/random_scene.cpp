@@ -20,6 +20,8 @@ namespace {
 using V = RandomDraw::V;
 using M = RandomDraw::M;
 
+/// Builds one scene. The probabilities and ranges are chosen by experiment: bodies of about 1 m, moderate
+/// speeds, trees and loops in similar numbers, and now and then a free body or a repeated joint.
 class Builder {
  public:
   Builder(std::uint64_t seed, const RandomOptions& options) : draw_(seed), options_(options) {

@@ -46,8 +46,8 @@ class RangeCheckedCast {
       if (overflows(x)) fail(x, key);
     return Scalar(x);
   }
-  /// Three doubles of a position or a velocity. A component that underflows is rounded to zero: the error is
-  /// as harmless as any rounding error.
+  /// Three doubles of a position or a velocity. A component that underflows is rounded to zero. This error,
+  /// 1e-38 in float, has no effect on the motion.
   template <class Three>
   Vector3<Scalar> place(const Three& v, std::string_view key) const {
     if constexpr (!holds_every_double)

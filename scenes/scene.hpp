@@ -25,13 +25,13 @@ struct EulerParameters {
   bool operator==(const EulerParameters&) const = default;
 };
 struct EulerAngles {
-  Vector3 angles{};
+  Vector3 angles{};  ///< [rad], in the order of the sequence
   EulerSequence sequence;
   bool operator==(const EulerAngles&) const = default;
 };
 struct AxisAngle {
-  Vector3 axis{0, 0, 1};
-  double angle = 0;
+  Vector3 axis{0, 0, 1};  ///< of any length; the same components in both frames
+  double angle = 0;       ///< [rad]
   bool operator==(const AxisAngle&) const = default;
 };
 struct RotationMatrix {
@@ -45,7 +45,7 @@ struct Body {
   double mass = 0;
   std::variant<Vector3, Matrix3> inertia;  ///< diagonal or full [kg m^2], centre of mass, body frame
   bool unphysical_inertia = false;         ///< do not check the triangle inequality of the moments
-  Vector3 position{};
+  Vector3 position{};                      ///< r of the centre of mass [m], global frame
   Orientation orientation;
   Vector3 velocity{};          ///< velocity of the centre of mass [m/s], global frame
   Vector3 angular_velocity{};  ///< omega_bar [rad/s], body frame

@@ -16,7 +16,7 @@ inline Vector3 plain(const trivium::Vector3<double>& v) { return {v[0], v[1], v[
 /// The index of the implicit body `ground`. The other bodies count from 0 in the order of the file.
 inline constexpr int ground = -1;
 
-/// One side of a constraint. The scene format's table says which of the vectors a constraint type uses.
+/// One side of a constraint. The tables in scene_keys.hpp state which of the vectors a constraint type uses.
 struct Side {
   int body = ground;
   std::optional<Vector3> point, vector, axis, x;  ///< in the body frame

@@ -32,6 +32,7 @@ std::string kind_of(const std::string& column) {
 std::optional<double> even_step(const std::vector<double>& t) {
   const double span = t.back() - t.front(), step = span / static_cast<double>(t.size() - 1);
   for (std::size_t k = 0; k < t.size(); ++k)
+    // 1e-9: another code may write its times with ten digits
     if (!(std::abs(t[k] - (t.front() + static_cast<double>(k) * step)) <= 1e-9 * span)) return {};
   return step;
 }
@@ -230,7 +231,8 @@ MotionAgainst compare_against(const std::vector<ComparedFormulation>& formulatio
       for (const Neighbour& start : near)
         raise(amplification, std::abs(start.lines[n][k] - ours[n][k]) / start.distance);
       if (!changed.empty()) raise(change, changed[n][k]);
-      // the error of one code: at least the tolerance relative to the size of the column
+      // The error of one code is at least the tolerance relative to the size of the column. 1e-12 of this
+      // size, about 1e4 u, is the rounding of both codes.
       const double so_far = std::max(1.0, static_cast<double>(steps) * (other.t[n] - model.state.t) / span);
       const double by_tolerance = so_far * tolerance * amplification;
       const double bound = (options.step ? 2 * change : by_tolerance) + by_tolerance + 1e-12 * c.size;

@@ -3,8 +3,8 @@
 /// energy into the report. `show` is called at every output; it also computes lambda and the joint reactions,
 /// and passes a sample to the observer.
 ///
-/// If rows are dependent, lambda is the one with the least |E lambda|. Near a singular position that choice
-/// may not exist; lambda is then that of the solver, which is 0 in dependent rows.
+/// If rows are dependent, lambda is the one with the least |E lambda|. Near a singular position such a lambda
+/// may not exist; the lambda of the acceleration solver is taken then, which is 0 in dependent rows.
 
 #include <cmath>
 #include <limits>
@@ -24,8 +24,9 @@ class MotionWatch {
   using S = typename F::Scalar;
   using StateVector = VectorX<S>;
 
-  /// Later energies and work are those since the start of this run, at time t; a run that continues has work
-  /// of the runs before. All arguments must outlive this object.
+  /// This run begins at time t. Energies and work in the report count from there: in a run that continues an
+  /// earlier one, y contains the work of the earlier run, which is subtracted. All arguments must outlive
+  /// this object.
   MotionWatch(ConstrainedEquations<F>& equations, const integrators::AnyMethod<S>& method,
               const SimulationOptions& options, SimulationObserver& observer, SimulationReport& report,
               const S& t)

@@ -1,3 +1,5 @@
+/// Checks a scene at its state: residuals, rank, energy and sparsity (declared in solve.hpp).
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -42,15 +42,17 @@ struct ComparedOutput {
   /// relative distance of that start [-]; at least 1, and 1 with given steps.
   double amplification = 1;
   double position_difference = 0;  ///< distance of centres of mass [m]
-  double rotation_difference = 0;  ///< angle theta between orientations, as 4 sin(theta / 4) ~ theta [rad]
-  /// Whether lambda_difference is compared with its bound. It is not near a singular position, where lambda
-  /// is not unique, nor after the time at which a neighbouring motion has diverged or the bound exceeds 0.1.
+  double rotation_difference = 0;  ///< 4 sin(theta / 4) [rad], nearly theta, the angle between orientations
+  /// Whether lambda_difference is compared with its bound. No comparison is made near a singular position,
+  /// where lambda is not unique, and from the time on at which a neighbouring motion has diverged or the
+  /// bound exceeds 0.1.
   bool is_judged = true;
   /// Every formulation solved at the states that all the separate runs have at this output.
   struct OneState {
-    /// Relative difference of lambda and its bound 100 u kappa [-], at the state where their ratio is
-    /// largest; largest relative difference of accelerations [-], with the same bound; largest kappa of the
-    /// states [-].
+    /// lambda_difference, lambda_bound [-]: the relative difference of lambda and its bound 100 u kappa, at
+    /// the state where their ratio is the largest. acceleration_difference [-]: the largest relative
+    /// difference of accelerations at any of the states; it must not exceed lambda_bound either. condition
+    /// [-]: the largest kappa of the states.
     double lambda_difference = 0, lambda_bound = 0, acceleration_difference = 0, condition = 1;
   };
   std::optional<OneState> one_state;  ///< only at the outputs that CompareSettings::states selects

@@ -10,7 +10,8 @@
 namespace trivium {
 
 /// The options of a run. Throws an Error of kind input for an unknown name, a number out of its range, or
-/// projection together with Baumgarte's stabilisation.
+/// Baumgarte's stabilisation with `projects` false: the stabilisation replaces a projection that was asked
+/// for.
 SimulationOptions simulation_options(const SimulateSettings& settings);
 
 /// The formulations among `names` (empty: among all) that the integrator can be used with. Throws an Error of

@@ -16,7 +16,8 @@ struct RowCheck {
   /// Phi [unit of the row: m for cd and dp2 of a unit vector, m^2 for d, - for dp1] and Phi_q q' - nu [the
   /// same per s]. If a scene multiplies the row by a factor, both contain this factor.
   double position_residual = 0, velocity_residual = 0;
-  /// |residual| / |gradient of the row| [m or rad, m/s or rad/s]: independent of such a factor.
+  /// The magnitudes of the residuals, divided by the norm of the gradient of the row [m or rad, m/s or
+  /// rad/s]. A factor of the row does not change them, since the gradient contains it too.
   double position_violation = 0, velocity_violation = 0;
   bool is_unique = true;      ///< its multiplier is unique
   bool is_dependent = false;  ///< the row is dependent at this state: it follows from the other rows
@@ -33,13 +34,14 @@ struct Check {
   /// kappa [-], condition number of E^-1 Phi_q M^-1 Phi_q^T E^-1 over its nonzero singular values, where E^2
   /// = diag(Phi_q M^-1 Phi_q^T); none from the structured solver.
   std::optional<double> condition;
-  /// Weights of the rows. If M is singular, as for point masses, norms use the regular matrix M + Phi_q^T
-  /// diag(mu) Phi_q instead of M; mu_k [inertia per square of the row's gradient] then gives row k the
-  /// inertia of the lighter of its bodies. All 0 if M is regular; empty if the structured solver does
-  /// not compute them.
+  /// Weights mu_k of the rows, all 0 if M is regular. If M is singular, as for point masses, norms use the
+  /// regular matrix M + Phi_q^T diag(mu) Phi_q instead of M; the term of row k is then about as large as the
+  /// inertia of the lighter of its two bodies. The unit of mu_k is kg m^2 divided by the square of the unit
+  /// of Phi: kg for rows in m (cd, dp2 of a unit vector), kg m^2 for dp1 of unit vectors, kg/m^2 for d. Empty
+  /// if the structured solver does not compute the weights.
   std::vector<double> mu;
   std::vector<std::string> contradictory;       ///< dependent rows that contradict the rows before them
-  std::vector<std::string> wrong_branches;      ///< joints whose rows hold on another branch than the joint's
+  std::vector<std::string> wrong_branches;      ///< joints on a wrong branch (antiparallel axes), and why
   std::vector<std::string> unphysical_inertia;  ///< bodies that declare an unphysical inertia
   bool is_consistent = false;                   ///< positions, velocities and branches hold
   std::string inconsistency;  ///< the violated rows and branches, one per line; empty if none

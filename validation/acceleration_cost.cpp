@@ -25,7 +25,8 @@ namespace trivium::cost {
 
 namespace {
 
-/// Largest accepted relative error of Trivium's refined accelerations [-].
+/// Largest accepted relative error of Trivium's refined accelerations [-], chosen by experiment: the errors
+/// of all measured scenes are smaller.
 constexpr double bound = 1e-9;
 
 struct Options {

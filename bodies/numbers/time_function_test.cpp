@@ -1,3 +1,5 @@
+/// Functions of time: their derivatives, the values of every kind, and phases after many turns.
+
 #include "bodies/numbers/time_function.hpp"
 
 #include "bodies/numbers/quad.hpp"

@@ -1,3 +1,5 @@
+/// Euler angles in all twelve sequences, also at and near their singularities.
+
 #include "bodies/rotations/euler_angles.hpp"
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"

@@ -1,3 +1,5 @@
+/// The matrices E and G, and the relations between rates of Euler parameters and angular velocity.
+
 #include "bodies/numbers/scalar.hpp"
 #include "bodies/rotations/so3.hpp"
 #include "bodies/testing/properties.hpp"

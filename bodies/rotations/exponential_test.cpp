@@ -1,3 +1,5 @@
+/// The exponential map, its inverse (the rotation vector), and the rate of the rotation vector.
+
 #include "bodies/numbers/quad.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "bodies/rotations/so3.hpp"

@@ -1,3 +1,5 @@
+/// Rotation matrices, tilde matrices, and Euler parameters of a matrix.
+
 #include "bodies/rotations/so3.hpp"
 
 #include "bodies/numbers/scalar.hpp"

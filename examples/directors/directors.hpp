@@ -3,8 +3,8 @@
 /// body has nine such numbers and six internal rows d_i . d_j = delta_ij; the unknowns are r'' and the second
 /// derivatives of the directors. These are the natural coordinates of a body with one point (Garcia de Jalon
 /// and Bayo, Kinematic and Dynamic Simulation of Multibody Systems, 1994). The mass matrix is constant, and
-/// there are no velocity-dependent inertia forces. lambda is the same as in all other formulations; only this
-/// formulation has the multipliers lambda_internal of the internal rows.
+/// there are no velocity-dependent inertia forces. lambda is the same as in all other formulations. The
+/// multipliers lambda_internal of the six internal rows belong to this formulation alone.
 ///
 /// The rotational mass matrix is mass_block = E (x) I with E = tr(Jbar) / 2 I - Jbar, the second moments of
 /// mass.
@@ -67,8 +67,8 @@ struct Directors {
     return M;
   }
   static Unknown velocity_force(const Kinematics&, const Matrix3&) { return Unknown::Zero(); }
-  /// The generalized force of a moment n: half of n x d_i on each director d_i. Their total power in any
-  /// rotation is that of the moment.
+  /// The generalized force of a moment n: half of n x d_i on each director d_i. In a rotation with omega
+  /// their power is the sum of n x d_i . (omega x d_i) / 2 = n . omega, the power of the moment.
   static Unknown applied_force(const Kinematics& k, const Vector3& n_bar) {
     return stack(k.A * trivium::tilde(n_bar)) / 2;
   }
@@ -94,7 +94,7 @@ struct Directors {
     return gamma;
   }
 
-  // A'' = A tilde(omega_bar') + A tilde(omega_bar)^2, of which lift holds the part linear in omega_bar'
+  // A'' = A tilde(omega_bar') + A tilde(omega_bar)^2, and lift is the factor of omega_bar'
   static trivium::Matrix<S, 9, 3> lift(const Kinematics& k) {
     trivium::Matrix<S, 9, 3> L;
     for (int n = 0; n < 3; ++n) L.col(n) = stack(k.A * trivium::tilde(Vector3(Vector3::Unit(n))));

@@ -31,7 +31,8 @@ struct RotationVector {
     Vector3 phi = Vector3::Zero(), phi_dot = Vector3::Zero();
   };
 
-  /// The sum over k of (-s)^k / (first + 2 k)! with s = |phi|^2, and its derivative with respect to s.
+  /// The sum over k of (-s)^k / (first + 2 k)! with s = |phi|^2, and its derivative with respect to s. Up to
+  /// a full turn, |phi| = 2 pi, 60 terms are enough for every Scalar: the next one is below 1e-105.
   struct Series {
     S value{0}, slope{0};
     Series(int first, const S& s) {

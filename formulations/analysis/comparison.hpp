@@ -28,8 +28,9 @@ struct Comparison {
   /// The relative error of the first solution if the second is exact.
   double error() const { return over(std::max(size_2, reference_size)); }
   /// Cancellation factor [-], at least 1: size_uncancelled relative to four times the largest of size_1,
-  /// size_2 and reference_size. It is 1 in ordinary states and grows with |omega_bar|^2 relative to the load
-  /// where a symmetric body spins fast. Rounding errors grow by this factor.
+  /// size_2 and reference_size. Rounding errors grow by this factor. Magnitudes exceed the sum of their terms
+  /// in every state; the four keeps the factor at 1 in ordinary states. Where a symmetric body spins fast,
+  /// the factor grows with |omega_bar|^2 relative to the load.
   double cancellation() const {
     const double scale = std::max({size_1, size_2, reference_size});
     return size_uncancelled > 0 && scale > 0 ? std::max(1.0, size_uncancelled / (4 * scale)) : 1.0;

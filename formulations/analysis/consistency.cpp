@@ -107,9 +107,11 @@ Consistency check_consistency(const Mechanism<double>& mechanism, const Mechanis
   const auto eom = equations_of_motion<F>(mechanism, to_coordinates<F>(mechanism, state, {}), state.t);
   const Extent m = extent_of(mechanism, state);
   Consistency out;
-  constexpr double tolerance = 1e-8;  // relative to the lengths and speeds of the scene
-  constexpr double rate_of_rounding =
-      1e-12;  // [1/s]: speed tolerance per length, for scenes at rest whose speeds are rounding errors
+  // Relative to the lengths and speeds of the scene. Positions within 1e-8 leave redundant rows dependent up
+  // to rank_tolerance.
+  constexpr double tolerance = 1e-8;
+  // [1/s], speed tolerance per length: the speeds of a scene at rest are rounding errors
+  constexpr double rate_of_rounding = 1e-12;
   const VectorX<double> velocity = velocity_residual(eom);
   for (int k = 0; k < eom.nc(); ++k) {
     const bool is_angle = is_of_angle(mechanism.rows[k]);

@@ -37,12 +37,13 @@ struct Consistency {
   std::string report() const;
 };
 
-/// Checks a state with the tolerances 1e-8 of the scene's lengths and speeds; for speeds plus 1e-12 of its
-/// length per second.
+/// Checks a state. The tolerance of a position is 1e-8 times the length of the scene. The tolerance of a
+/// velocity is 1e-8 times the speed of the scene plus 1e-12 times its length per second.
 Consistency check_consistency(const Mechanism<double>& mechanism, const MechanismState<double>& state);
 
-/// The largest distance of a body or joint point from its origin [m] and the largest speed [m/s]: the scales
-/// of rounding.
+/// The scales of rounding in a scene. `length` is the largest distance of a centre of mass from the global
+/// origin or of a joint point from its body's origin [m]; 1 m if all are 0. `speed` is the largest velocity,
+/// or angular velocity times length [m/s].
 struct Extent {
   double length = 0, speed = 0;
 };

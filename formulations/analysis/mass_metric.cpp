@@ -33,7 +33,8 @@ VectorX<double> row_weights(const TangentSystem& s) {
   VectorX<double> mu = VectorX<double>::Zero(s.Phi.rows());
   for (Eigen::Index k = 0; k < s.Phi.rows(); ++k) {
     double least = std::numeric_limits<double>::infinity();
-    // a row on rotations of bodies without any inertia: moment of inertia as if mass times 1 m^2
+    // for a row that acts only on rotations of bodies without any moment of inertia: mass times 1 m^2 is
+    // taken for the moment
     double fallback = std::numeric_limits<double>::infinity();
     for (std::size_t b = 0; b < s.mass.size(); ++b) {
       const Eigen::Index at = 6 * static_cast<Eigen::Index>(b);
@@ -123,8 +124,9 @@ void MassMetric::factor_augmented(const TangentSystem& s) {
       principal.diagonal().unaryExpr([](double x) { return x > 0 ? 1 / std::sqrt(x) : 1.0; });
   const MatrixX<double> scaled = scale.asDiagonal() * principal * scale.asDiagonal();
   const Eigen::LLT<MatrixX<double>> llt(scaled);
-  // pivots of the equilibrated metric are squared distances between columns of unit size; below this they
-  // are rounding
+  // The equilibrated metric is R^T R with columns of unit size in R. A pivot is the squared distance of a
+  // column from the span of the columns before. Its rounding error is some u times the number of columns; a
+  // pivot below 1e-13 is such an error.
   constexpr double least_pivot = 1e-13;
   if (llt.info() != Eigen::Success || llt.matrixLLT().diagonal().minCoeff() < std::sqrt(least_pivot))
     throw_without_inertia(s, axes * scale.cwiseProduct(least_direction(scaled)));

@@ -73,7 +73,8 @@ struct ScaledJacobian {
 };
 
 /// Chooses the dependent rows from the null basis Z: as far as possible the last rows of the file, such that
-/// their rows of Z stay well conditioned (null_space_share).
+/// their rows of Z stay well conditioned (null_space_share). Z has orthonormal columns, so its rows have
+/// norms up to 1; a remainder below a tenth of the share is too small whatever the norm of its row.
 std::vector<int> choose_dependent(const MatrixX<double>& Z) {
   const Eigen::Index d = Z.cols();
   for (double threshold = null_space_share;; threshold /= 10) {

@@ -1,3 +1,5 @@
+/// Rank, unique multipliers, null space and kappa of mechanisms for which they are known.
+
 #include "formulations/analysis/row_analysis.hpp"
 
 #include "bodies/testing/properties.hpp"

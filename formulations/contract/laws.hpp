@@ -58,6 +58,8 @@ class FormulationLaws {
     const auto at = [seed](int k) { return S(std::sin(1.7 * (7 * k + 13 * seed + 1))); };
     return {at(0), at(1), at(2)};
   }
+  /// Reports a law if a and b differ by more than digits_lost machine epsilons, relative to 1 + |a| + |b|.
+  /// The margin 1e5 is far above the rounding of right formulas and far below the error of wrong ones.
   template <class A, class B>
   void equal(const char* law, const A& a, const B& b, double digits_lost = 1e5) {
     const double size = 1 + static_cast<double>(S(a.norm())) + static_cast<double>(S(b.norm()));

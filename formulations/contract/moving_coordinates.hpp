@@ -25,11 +25,12 @@ concept MovingCoordinates = requires(const typename F::Scalar& s, const typename
   { F::retract(chart, orientation, x) } -> std::convertible_to<typename F::Orientation>;
   F::normalise(moved, moved_x);
   // Steps of implicit methods are displacements with as many numbers as the velocity. step: the orientation
-  // after a displacement, which may leave the internal row. displacement: the one between two orientations.
-  // displacement_rate: time derivative of a displacement (first argument) at a velocity (second argument).
-  // normalise_step, normalise_step_velocity: the orientation or velocity moves by s times a change of the
-  // unknown; they add the change that satisfies the internal row or its derivative. inertia_is_constant:
-  // whether mass_block is independent of q
+  // after a displacement, which may violate the internal row. displacement: the displacement from the first
+  // to the second orientation. displacement_rate: time derivative of a displacement (first argument) at a
+  // velocity (second argument). normalise_step adds to the unknown moved_x the change c for which `moved`,
+  // displaced by s c, satisfies the internal row; normalise_step_velocity adds the change c for which the
+  // velocity x + s c satisfies the time derivative of the row. inertia_is_constant: whether mass_block is
+  // independent of q
   { F::step(chart, orientation, x) } -> std::convertible_to<typename F::Orientation>;
   { F::displacement(chart, orientation, orientation) } -> std::convertible_to<typename F::Unknown>;
   { F::displacement_rate(x, x) } -> std::convertible_to<typename F::Unknown>;

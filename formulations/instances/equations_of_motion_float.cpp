@@ -1,3 +1,5 @@
+/// Compiles the equations of motion of all formulations in float.
+
 #include "formulations/instances/equations_of_motion.hpp"
 
 TRIVIUM_EQUATIONS_OF_MOTION(float)

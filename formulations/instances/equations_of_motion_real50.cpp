@@ -1,3 +1,5 @@
+/// Compiles the equations of motion of all formulations in Real50.
+
 #include "formulations/instances/equations_of_motion.hpp"
 
 #include "bodies/numbers/real50.hpp"

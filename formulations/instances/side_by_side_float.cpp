@@ -1,3 +1,5 @@
+/// Compiles the comparison of all formulations in float.
+
 #include "formulations/side_by_side_impl.hpp"
 
 #include "bodies/numbers/scalar.hpp"

@@ -1,6 +1,6 @@
 #pragma once
-/// The definitions of augmented_solver.hpp, compiled once per Scalar. Include this file only for another
-/// Scalar.
+/// The definitions of augmented_solver.hpp, compiled in instances/ for float to Real50. Include this file
+/// only for a Scalar without an instance.
 
 #include "base/error.hpp"
 #include "formulations/printed/augmented_solver.hpp"

@@ -19,8 +19,8 @@ class DenseSolver {
   DenseSolver(DenseSolver&&) noexcept;
   DenseSolver& operator=(DenseSolver&&) noexcept;
 
-  /// Solves K x = b with at most three refinement steps; stops when a correction is not half of the last
-  /// one.
+  /// Solves K x = b with at most three steps of refinement. A correction that is not smaller than half of the
+  /// one before is rounding error: it is dropped, and the refinement ends.
   VectorX<Scalar> solve(const VectorX<Scalar>& b) const;
   /// Forward and back substitution without refinement.
   VectorX<Scalar> substitute(const VectorX<Scalar>& b) const;

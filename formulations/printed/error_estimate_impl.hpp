@@ -1,6 +1,6 @@
 #pragma once
-/// The definitions of error_estimate.hpp, compiled once per Scalar. Include this file only for another
-/// Scalar.
+/// The definitions of error_estimate.hpp, compiled in instances/ for float to Real50. Include this file only
+/// for a Scalar without an instance.
 
 #include <algorithm>
 
@@ -63,6 +63,8 @@ ErrorEstimate estimate_error(const AugmentedSolver<F>& solver, const VectorX<typ
     return error(previous, best);
   };
   const double u = static_cast<double>(unit_roundoff<S>());
+  // The error is known well enough if the last correction is at most 5 % of it; the estimate adds this
+  // correction. Four steps reach this share unless the factors in S have no correct digit.
   const auto is_settled = [u](double remaining, double found) { return remaining <= 0.05 * found + u; };
   bool settled = false;
   for (int step = 0; step < 4 && !settled; ++step) {
@@ -75,7 +77,8 @@ ErrorEstimate estimate_error(const AugmentedSolver<F>& solver, const VectorX<typ
   ErrorEstimate ambiguity;
   if (!solver.redundant_multipliers().none()) ambiguity = correct(detail::ambiguity_of(solver, x, higher));
   // If the corrections do not shrink, or the estimate is of the size of the solution, the solution in the
-  // next precision may be wrong as well: no digit is known
+  // next precision may be wrong as well: no digit is known. A relative error of 0.3 leaves less than one
+  // digit.
   constexpr double no_digits = 0.3;
   const auto bounded_estimate = [&](double known, double remaining, double ambiguous) {
     const double estimate = 2 * (known + remaining + ambiguous) + u;

@@ -1,6 +1,6 @@
 #pragma once
-/// The definitions of redundant_multipliers.hpp, compiled once per Scalar. Include this file only for
-/// another Scalar.
+/// The definitions of redundant_multipliers.hpp, compiled in instances/ for float to Real50. Include this
+/// file only for a Scalar without an instance.
 
 #include <limits>
 #include <utility>
@@ -46,7 +46,7 @@ template <class Scalar>
 void RedundantMultipliers<Scalar>::refine_null_basis(const Equations& eom, const RowAnalysis& rows) {
   N_ = scalar_cast<Scalar>(rows.null_basis);
   double last = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < 8; ++step) {
+  for (int step = 0; step < 8; ++step) {  // a step gains up to 15 digits; Real50 needs four steps
     MatrixX<Scalar> defect = MatrixX<Scalar>::Zero(6 * eom.nb(), N_.cols());
     for (int k = 0; k < eom.nc(); ++k) {
       if (rows.unique[k]) continue;

@@ -14,9 +14,10 @@
 namespace trivium {
 
 /// The largest relative residuals [-] of the bodies' equations and of the rows, without an assembled matrix.
-/// A body's residual is relative to the sum of the magnitudes of its terms; a row's residual to the sum of
-/// its terms, with accelerations as large as the forces could cause. Rows listed in `dependent` are reported
-/// separately.
+/// The residual of a body's equation is divided by the sum of the magnitudes of its terms. The residual Phi''
+/// of a row is divided by |gamma| plus the magnitudes of the gradient times accelerations; these are not the
+/// accelerations of the solution, which may be zero, but as large as all forces on a body could cause
+/// together. The rows listed in `dependent` are reported separately, because the solver omits them.
 struct MatrixFreeResidual {
   double bodies = 0, rows = 0, dependent_rows = 0;
   double worst() const { return larger(bodies, rows); }
@@ -53,8 +54,9 @@ MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar, Type
                                          F::internal_constraints * b));
   }
   MatrixFreeResidual residual;
-  // the terms of a body at rest in a moving mechanism are rounding errors and give no scale: the scale is at
-  // least sqrt(u) of the largest in the mechanism
+  // The terms of a body at rest in a moving mechanism are rounding errors, some u times the largest term, and
+  // give no scale. The scale is therefore at least sqrt(u) times the largest scale in the mechanism: far
+  // above such rounding errors, far below the terms of a body that moves.
   S largest(0);
   using std::sqrt;
   const S negligible = sqrt(unit_roundoff<S>());
@@ -73,8 +75,8 @@ MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar, Type
     balance[j].add_r(u.lambda[k] * row.r_j.transpose());
     balance[j].add_q(u.lambda[k] * row.rot_j.transpose());
   }
-  // the accelerations that the forces on a body could cause, for q'' in addition to its norm: the
-  // accelerations of a body at rest are rounding errors
+  // The accelerations that all forces on a body could cause together. |q''| is added, because the forces do
+  // not determine all of q'': in r-p, J^p p = 0 and the component of p'' along p comes from the internal row.
   struct Reach {
     S r{0}, q{0};
   };

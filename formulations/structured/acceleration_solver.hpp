@@ -123,8 +123,9 @@ class AccelerationSolver {
   template <class SizeOfBody>
   std::optional<EdgeRow> find_violated_row(const GraphVector<S>& solution, const S& tolerance, const S& least,
                                            const SizeOfBody& size_of_body) const;
-  /// The size of a body's accelerations and of those that its forces and its angular velocity alone would
-  /// cause. The accelerations themselves are no measure: they are rounding error if forces are in balance.
+  /// The largest of a body's accelerations and of the accelerations that its forces alone and its angular
+  /// velocity alone would cause. The body's accelerations alone give no scale: they are rounding errors if
+  /// forces are in balance.
   AccelerationSize<S> size_of_causes(int b) const;
   /// omega^2 as a size of x; times the levers it is the size of the terms of gamma.
   AccelerationSize<S> size_of_turning(int b) const {

@@ -1,3 +1,5 @@
+/// The structured solver in float agrees with the printed system, also at large mass ratios.
+
 #include "formulations/testing/printed_and_structured.hpp"
 
 namespace trivium {

@@ -1,3 +1,5 @@
+/// The structured solver in quad agrees with the printed system.
+
 #include "formulations/testing/printed_and_structured.hpp"
 
 #include "bodies/numbers/quad.hpp"

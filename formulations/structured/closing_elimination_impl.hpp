@@ -27,9 +27,9 @@ void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
   if (how_ == DependentRows::detect_near_singular || how_ == DependentRows::keep_count) choose_rows(c);
   // A pivot is the diagonal entry of a row after the rows and closings before it were eliminated. own: the
   // entry before other closings were eliminated. size.product: the size of the entry if no terms had
-  // cancelled on the way along the loop. The rounding error of the pivot is relative to both. is_marked_:
-  // rows that are dependent whatever their pivot is, by an earlier decision, by the caller or by
-  // choose_rows().
+  // cancelled on the way along the loop. The rounding error of the pivot is relative to both. An entry of
+  // relative size sine2 has cancelled so far that its row has no direction. is_marked_: rows that are
+  // dependent whatever their pivot is, by an earlier decision, by the caller or by choose_rows().
   const S sine2 = direction_tolerance<S>() * direction_tolerance<S>();
   for (int k = 0; k < n; ++k) {
     const S pivot = block(k, k);

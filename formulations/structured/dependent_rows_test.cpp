@@ -69,8 +69,8 @@ TEST(DependentRows, ADriverAcrossItsRevoluteIsRankedLikeAnyRow) {
 }
 
 TEST(DependentRows, APointOfAWeldHeldToItselfAddsNothing) {
-  // at all motions of the two bodies, so the row's columns cancel at the weld and only their rounding error
-  // is passed to the parent
+  // the row holds for all motions of the two bodies; its columns cancel at the weld, and only their rounding
+  // error is passed to the parent
   scenes::Scene scene = pendulum();
   scene.bodies.push_back(test::body("welded", 1, {1, 1, 1}, {0.1, 0.7, -0.4}));
   const auto at = [&](const Vector3& P) {

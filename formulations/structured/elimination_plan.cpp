@@ -83,7 +83,8 @@ class Planner {
       }
       // If all rows of the loop depend on relative motion only, a rigid motion of the whole loop changes none
       // of them: the rows of the closing that are dependent with the common ancestor at rest are dependent.
-      // Otherwise the motion of the ancestor may make them independent, so the closing climbs to the ground.
+      // Otherwise the motion of the ancestor may make them independent, so the closing is eliminated at the
+      // ground, and all links from the ancestor to the ground carry its columns.
       for (; !is_relative && a != ground_; a = forest_.parent[a]) path.push_back(link_of_[a]);
       std::sort(path.begin(), path.end());
       plan_.closings[c].body = a;

@@ -25,8 +25,9 @@ struct EliminationPlan {
   };
   /// The coupling block of two closings that pass the same link.
   struct Coupling {
-    int first, second;  ///< indices into the link's columns; `first` is eliminated first or is `second`
-    int slot;           ///< slot of the block; its rows are those of the closing eliminated first
+    int first,
+        second;  ///< indices into the link's columns: the closing eliminated first, the other or the same
+    int slot;    ///< slot of the block; its rows are those of the closing eliminated first
   };
   struct Link {
     int body;

@@ -29,7 +29,8 @@ class GeneralLink {
     M.template bottomRightCorner<3, 3>() = block.xx.template topRows<3>();
     solve_rows(M, link, how, dependent);
     const Vector6<S> size = M.diagonal();
-    // a moment of inertia this small compared with the largest one may be rounding error: it counts as zero
+    // A moment of inertia this small compared with the largest one may be rounding error: it counts as zero
+    // in the sizes of columns. 1e-8, half of the digits of a double, is chosen by experiment.
     constexpr double rounded_moment = 1e-8;
     const S least = S(rounded_moment) * largest_of(size.template tail<3>());
     for (int k = 0; k < 6; ++k)
@@ -137,6 +138,8 @@ class GeneralLink {
     }
     const S masses = largest_of(M.diagonal().template head<3>());
     const S moments = larger(largest_of(M.diagonal().template tail<3>()), S(masses * lever2));
+    // The limit 1e-6 keeps the ratio of two weights below 1000. It is chosen by experiment: larger ratios
+    // magnify rounding errors, smaller ones leave unknowns without inertia free.
     Vector6<S> weight;
     for (int k = 0; k < 6; ++k) {
       const S& largest = k < 3 ? masses : moments;

@@ -35,10 +35,11 @@ class GraphAssembly {
   GraphAssembly(const MechanismOf<F>& mechanism, const EliminationPlan& plan);
   GraphAssembly(const MechanismOf<F>&&, const EliminationPlan&) = delete;
   GraphAssembly(const MechanismOf<F>&, const EliminationPlan&&) = delete;
-  GraphAssembly(const GraphAssembly&) = delete;  // solvers keep a pointer to its matrix
+  GraphAssembly(const GraphAssembly&) = delete;  // a GraphSolver keeps a pointer to matrix_
 
   const GraphMatrix<S>& matrix() const { return matrix_; }
-  /// Rows by slot, for the caller to fill those of soft edges, which are no rows of the mechanism.
+  /// The rows in a slot (EliminationPlan::rows_slot). The caller fills the rows of soft edges: they are
+  /// springs and no rows of the mechanism, so the assembly does not know them.
   EdgeRows<S>& edge_rows(int slot) { return matrix_.rows[slot]; }
   /// The bodies at the current state, nb + 1 with the ground last.
   const std::vector<Body>& body() const { return body_; }

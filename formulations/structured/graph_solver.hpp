@@ -69,8 +69,8 @@ class GraphSolver {
   void solve(const GraphVector<S>& right_side, GraphVector<S>& solution);
 
   // start(), eliminate() for each step in order, and substitute() factor and solve in one pass; they do not
-  // restore independent rows. The rows of a link may be assembled just before its step: the processor does
-  // this while it waits for the results of the link before, which are what bounds the time of the pass.
+  // restore independent rows. The rows of a link may be assembled just before its step: the processor
+  // assembles them while it waits for the results of the previous link, and this wait limits the speed.
   void start(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side);
   /// Throws SingularLink.
   void eliminate(int step, const GraphVector<S>& right_side);
@@ -89,8 +89,8 @@ class GraphSolver {
   /// Under DependentRows::detect_near_singular: row k of an edge is dependent, whatever its pivot is.
   void mark_dependent(int edge, int k) { is_marked_[edge][k] = true; }
 
-  /// Takes over the dependent rows of another solver's last factorisation for all factorisations from now on.
-  /// The graphs agree in their first edges; edges that only one of them has are not changed.
+  /// From now on every factorisation keeps the dependent rows of the last factorisation of `other`. The edges
+  /// that both graphs have must come first in both; the dependent rows of further edges do not change.
   void keep_dependent_rows_of(const GraphSolver& other) {
     how_ = DependentRows::keep;
     std::copy_n(other.is_dependent_.begin(), std::min(is_marked_.size(), other.is_dependent_.size()),
@@ -112,13 +112,16 @@ class GraphSolver {
     const auto& rows = is_dependent_[edge];
     return std::find(rows.begin(), rows.end(), true) != rows.end();
   }
-  /// Restores rows that the last factorisation wrongly drops as dependent; returns whether there are any. A
-  /// pivot is the square of a sine between rows, so the elimination drops all rows of small sine. Each
-  /// dropped row is tested: if the sine between its gradient and the span of the others exceeds
-  /// direction_tolerance, with rotations converted to lengths by lever2(), the row is bordered to the
-  /// factors. Cost: about one factorisation and a few solutions if no row is restored; for each restored row
-  /// some solutions more, times the logarithm of the number of dropped rows. Memory is allocated at the first
-  /// call and when more rows are restored than ever before. Throws NearlyDependentRows beyond most_restored.
+  /// Restores the rows that the last factorisation drops although they are independent; returns whether there
+  /// are any. A pivot is the square of a sine and loses the digits of a small sine in rounding, so the
+  /// elimination drops all rows of small sine. Here the sine of each dropped row is computed: the angle is
+  /// the one between the row's gradient and the span of all other rows, with rotations converted to lengths
+  /// by lever2(). If the sine exceeds direction_tolerance, the row is bordered to the factors: the factored
+  /// system gets one more row and column. Throws NearlyDependentRows beyond most_restored.
+  ///
+  /// Cost: one factorisation and a few solutions, and for each restored row a number of solutions that grows
+  /// with the logarithm of the number of dropped rows. Memory is allocated at the first call and when more
+  /// rows are restored than ever before.
   bool restore_independent_rows();
   /// Computes lever2() for the matrix of the last factorisation; costs about one factorisation.
   void measure_levers();
@@ -127,6 +130,8 @@ class GraphSolver {
   S lever2(int body) const;
   /// Whether the last factorisation has dependent rows whose pivot exceeds its rounding error.
   bool has_nearly_dependent_rows() const { return has_nearly_dependent_rows_; }
+  /// Each restored row stores a response of the size of the whole system and makes every solution slower.
+  /// More than 100 come from positions that violate their constraints: redundant rows then look independent.
   static constexpr int most_restored = 100;
   /// Adds multiplier * Phi_k^T of a row to the forces on its two bodies; not for point joints of the tree.
   void add_row(const EdgeRow& row, const S& multiplier, GraphVector<S>& force) const;
@@ -152,15 +157,17 @@ class GraphSolver {
     int first_column;  ///< index of the link's first column in link_column_
     int rows;
   };
-  /// A row bordered to the factors. Its response is the solution for the multiplier -1 of this row, all other
-  /// right sides 0, with the rows of the factors and of the borders before it.
+  /// A restored row, bordered to the factors. Its response is the motion a, with its multipliers, that a unit
+  /// force along the row causes (the row's own multiplier is -1). All right sides are 0; the rows of the
+  /// factors and of the borders before this one hold.
   struct Border {
     EdgeRow row;
-    S stiffness;  ///< Phi_k a of the response; it equals a^T H a
+    S stiffness;  ///< Phi_k a: the change of the row in its response a; equal to a^T H a
     GraphVector<S> response;
     S gamma;  ///< the row's right side in the current solution
   };
-  /// A test of rows: forces along them, the motion that they cause, and its correction by refinement.
+  /// A test of rows: forces along the rows, the motion that these forces cause, and the correction of this
+  /// motion by refinement.
   struct Probe {
     GraphVector<S> load, response, rest;
   };
@@ -189,11 +196,13 @@ class GraphSolver {
   void forward_step(const EliminationPlan::Step& step, const GraphVector<S>& right_side);
 
   void factor_link(int index);
-  /// Eliminates a closing by L D L^T of its block, which is positive semidefinite. A row is dependent if it
-  /// depends on rows before it. `body`: the block of the body where the closing is eliminated, null: ground.
+  /// Eliminates a closing. Its diagonal block is positive semidefinite and is factored as L D L^T, row by
+  /// row. A row whose gradient is a combination of those of the rows before it has pivot 0 and is dependent.
+  /// `body` is the block of the body where the closing is eliminated; null at the ground.
   void factor_closing(int c, BodyBlock<S>* body);
-  /// Marks the dependent rows of a closing. The others are chosen by diagonal pivoting, those of largest
-  /// relative pivot first, so that they determine the motion well, also at later states of a motion.
+  /// Decides, before a closing is eliminated, which of its rows are dependent, and marks them. The
+  /// independent rows are chosen by diagonal pivoting: the row with the largest pivot relative to its terms
+  /// is the next. Rows that are chosen in this way determine the motion well, also at later states.
   void choose_rows(int c);
   void forward_link(int index, const GraphVector<S>& right_side);
   /// Eliminates the link's unknowns from the right side. `force` is the body's force plus the forces that its
@@ -239,7 +248,8 @@ class GraphSolver {
   std::optional<Probe> probe_;
   std::shared_ptr<UnitInertiaSolver> unit_inertia_solver_;
   BodyColumns<S> no_columns_;
-  // right side and multipliers of the rows of a body without a joint to a parent, which has no rows
+  // A body without a joint to a parent has no rows: none_ is read in place of their right side, nowhere_ is
+  // written in place of their multipliers.
   const Vector6<S> none_ = Vector6<S>::Zero();
   Vector6<S> nowhere_;
   const GraphMatrix<S>* matrix_ = nullptr;

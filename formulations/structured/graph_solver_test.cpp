@@ -1,6 +1,6 @@
 /// The factorisation alone, on systems of random numbers: any positive definite blocks and any rows, as
-/// projections need them. Only the orientation rows of point joints are well independent on the child, as the
-/// axes of a joint are (point_link.hpp).
+/// projections need them. The orientation rows of point joints are an exception: on the child they are drawn
+/// well independent, because the axes of a joint are (point_link.hpp).
 
 #include "formulations/structured/graph_solver.hpp"
 

@@ -129,13 +129,14 @@ struct LinkRows {
 /// How a factorisation decides which rows are dependent (tolerances: rank_tolerance.hpp).
 enum class DependentRows {
   detect,  ///< rows whose gradient is, up to the tolerance, a linear combination of the others
-  /// In addition nearly dependent rows, which the pivots alone cannot distinguish from dependent ones; none
-  /// is restored and no right side is checked. For motions through singular positions.
+  /// The rows of `detect`, and nearly dependent rows, which the pivots alone cannot distinguish from
+  /// dependent ones. No row is restored and no right side is checked. For motions through singular positions.
   detect_near_singular,
   /// The rows of the last decision. At a state that violates its constraints a little, as the stages of an
   /// integrator do, dependent rows would look independent.
   keep,
-  /// In each closing as many rows as last, chosen anew as those of smallest pivots. For motions that drift.
+  /// In each closing as many rows as in the last decision, but those that now have the smallest pivots. For
+  /// motions that drift from their constraints.
   keep_count
 };
 
@@ -156,7 +157,8 @@ struct ColumnSizes {
     product.setZero();
   }
   void take(int k, const S& r_squared, const S& x_squared) {
-    // faster than `larger`, which keeps a NaN: if a part is NaN, so is the pivot that these are compared with
+    // Faster than `larger`, which keeps a NaN. A NaN need not be kept here: if a part is NaN, so is the pivot
+    // that is compared with these sizes.
     r[k] = select(r[k] > r_squared, r[k], r_squared);
     x[k] = select(x[k] > x_squared, x[k], x_squared);
   }

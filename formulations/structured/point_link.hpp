@@ -4,15 +4,15 @@
 /// that the joint leaves free. This is the articulated-body recursion (Featherstone 2008, section 7.3) in
 /// absolute coordinates, with all multipliers. The body may lack inertia in motions that the joint prevents.
 ///
-/// The equations are those about the joint's point. With the acceleration u of this point and the right side
-/// w of the orientation rows, after the motion of the parent p has been subtracted,
+/// All equations refer to the joint's point. With the acceleration u of this point, and with the right side w
+/// of the orientation rows after the motion of the parent p has been subtracted,
 ///
 ///     u = r_c'' + L_c^T x_c = r_p'' + L_p^T x_p + sign gamma      W_c^T x_c = w = gamma_w - W_p^T x_p
 ///     H_rr u + H_rx x_c + f = F      H_rx^T u + H_xx x_c + W_c lambda_w = tau      f = sign lambda_point
 ///
 /// The ansatz is x_c = N q + Y w, where N^T W_c = 0 and Y^T W_c = I. N^T times the moment equation does not
-/// contain lambda_w and gives q; Y^T times it gives lambda_w. The parent receives the remainder, which
-/// depends on u and w only:
+/// contain lambda_w and gives q; Y^T times the moment equation gives lambda_w. The parent receives the
+/// remainder, which depends on u and w only:
 ///
 ///     f = f_0 - rr u - Z w           lambda_w = s_0 - Z^T u - T w
 ///

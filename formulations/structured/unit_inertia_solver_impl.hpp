@@ -18,7 +18,8 @@ namespace trivium {
 
 /// The system with the same rows and H = diag(1, 1, 1, l^2, l^2, l^2) for each body. The lever l converts
 /// rotations to lengths; l^2 is the mean of |x|^2 / |r|^2 over the rows with a translational part r on the
-/// bodies of the same component (connected_bodies.hpp), and 1 where there is no lever.
+/// bodies of the same component (connected_bodies.hpp), and 1 where there is no lever. The three rows of a
+/// point joint of the tree count as one.
 template <class S>
 class GraphSolver<S>::UnitInertiaSolver {
  public:
@@ -61,8 +62,8 @@ class GraphSolver<S>::UnitInertiaSolver {
         independent_.push_back(rows.front());
       return;
     }
-    // The remainders of rows may cancel by accident in a combination; so two combinations are tried, against
-    // a tolerance that is smaller by the factor 30.
+    // The remainders of rows may cancel by accident in a combination. So two combinations are tried, against
+    // a tolerance that is smaller by the factor 30: that both cancel so far has a probability of about 1e-3.
     const S little = square(direction_tolerance<S>() / 30);
     if (all(left_of(rows, 1) <= little) && all(left_of(rows, 2) <= little)) return;
     search(rows.first(rows.size() / 2));

@@ -22,7 +22,8 @@ class AnyMethod {
   virtual void restart() = 0;
   virtual bool shorten() = 0;
   virtual const Counters& counters() const = 0;
-  /// The method's own multipliers after the last step; null if the method has none, or none at this time.
+  /// The raw lambda: the multipliers that the method computes together with its step. Null if the method has
+  /// none, or has taken no step since it began.
   virtual const StateVector<S>* lambda() const = 0;
   virtual bool interpolates() const { return false; }
   /// Sets y, and the method's lambda(), to their values at a time t within the last step.

@@ -9,19 +9,20 @@
 
 namespace trivium::integrators {
 
-///   normalise_step       from (share, y, v'): moves the positions of y onto the internal rows, and changes
-///                        v' accordingly: a change of v' moves q by `share` times the change. Returns whether
-///                        the model has internal rows
+///   normalise_step       from (share, y, v'): moves the positions of y by the smallest displacement d that
+///                        satisfies the internal rows, and adds d / share to v'. `share` is the derivative of
+///                        the positions by v' within the step. Returns whether the model has internal rows
 ///   normalise_step_velocity
-///                        from (share, y, v'): the same for the derivatives of the rows: changes v' so that
-///                        v, which moves by `share` times the change, satisfies them
+///                        from (share, y, v'): adds to v' the smallest change c such that the velocities
+///                        v + share c satisfy the time derivatives of the internal rows; y does not change
 ///
 /// For methods whose steps do not normalise:
 ///
-///   internal_residual    from (at, v', left): the residual of the rows' second derivatives for this v', put
-///                        into the elements of `left` that `residual` leaves 0
-///   solve_internal_rows  from (at, left, x): adds to x the smallest change of v' that makes this residual
-///                        zero
+///   internal_residual    from (at, v', left): the residual gamma - P v' of the internal rows, differentiated
+///                        twice by time, where P is their Jacobian. It is put into the elements of `left`
+///                        that `residual` has set to 0; the others keep the residual of the forces
+///   solve_internal_rows  from (at, left, x): adds to x the smallest change c of v' with P c = gamma - P v',
+///                        so that the residual becomes 0
 template <class System>
 concept HasInternalRows = HasResidual<System> &&
     requires(System& system, const typename System::Scalar& share, const typename System::Evaluation& at,

@@ -19,7 +19,7 @@ struct Counters {
 /// solution is not smooth. `shorten` makes the next step start where the last one started and be shorter; it
 /// returns whether the method can do this. `step` throws an IntegrationError if the method fails.
 ///
-/// Optional functions, which AnyMethod asks for: `lambda`, a pointer to the method's own multipliers, or
+/// Optional functions, which AnyMethod asks for: `lambda`, a pointer to the raw lambda (any_method.hpp) or
 /// null; `interpolates` and `interpolate(t, y)`, the state at a time within the last step; and for a method
 /// with a memory (memory.hpp) `begin(system, t, y, stop)`, `has_begun()` and `show_memory(show)`, which let a
 /// saved run continue exactly.

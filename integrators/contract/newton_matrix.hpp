@@ -14,8 +14,8 @@
 
 namespace trivium::integrators {
 
-/// How far q and v move with v': q by beta' [s^2], v by gamma' [s]. They are h^2 and h times constants of the
-/// method.
+/// The derivatives of q and v by v' within a step: `position` is beta' [s^2], `velocity` is gamma' [s]. They
+/// are h^2 and h times constants of the method.
 template <class S>
 struct Shares {
   S position{0}, velocity{0};

@@ -1,7 +1,8 @@
 #pragma once
 /// Springs and dampers, each by its stiffness and damping, for methods of several stages. The Newton matrix
 /// of one stage has their resistance by that stage's shares only; the method solves for the coupling of the
-/// stages with one unknown per spring. A model may leave its springs to the iteration; it then has none here.
+/// stages with one unknown per spring. A model may omit its springs from Newton's matrix, so that the
+/// iteration finds their forces; springs() is then 0.
 
 #include <concepts>
 

@@ -11,7 +11,8 @@ struct Tolerances {
   double rtol = 1e-8, atol = 1e-10;
 };
 
-/// Bound [-] of a relative measure (relative to the model's own numbers) that rounding alone may leave.
+/// Bound [-] of a relative measure (relative to the model's own numbers) that rounding alone may leave: one
+/// epsilon for each of the about 16 roundings in the terms of a row.
 template <class S>
 S rounding() {
   return S(16 * std::numeric_limits<S>::epsilon());

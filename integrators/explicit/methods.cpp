@@ -23,7 +23,8 @@ template <class S>
 std::unique_ptr<AnyMethod<S>> chosen_adams(const Tolerances& tolerances) {
   if constexpr (std::is_same_v<S, double>) {
     using Controlled = odeint::controlled_adams_bashforth_moulton<AdaptiveAdams>;
-    constexpr double no_limit = 1e300;
+    constexpr double no_limit = 1e300;  // of the step size [s]
+    // the controller begins with order 1
     return adapt<double>(ChosenSteps<double, Controlled>(
         Controlled({tolerances.atol, tolerances.rtol, no_limit}), 1, tolerances));
   } else {
@@ -63,6 +64,7 @@ std::vector<MethodEntry<S>> explicit_methods() {
         .chooses_steps = true},
        [](Request request) -> Made {
          const Tolerances& tolerances = request.tolerances.value();
+         // the order varies; the first step is chosen as for order 8
          return adapt<S>(ChosenSteps<S, BulirschStoer<S>>(
              BulirschStoer<S>(S(tolerances.atol), S(tolerances.rtol)), 8, tolerances));
        }},

@@ -99,11 +99,12 @@ class ChosenSteps {
           return;
         }
         trouble.clear();
-      } catch (const std::runtime_error& error) {
+      } catch (const std::runtime_error& error) {  // no error estimate: a quarter is tried
         trouble = error.what();
         h = tried / 4;
         forget();
       }
+      // a controller that rejects a step without a smaller proposal must not try the same size for ever
       step_size_.reject(h < tried ? h : S(tried / 2));
       ++counters_.rejected_steps;
     }

@@ -123,8 +123,8 @@ class BDF {
     if (y.size() > nq + nv) y[nq + nv] = known_[nv] + b * system.work_rate(newton_.at(), x_.lambda);
     push(y, x_.v_dot, x_.lambda);
   }
-  /// Solves theta = theta_known + b rate(theta, v) by fixed-point iteration, which converges as bodies rotate
-  /// by small angles in a step.
+  /// Solves theta = theta_known + b rate(theta, v) by fixed-point iteration. An iteration multiplies the
+  /// error by about the angle [rad] by which bodies rotate in the step; 50 is a safety limit.
   void displace(System& system, const S& b) {
     theta_ = theta_known_ + b * v_;
     S before = std::numeric_limits<S>::max();

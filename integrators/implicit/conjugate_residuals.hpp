@@ -43,7 +43,9 @@ class ConjugateResiduals {
   }
 
  private:
-  static constexpr int most = 12;  ///< the oldest is overwritten
+  /// Number of directions that are kept; the oldest is overwritten. Chosen by experiment: more directions
+  /// cost memory and time for every right side, fewer lose directions that later right sides need.
+  static constexpr int most = 12;
   /// An image counts as linearly dependent if orthogonalisation leaves less than this share of it: half of a
   /// double's digits are then rounding.
   static constexpr double known_share = 1e-8;

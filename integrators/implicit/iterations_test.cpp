@@ -1,4 +1,4 @@
-// The laws of Anderson acceleration and of generalised conjugate residuals.
+/// The laws of Anderson acceleration and of generalised conjugate residuals.
 
 #include <gtest/gtest.h>
 
@@ -70,8 +70,8 @@ TEST(ConjugateResiduals, KeepNoDirectionTwice) {
   EXPECT_FALSE(known.keep(direction, image));
 }
 
-// For x = g(x) with a linear g in n unknowns the change is zero after n differences are known. The bound
-// follows from the regularisation: it is 1e-13 of squared differences.
+// For x = g(x) with a linear g in n unknowns the change is zero after n differences are known. The bound is
+// the root of the regularisation, which is 1e-13 of the squared differences.
 TEST(Anderson, EndsALinearIterationInAsManyStepsAsItHasUnknowns) {
   const Matrix g = 0.2 * matrix;
   const Eigen::Vector3d c(1, 2, 3);

@@ -1,6 +1,10 @@
 #pragma once
 /// The list entries of the implicit methods: each checks the range of its own parameters. The template is
 /// instantiated in one translation unit per Scalar (instances/).
+///
+/// Defaults: rho = 0.8 and alpha = -0.2 damp the fastest oscillations within some ten steps. Without damping
+/// (rho = 1, alpha = 0) index-3 multipliers oscillate; with the largest (rho = 0, alpha = -1/3) slow motions
+/// lose more energy. Order 2 is the highest order at which bdf is A-stable.
 
 #include <fmt/format.h>
 

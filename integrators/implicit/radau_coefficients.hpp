@@ -95,7 +95,8 @@ struct RadauCoefficients {
     return nodes;
   }
   /// 1 / z, where z is the real zero of the stability function's denominator, a Pade denominator of exp
-  /// (IV.3). No zero lies farther to the right, so that Newton's method converges to it from there.
+  /// (IV.3). Newton's method starts at 10 s, to the right of all zeros. z is the zero farthest to the right,
+  /// so that the iteration is monotone.
   static Wide real_eigenvalue() {
     return 1 / root(Wide(10 * s), [](const Wide& z) {
              Wide term(1);

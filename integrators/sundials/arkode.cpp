@@ -1,3 +1,5 @@
+/// The Runge-Kutta methods of ARKODE, explicit and diagonally implicit.
+
 #include <arkode/arkode_arkstep.h>
 
 #include "integrators/sundials/methods.hpp"
@@ -24,6 +26,8 @@ const Functions arkode{.free = ARKStepFree,
                        .failed_solves = ARKStepGetNumStepSolveFails,
                        .iterations = ARKStepGetNumNonlinSolvIters};
 
+/// Explicit or diagonally implicit Runge-Kutta methods of ARKODE. With given steps the tolerances only end
+/// the iterations of the stages; 1e-13 is near rounding, so that the order of the method shows.
 class Arkode final : public OdeStepper {
  public:
   Arkode(bool is_implicit, int order, const std::optional<Tolerances>& tolerances)

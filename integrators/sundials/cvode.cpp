@@ -1,3 +1,5 @@
+/// The Adams methods and BDF of CVODE.
+
 #include <cvode/cvode.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
@@ -26,6 +28,7 @@ const Functions cvode{.free = CVodeFree,
                       .failed_solves = CVodeGetNumStepSolveFails,
                       .iterations = CVodeGetNumNonlinSolvIters};
 
+/// Adams methods and BDF of CVODE; BDF with projection if it `projects`.
 class Cvode final : public OdeStepper {
  public:
   enum class Formula { adams, backward };

@@ -1,3 +1,5 @@
+/// The method of IDA for the stabilised index-2 equations, with the linear systems of its iterations.
+
 #include <ida/ida.h>
 
 #include "integrators/projection_iteration.hpp"
@@ -77,6 +79,9 @@ class Ida final : public Stepper {
     measure_errors_by(error_weights);
     accept(IDASetId(library_memory(), is_differential_.get()), "set the differential unknowns");
     accept(IDASetSuppressAlg(library_memory(), 1), "leave the multipliers out of the error estimate");
+    // The library's default is 0.33. An error of the positions along a stiff spring is a large error of its
+    // force, which the error estimates of later steps show. 0.01 is chosen by experiment: a larger value
+    // makes these estimates shorten the steps, a smaller one costs iterations.
     accept(IDASetNonlinConvCoef(library_memory(), 0.01), "set the tolerance of Newton's method");
     iterate_by_newton();
     accept(IDASetJacFn(library_memory(), factor), "set the matrix");
@@ -148,12 +153,21 @@ class Ida final : public Stepper {
       return true;
     });
   }
-  /// Solves Newton's system J x = b, where c is IDA's derivative of y' by y. Let d = (b_q + s(sigma_0)) / c
-  /// be the displacement of this form with Phi_q d = b_phi, and u = c x_v:
+  /// Solves Newton's system J x = b. The parts of b belong to the residuals of q', v', work, Phi_q v and Phi;
+  /// the parts of x to q, v, work, lambda and sigma. c is the derivative of y' by y in IDA's formula. Three
+  /// systems are solved one after the other. First d, the change of q without the change of v: sigma_0 is the
+  /// sigma for which d meets the position rows,
+  ///
+  ///   c d = b_q + s(sigma_0),   Phi_q d = b_phi
+  ///
+  /// Then the change x_v = u / c of the velocities. The springs resist by their stiffness K and damping C;
+  /// the right sides contain the changes of Q and of the velocity rows over d,
   ///
   ///   (M + C/c + K/c^2) u + Phi_q^T x_lambda = b_v + Q(q + d, v) - Q(q, v)
   ///
-  ///   Phi_q u = c b_phi',   where b_phi' is reduced by the change of Phi_q v over d
+  ///   Phi_q u = c (b_phi' - (change of Phi_q v over d))
+  ///
+  /// At last the change of q, with the x_sigma that meets the position rows,
   ///
   ///   c x_q = b_q + x_v + s(x_sigma),   Phi_q x_q = b_phi
   void solve(const Eigen::Map<StateVectorD>& b, Eigen::Map<StateVectorD> x) override {
@@ -193,7 +207,9 @@ class Ida final : public Stepper {
     Ida& self = of(stepper);
     Eigen::Map<StateVectorD> w = flat(weights);
     self.weigh(self.state(numbers), self.tolerances_, w);
-    // the work follows from q and v, and sigma is 0: neither counts in error estimates and convergence tests
+    // The work follows from q and v, and sigma is 0: neither counts in error estimates and convergence tests.
+    // IDA's norm is the root mean square over all unknowns. The factor makes it the one over q and v, so that
+    // the error of a step does not depend on the number of multipliers.
     w.tail(w.size() - self.nq_ - self.nv_).setConstant(no_weight);
     w.head(self.nq_ + self.nv_) *=
         std::sqrt(static_cast<double>(w.size()) / static_cast<double>(self.nq_ + self.nv_));
@@ -201,8 +217,9 @@ class Ida final : public Stepper {
     return 0;
   }
 
-  /// Sets loose weights: the tolerance is 1e-4 of a multiplier plus 1e-7 of the largest force. The
-  /// multipliers are then good enough for output and cause no further Newton iterations.
+  /// Sets the weights of lambda, which count in convergence tests only. The tolerance is 1e-4 of a multiplier
+  /// plus 1e-7 of the largest multiplier and force. Both are chosen by experiment: tighter tolerances cost
+  /// Newton iterations that q and v do not need, looser ones show in lambda at the outputs.
   void weigh_multipliers(const Eigen::Ref<const StateVectorD>& lambda,
                          Eigen::Ref<StateVectorD> weights) const {
     if (lambda.size() == 0) return;

@@ -61,6 +61,8 @@ class AcceleratedNewton {
       // matrix leaves out, and these changes are accelerated.
       if (iteration > 0) flat(left_.get()) = anderson_.step(change_, change_.size()).cwiseQuotient(w);
       flat(y) += flat(left_.get());
+      // The test reports divergence where a change grows. The first two changes may, because the acceleration
+      // acts on later ones.
       const int code = test(solver, y, left_.get(), tolerance, weights, test_data);
       if (code != SUN_NLS_CONTINUE && !(code == SUN_NLS_CONV_RECVR && iteration < 2)) return code;
     }

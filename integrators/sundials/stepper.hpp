@@ -32,9 +32,9 @@ struct Functions {
   int (*iterations)(void*, long*);
 };
 
-/// The library integrates y less an offset. A projection after a step changes y; this change is added to the
-/// offset, and the library's numbers stay. In this way the library's history of past steps moves along with
-/// y, and no restart is needed.
+/// The numbers that the library integrates are y minus an offset. A projection after a step changes y; this
+/// change is added to the offset, and the library's numbers do not change. In this way the library's history
+/// of past steps moves along with y, and no restart is needed.
 class Stepper : public AnyMethod<double> {
  public:
   explicit Stepper(const Functions& functions) : functions_(functions) {}
@@ -90,7 +90,8 @@ class Stepper : public AnyMethod<double> {
     y_ = flat(numbers).head(offset_.size()) + offset_;
     return y_;
   }
-  /// The weight of elements that count neither in error estimates nor in convergence tests.
+  /// The weight of elements that count neither in error estimates nor in convergence tests; SUNDIALS requires
+  /// positive weights.
   static constexpr double no_weight = 1e-100;
   void weigh(const StateVectorD& y, const Tolerances& tolerances, Eigen::Map<StateVectorD> weights) const {
     weights.head(y.size()) = (tolerances.rtol * y.array().abs() + tolerances.atol).inverse();

@@ -78,7 +78,8 @@ std::optional<std::size_t> row_of(const ResultsTable& table, const SceneRows& sc
   return {};
 }
 
-/// Three digits without an exponent, for times from tenths of a microsecond to 100 000 microseconds.
+/// A time without an exponent: two decimals below 10, one below 100, none above. The limits 9.995 and 99.95
+/// are those at which rounding adds a digit.
 Tex microseconds(double x) {
   const int digits = x < 9.995 ? 2 : x < 99.95 ? 1 : 0;
   return {fmt::format("{:.{}f}", x, digits)};

@@ -33,11 +33,11 @@ void print_head(const std::string& first, const std::vector<std::string>& others
   print_row(std::vector<std::string>(cells.size(), "---"));
 }
 
-/// Two digits, without an exponent.
+/// One decimal below 10, none above. 9.95 is the limit at which rounding adds a digit.
 std::string rounded(double x) { return x >= 9.95 ? fmt::format("{:.0f}", x) : fmt::format("{:.1f}", x); }
 
-/// CPU time [ms] of a method's cheapest run in r-omega whose error of positions is at most `error` [m]; "-"
-/// where no run is as exact.
+/// CPU time [ms] of a method's cheapest run in r-omega whose error of positions is at most `error` [m], or
+/// "-" if no run reaches this error.
 std::string cheapest(const ResultsTable& table, const std::string& scene, const std::string& method,
                      double error) {
   std::optional<double> least;
@@ -51,7 +51,7 @@ std::string cheapest(const ResultsTable& table, const std::string& scene, const 
   return !least ? "-" : *least < 0.95 ? fmt::format("{:.2f}", *least) : rounded(*least);
 }
 
-/// What every method needs for an error of positions, one column a scene.
+/// Prints the CPU time [ms] that each method needs for an error of positions [m], one column for each scene.
 void time_by_method(Results& results, double error) {
   const ResultsTable& table = results["work_precision"];
   const std::vector<std::string> scenes = distinct(table, "scene");
@@ -59,13 +59,14 @@ void time_by_method(Results& results, double error) {
   for (const std::string& method : distinct(table, "method")) {
     std::vector<std::string> cells{fmt::format("`{}`", method)};
     for (const std::string& scene : scenes) cells.push_back(cheapest(table, scene, method, error));
-    // Simbody's methods have no formulation of ours
+    // Simbody's methods have no formulation and no time; their rows are omitted
     if (std::any_of(cells.begin() + 1, cells.end(), [](const std::string& cell) { return cell != "-"; }))
       print_row(cells);
   }
 }
 
-/// The time of a step in every formulation, relative to r-omega: the median over the scenes, and its range.
+/// Prints the time of a step in every formulation, relative to r-omega: the median over the scenes, with the
+/// smallest and largest ratio.
 void time_by_formulation(Results& results) {
   const ResultsTable& table = results["formulation_speed"];
   const std::vector<std::string> formulations = distinct(table, "formulation");
@@ -86,7 +87,8 @@ void time_by_formulation(Results& results) {
   }
 }
 
-/// Microseconds of one evaluation of accelerations and lambda, one line a scene. Of ours the refined ones.
+/// Prints the microseconds of one evaluation of accelerations and lambda, one line for each scene. The times
+/// of Trivium include the refinement.
 void time_by_engine(Results& results) {
   const ResultsTable& table = results["acceleration_cost"];
   const auto column_of = [&](std::size_t row) {
@@ -100,7 +102,7 @@ void time_by_engine(Results& results) {
     const std::string column = column_of(row);
     if (std::find(columns.begin(), columns.end(), column) == columns.end()) columns.push_back(column);
     const std::string& time = table.text(row, "microseconds");
-    // of an engine with several formulations the first one, r-omega
+    // emplace keeps the first time: of an engine with several formulations that of r-omega
     cell.emplace(std::pair(table.text(row, "scene"), column),
                  time == "none" ? "-" : rounded(to_number(time)));
   }

@@ -2,11 +2,10 @@
 /// The tables of the paper.
 ///
 /// To add a table:
-///   1. results/schema.json: describe the results file that the table reads, if the file is new; then ./run
-///   accept
-///   2. paper/generator/NAME_table.cpp: write a function NAME_table() of the type MakeTable, and name the
-///   file in
-///      paper/CMakeLists.txt
+///   1. results/schema.json: describe the results file that the table reads, if the file is new;
+///      then ./run accept
+///   2. paper/generator/NAME_table.cpp: write a function NAME_table() of the type MakeTable;
+///      name the file in paper/CMakeLists.txt
 ///   3. this header: declare the function and add a line to paper_tables
 ///   4. paper.tex: input tables/NAME, and use the numbers that the function defines
 /// The tests with the label `paper` then cover the new table.

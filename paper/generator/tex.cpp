@@ -49,7 +49,7 @@ std::string TexTable::line(const std::vector<Tex>& cells) const {
   std::string out;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const std::string& cell = cells[k].source;
-    // siunitx sets text in braces centred; a bare zero is set so too, as it has no decimal point to align
+    // siunitx centres text in braces; a zero is centred as well, because it has no decimal point to align
     const bool as_text =
         columns_[k].type.starts_with('S') && !cell.empty() && (std::isnan(to_number(cell)) || cell == "0");
     out += (k == 0 ? "" : " & ") + (as_text ? "{" + cell + "}" : cell);

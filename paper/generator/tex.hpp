@@ -32,7 +32,7 @@ struct TexColumn {
   Tex heading;
 };
 
-/// The type of a column of numbers d.d e +-dd.
+/// The type of a column of numbers with two digits and an exponent of at most two digits and a sign.
 inline const std::string scientific = "S[table-format=1.1e-2]";
 /// The type of a column of numbers from 1 to below 10^10.
 inline const std::string condition = "S[table-format=1.1e1]";

@@ -16,8 +16,8 @@ struct Difference {
 };
 
 /// Checks one file on its own: the schema's command wrote it, it is unchanged since, it has the schema's
-/// columns, its row keys are unique, and its numbers are within their bounds. Violations are reported as
-/// `regenerated` or as accepted.
+/// columns, its row keys are unique, and its numbers are within their bounds. The member `regenerated` of a
+/// Difference holds the violating value if the argument is true, else the member `accepted`.
 std::vector<Difference> check_results(const ResultsSchema& schema, const ResultsTable& table,
                                       bool regenerated = false);
 

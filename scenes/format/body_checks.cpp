@@ -1,3 +1,5 @@
+/// Checks of bodies: mass, inertia and orientation (declared in scene_checks.hpp).
+
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>

@@ -1,3 +1,5 @@
+/// Checks of constraints: their sides, directions and parameters (declared in scene_checks.hpp).
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+/// Checks of functions of time: parts, nesting, finite values and jumps (declared in scene_checks.hpp).
+
 #include <fmt/format.h>
 
 #include <array>

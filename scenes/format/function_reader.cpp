@@ -1,3 +1,5 @@
+/// Reads functions of time from JSON (declared in json_reader.hpp).
+
 #include <string_view>
 #include <utility>
 #include <variant>

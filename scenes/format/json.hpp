@@ -14,6 +14,9 @@
 
 namespace trivium::scenes {
 
+// These limits leave about 670 bytes and 100 values for each body of the largest scene (most_bodies),
+// together with its joints and effects. The limit of nesting also bounds the depth of the recursion in the
+// readers.
 inline constexpr std::size_t largest_file = std::size_t{64} << 20;  ///< size of a file [bytes]
 inline constexpr std::size_t most_values = 10'000'000;  ///< number of values of any kind in one document
 inline constexpr int deepest_nesting = 64;              ///< levels of objects and arrays

@@ -1,3 +1,5 @@
+/// Parses JSON by events of nlohmann::json, and describes values for messages (declared in json.hpp).
+
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -34,7 +36,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   bool parse_error(std::size_t, const std::string& token, const nlohmann::detail::exception& e) override {
-    constexpr int number_overflow = 406;
+    constexpr int number_overflow = 406;  // identifier of nlohmann::json::out_of_range for such a number
     if (e.id == number_overflow)
       fail_here(fmt::format("{} is not finite as a double", printable(token)), "a finite number");
     std::string_view message = e.what();

@@ -1,3 +1,5 @@
+/// Prints JSON in lines of limited length (declared in json.hpp).
+
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -7,6 +9,7 @@
 namespace trivium::scenes {
 namespace {
 
+/// Largest length of a line in characters, as in the sources of the project.
 constexpr std::size_t page_width = 110;
 
 class Printer {

@@ -43,7 +43,8 @@ void check_two_bodies(int i, int j, const Scene& scene, const Path& at) {
     fail(at, fmt::format("both sides on {}", in_quotes(scene.body_name(i))), "two different bodies");
 }
 
-/// Key visitor that checks the indices and functions of an effect. Numbers are checked elsewhere.
+/// Key visitor that checks the indices and functions of an effect. Its numbers need no check here: every sign
+/// is allowed, and check_magnitudes limits their size.
 class EffectChecks : public ValueVisitor<EffectChecks> {
  public:
   EffectChecks(const Scene& scene, const Path& at) : scene_(scene), at_(at) {}

@@ -4,8 +4,9 @@
 ///
 /// Magnitudes: every number satisfies |x| <= 1e100. Divisors (masses, lengths, norms of vectors that give a
 /// direction, the duration of a step) are at least 1e-100, so that products and squares of the scene's
-/// numbers stay finite. Tolerances: rotation matrices are orthonormal within 1e-9, and the sine of the angle
-/// between `x` and `axis` exceeds 1e-9. Inertia matrices are symmetric, positive semidefinite and obey the
+/// numbers stay finite. Tolerances: rotation matrices are orthonormal within 1e-9, which admits matrices with
+/// ten digits. The sine of the angle between `x` and `axis` exceeds 1e-9, so that at least six digits of the
+/// joint frame remain in double. Inertia matrices are symmetric, positive semidefinite and obey the
 /// triangle inequality within 1e-12 of their trace; a moment that is negative within this tolerance counts as
 /// zero. A negative stiffness or damping is allowed.
 
@@ -20,7 +21,7 @@ namespace trivium::scenes {
 inline constexpr double largest_magnitude = 1e100;
 inline constexpr double smallest_divisor = 1e-100;
 inline constexpr double rotation_tolerance = 1e-9;
-inline constexpr std::size_t most_bodies = 100'000;
+inline constexpr std::size_t most_bodies = 100'000;  ///< protects against hostile files, see json.hpp
 
 /// All checks of a scene except the magnitudes.
 void check_scene(const Scene& scene, const Path& root);

@@ -86,7 +86,7 @@ std::string printable(std::string_view text, std::size_t longest) {
 std::string in_quotes(std::string_view text) { return '"' + printable(text) + '"'; }
 
 std::string list_of(const std::vector<std::string_view>& words) {
-  constexpr std::size_t longest = 16;
+  constexpr std::size_t longest = 16;  // a longer list hides the rest of the message
   std::string text;
   for (std::size_t k = 0; k < std::min(words.size(), longest); ++k)
     text += (k ? ", " : "") + printable(words[k]);
@@ -98,6 +98,7 @@ std::string nearest(std::string_view word, const std::vector<std::string_view>& 
   constexpr std::size_t longest = 64;  // longer words are not typing errors of a known word
   if (word.size() > longest) return {};
   const std::string slip = lower(word);
+  // a typing error changes at most a third of the letters, but at least one letter may differ
   std::size_t best = std::max<std::size_t>(1, word.size() / 3) + 1;
   std::string_view result;
   for (std::string_view candidate : candidates) {

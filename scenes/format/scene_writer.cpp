@@ -1,3 +1,5 @@
+/// Writes a scene as JSON, without the values that are defaults (declared in scene_file.hpp).
+
 #include <array>
 #include <cmath>
 

@@ -1,3 +1,5 @@
+/// Compiles the conversion of scenes into mechanisms in long double.
+
 #include "scenes/make_mechanism_impl.hpp"
 
 namespace trivium {

@@ -1,3 +1,5 @@
+/// Compiles the conversion of scenes into mechanisms in Quad.
+
 #include "bodies/numbers/quad.hpp"
 #include "scenes/make_mechanism_impl.hpp"
 

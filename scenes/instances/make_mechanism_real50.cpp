@@ -1,3 +1,5 @@
+/// Compiles the conversion of scenes into mechanisms in Real50.
+
 #include "bodies/numbers/real50.hpp"
 #include "scenes/make_mechanism_impl.hpp"
 

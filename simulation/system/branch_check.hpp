@@ -45,10 +45,13 @@ class BranchCheck {
   }
 
  private:
-  /// A trusted projection is at least this many times smaller than the step that it corrects.
+  /// A trusted projection is at least this many times smaller than the step that it corrects. 10 is chosen by
+  /// experiment: a smaller number accepts projections onto another branch, a larger one rejects correct
+  /// steps.
   static constexpr int times_smaller = 10;
   /// Relative changes of a component that a projection may always make. Velocities are allowed more, because
-  /// velocities on another branch differ from these by as much as their own size.
+  /// the velocities of two branches differ by as much as their own size. Both values are chosen by
+  /// experiment.
   static constexpr double little_position = 1e-4, little_velocity = 1e-2;
 
   /// Sums of squares over a component: change by the projection, change by the step, and values of the state.

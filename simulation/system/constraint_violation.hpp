@@ -52,8 +52,9 @@ class ConstraintViolation {
   void move(const std::vector<Body>& body) {
     for (Extent& extent : extent_) {
       extent.length = S(0);
-      // a component that is momentarily at rest has velocities of rounding size: the scale stays at a
-      // thousandth of its fastest speed so far
+      // A component that is momentarily at rest has velocities of rounding size. The scale therefore stays at
+      // a thousandth of its fastest speed so far. The factor is chosen by experiment: a smaller share takes
+      // rounding for a violation, a larger one measures slow phases of a motion too loosely.
       extent.speed = extent.fastest / 1000;
       extent.spin = extent.fastest_spin / 1000;
     }
@@ -92,10 +93,11 @@ class ConstraintViolation {
     }
   }
 
-  /// The largest violation among the assembled values, here Phi, in the next function Phi'.
+  /// The largest violation of a row, from the values Phi of all rows.
   integrators::Violation<S> measure_positions(const GraphVector<S>& phi) const {
     return largest(phi, [](const Extent& of, bool is_turn) { return is_turn ? S(1) : of.length; });
   }
+  /// The same from the values Phi' of all rows.
   integrators::Violation<S> measure_velocities(const GraphVector<S>& phi_dot) const {
     return largest(phi_dot, [](const Extent& of, bool is_turn) { return is_turn ? of.spin : of.speed; });
   }

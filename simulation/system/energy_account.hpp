@@ -32,7 +32,9 @@ S unaccounted_energy(const MotionEnergy<S>& now, const MotionEnergy<S>& at_start
 }
 
 /// Whether a run lost or gained energy: its largest unaccounted energy exceeds a thousandth of its largest
-/// kinetic energy plus the rounding of energies of the size `energies` [J]. A NaN counts as too large.
+/// kinetic energy plus the rounding of energies of the size `energies` [J]. A NaN counts as too large. 1e-3
+/// is chosen by experiment: it accepts what usual tolerances cost and reports a motion whose energy visibly
+/// changes. 1e-12, about 1e4 u, is the rounding of large energies that cancel.
 inline bool energy_is_lost(double unaccounted, double largest_kinetic, double energies) {
   constexpr double share_lost = 1e-3, share_rounded = 1e-12;
   return !(unaccounted <= share_lost * largest_kinetic + share_rounded * energies);

@@ -43,6 +43,7 @@ class MotionLog {
   const std::vector<Impulse<S>>& impulses() const { return impulses_; }
 
  private:
+  /// bounds the memory of a run that stays near singular positions
   static constexpr std::size_t most_passages = 1000;
   int dependent_rows_ = -1;  ///< number at the last accepted state; -1 before the first
   std::vector<SingularPassage> passages_;

@@ -83,7 +83,7 @@ VectorX<typename F::Scalar> restore_numbers(const SavedRun& saved, MechanismOf<F
 template <class S, class Types>
 void check_bodies_as_saved(const SavedRun& saved, const Mechanism<S, Types>& mechanism,
                            const MechanismState<S>& state, const MechanismState<S>& of_numbers) {
-  // 17 digits in a file keep a double; normalising p may change the last bits
+  // 17 digits in a file keep a double, and normalising p may change the last bits; 1e-12 is far above both
   const auto is_near = [](const auto& x, const auto& y) {
     return S((x - y).norm()) <= S(1e-12) * S(x.norm());
   };

@@ -89,7 +89,8 @@ int run_compare(const CompareArguments& arguments) {
   const LoadedScene loaded = load(arguments);
   const Model<double>& model = loaded.model;
   require_consistent(arguments.scene, model, loaded.scene.saved);
-  if (!arguments.out.empty()) fs::create_directories(arguments.out);  // a folder that cannot be is said now
+  if (!arguments.out.empty())
+    fs::create_directories(arguments.out);  // an invalid folder fails before the runs
   const std::vector<ComparedFormulation> formulations = formulations_of(arguments);
   constexpr std::size_t ticks = 1000;
   Progress progress("comparing", ticks);

@@ -31,6 +31,7 @@ class MotionOutput : public SimulationObserver {
   const std::optional<double>& last() const { return last_; }
 
  private:
+  /// resolution of the progress bar
   static constexpr int most_ticks = 1000;
 
   double t_start_, t_end_;

@@ -13,7 +13,8 @@
 
 namespace trivium {
 
-/// The request, from which a run's report becomes a text.
+/// The mechanism, start time [s] and options of a run. The functions write them together with the report of
+/// the run.
 struct MotionReport {
   const Mechanism<double>& mechanism;
   double t_start;

@@ -30,6 +30,7 @@ struct SimulateArguments : RunArguments {
   bool no_projection = false, json = false;
 };
 
+/// enough for smooth curves: a figure is about 600 points wide
 constexpr int output_steps_of_a_figure = 500;
 
 /// Writes the scene at the end of the run to the file of --save-end. Returns false, with a message, on

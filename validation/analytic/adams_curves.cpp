@@ -1,3 +1,5 @@
+/// Problems whose solutions are curves of MSC ADAMS (declared in problems.hpp).
+
 #include <algorithm>
 
 #include "formulations/r_omega.hpp"

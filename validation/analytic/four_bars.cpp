@@ -1,3 +1,5 @@
+/// The problem of the four-bar ladders (declared in problems.hpp).
+
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>

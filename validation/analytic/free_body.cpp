@@ -1,3 +1,5 @@
+/// Free bodies, whose angular velocity has a closed form (declared in problems.hpp).
+
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>

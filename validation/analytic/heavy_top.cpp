@@ -1,3 +1,5 @@
+/// Heavy symmetric tops: nutation and steady precession (declared in problems.hpp).
+
 #include <cmath>
 
 #include "validation/analytic/problems.hpp"
@@ -5,6 +7,9 @@
 namespace trivium::analytic {
 
 void heavy_top(const std::string& formulation, Errors& errors) {
+  // The period of nutation [s] is 4 K(k) / sqrt(2 m g l (u_3 - u_1) / A), with the moment A about the tip,
+  // the roots u_1 < u_2 < u_3 of Lagrange's cubic for the cosine u of the inclination, and k^2 = (u_2 - u_1)
+  // / (u_3 - u_1).
   constexpr double period = 0.74520694761676905573;
   const scenes::Scene scene = catalogue_scene("heavy_top");
   for (const double t : {0.1, 0.2, 0.3}) {

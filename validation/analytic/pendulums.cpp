@@ -1,3 +1,5 @@
+/// Pendulums, whose angle has a closed form (declared in problems.hpp).
+
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
 

@@ -1,6 +1,7 @@
 #pragma once
 /// A problem with a known solution: the largest error of each compared quantity over the motion, and its
-/// bound. The bounds are stated in the code that compares the quantities.
+/// bound. The bounds are stated in the code that compares the quantities. They are chosen by experiment,
+/// above the error of the motion or of the known solution.
 
 #include <functional>
 #include <string>

@@ -12,7 +12,7 @@ namespace trivium::convergence {
 
 namespace {
 
-/// Like Case::floor, for methods that compute in double.
+/// Like Case::floor, for methods that compute in double: about 100 u.
 constexpr double floor_in_double = 1e-14;
 
 Errors floors_of(const std::vector<MotionSample>& exact, double share) {

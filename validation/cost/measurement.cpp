@@ -17,7 +17,9 @@ namespace trivium::cost {
 
 namespace {
 
-/// An engine with a larger relative error has failed [-]. Engines with soft constraints are not judged.
+/// Largest accepted relative error of an engine [-], chosen by experiment. It admits rounding in any solver
+/// of the equations, and refuses a wrong translation of the scene. Engines with soft constraints are not
+/// judged.
 constexpr double largest_error = 1e-3;
 
 struct Entrant {

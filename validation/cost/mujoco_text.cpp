@@ -10,7 +10,9 @@ namespace trivium::cost {
 
 namespace {
 
-/// MuJoCo's parser, tinyxml2, accepts at most 100 nested elements.
+/// Largest number of nested bodies in one file. tinyxml2, which parses MuJoCo's files, accepts 100 nested
+/// elements; 80 leaves room for the elements around and in the bodies. A deeper tree continues in an included
+/// file.
 constexpr int most_nested = 80;
 
 template <class Numbers>
@@ -77,8 +79,10 @@ std::string joints(const TreeJoint& branch) {
   return out;
 }
 
-/// A point of the first body that is fixed to the second body: the joint's point, or with `beside` a point 1
-/// m along the joint's axis.
+/// A constraint that fixes one point of the first body to the second body: the joint's point, or with
+/// `beside` the point 1 m along the joint's axis. The two points together hold the axis of a revolute joint.
+/// MuJoCo's constraints are soft. 0.9999 is the largest impedance that MuJoCo accepts, and gives the stiffest
+/// constraint; the width 0.001 has no effect, because the first two numbers are equal.
 std::string connect(const simbody::Joint& joint, bool beside) {
   const bool turned = joint.i == ground;
   const int first = turned ? joint.j : joint.i, second = turned ? joint.i : joint.j;

@@ -1,3 +1,5 @@
+/// Simbody as an engine of the measurements of cost.
+
 #include "validation/cost/peers.hpp"
 #include "validation/simbody/forces.hpp"
 

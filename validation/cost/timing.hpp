@@ -7,9 +7,11 @@
 
 namespace trivium::cost {
 
+/// How long the measurement of one piece of work takes. The defaults are chosen by experiment: smaller
+/// numbers give noisy medians, larger numbers only longer measurements.
 struct Timing {
   double seconds = 0.03;  ///< shortest time of one repetition [s]
-  int repetitions = 7;
+  int repetitions = 7;    ///< an odd number, so that the median is one of the times
 };
 
 /// The CPU time [us] of each piece of work in this thread: the median over the repetitions.

@@ -23,8 +23,8 @@ std::string inconsistency(const NamedScene& named) {
     return fmt::format("{}: the state at t = {} does not satisfy its constraints:\n{}", named.source, named.t,
                        report);
   } catch (const ModelError&) {
-    return {};  // the model has no equations at this state: the solver reports this later, for this scene
-                // only
+    return {};  // the model has no equations at this state: the solver reports this later, as the result of
+                // this one scene
   }
 }
 

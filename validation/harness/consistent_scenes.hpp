@@ -1,7 +1,6 @@
 #pragma once
-/// Loads the scenes that a validation program works on: the named scenes, or the catalogue. All scenes are
-/// read and their states checked before the first computation, so that a run of hours cannot fail at its last
-/// scene.
+/// Loads the scenes of a validation program and checks their states against their constraints. Programs call
+/// this before the first computation, so that a wrong scene is reported at once and not after hours.
 
 #include <string>
 #include <vector>

@@ -1,3 +1,5 @@
+/// Replaces simbody_runs.cpp in a build without Simbody: no settings, and no run.
+
 #include <stdexcept>
 
 #include "validation/precision/runs.hpp"

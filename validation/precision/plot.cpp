@@ -22,6 +22,7 @@ struct Curve {
       : name(who(method)), is_peer(precision::is_peer(method)) {
     for (const RunResult& o : result.runs) {
       if (who(o.settings) != name) continue;
+      // a position on the first (lower) axis, or 98 % of the width of the graph
       if (!o.solved()) {
         failed_at.push_back(o.settings.rtol ? fmt::format("first {:.0e}", *o.settings.rtol) : "graph 0.98");
       } else if (o.errors.position > result.reference_error) {
@@ -55,7 +56,7 @@ void plot(const SceneResult& result, const std::filesystem::path& folder) {
   std::size_t peers = 0;
   for (std::size_t n = 0; n < curves.size(); ++n) {
     const Curve& curve = curves[n];
-    // eight colors; when all are used, the next point and dash types
+    // gnuplot has eight colours by default; after these, the next point and dash types
     const std::size_t among_its_kind = curve.is_peer ? peers++ : n - peers;
     const std::size_t color = among_its_kind % 8 + 1;
     const LineStyle style = (curve.is_peer ? lines_of_peers : lines_of_ours)[among_its_kind / 8 % 3];

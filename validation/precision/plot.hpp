@@ -1,5 +1,5 @@
 #pragma once
-/// Draws CPU time against error, one curve for each method. Failed runs are marked, not omitted.
+/// Draws CPU time against error, one curve for each method. Failed runs are marked as well.
 
 #include <filesystem>
 
@@ -8,8 +8,9 @@
 namespace trivium::precision {
 
 /// Draws FOLDER/SCENE.svg and FOLDER/SCENE.pdf with gnuplot: Trivium's methods in r-omega and Simbody's
-/// methods. Failed runs are crosses at the bottom, at their tolerance, or at the right margin for given
-/// steps; the legend counts them.
+/// methods. A failed run has no error; its cross is therefore at the lower edge, above its tolerance on the
+/// axis of errors. A failed run with a given step size has no tolerance; its cross is at the right margin.
+/// The legend counts the failed runs of each method.
 void plot(const SceneResult& result, const std::filesystem::path& folder);
 
 }  // namespace trivium::precision

@@ -19,6 +19,7 @@ namespace trivium::precision {
 
 namespace {
 
+/// Number of outputs of a run, at which errors are taken. Few outputs, because every output ends a step.
 constexpr int outputs = 10;
 /// A run is not repeated after this total CPU time [s].
 constexpr double enough = 1;
@@ -30,6 +31,7 @@ SimulationOptions options_of(const TimedMotion& motion, const RunSettings& setti
   options.parameters = settings.parameters;
   options.end = motion.t_end;
   options.output_step = motion.t_end / outputs;
+  // atol below rtol, so that rtol also governs coordinates smaller than 1
   if (settings.rtol) options.tolerances = {*settings.rtol, *settings.rtol / 100};
   if (settings.step) options.step = *settings.step * motion.t_end;
   return options;
@@ -80,6 +82,7 @@ double time_once(const TimedMotion& motion, const RunSettings& settings) {
   return simulate(motion.model(), options, nobody).seconds;
 }
 
+/// The interval reaches from the second smallest to the second largest time (see confidence()).
 Seconds summary(std::vector<double> seconds) {
   std::sort(seconds.begin(), seconds.end());
   const std::size_t n = seconds.size(), in = n >= 5 ? 1 : 0;
@@ -122,6 +125,7 @@ std::vector<double> tolerances(bool quick) {
 
 std::vector<RunSettings> all_settings(bool quick) {
   std::vector<RunSettings> all;
+  // steps in the whole run
   const auto steps = quick ? std::vector<double>{200} : std::vector<double>{200, 800, 3200};
   for (const std::string& formulation : TimedFormulations::names()) {
     for (const integrators::MethodInfo& method : integrators::methods())

@@ -76,10 +76,10 @@ ReferenceMotion reference_of(const TimedMotion& motion);
 /// numbers (validation/reference/) at common times; empty if there are no trusted numbers.
 std::optional<double> apart_from_trusted(const std::string& scene, const std::vector<MotionSample>& samples);
 
-/// The tolerances of methods that choose their steps.
+/// The relative tolerances of methods that choose their steps; atol is a hundredth of each.
 std::vector<double> tolerances(bool quick);
-/// Tolerances near the accuracy of double: used only for methods whose order makes them affordable, and for
-/// peers.
+/// Tolerances near the accuracy of double: used only for peers, and for methods whose order keeps the number
+/// of steps small.
 inline constexpr std::array finest_tolerances{1e-12, 1e-13};
 
 /// The settings of all runs: Trivium in the timed formulations, and Simbody if it is installed.

@@ -1,3 +1,5 @@
+/// The settings and runs of Simbody's integrators (declared in runs.hpp).
+
 #include <algorithm>
 #include <iterator>
 

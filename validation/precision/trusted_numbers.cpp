@@ -1,3 +1,5 @@
+/// Distances of motions from the tables of trusted numbers (declared in runs.hpp).
+
 #include <algorithm>
 #include <cmath>
 #include <functional>

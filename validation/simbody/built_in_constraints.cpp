@@ -1,3 +1,5 @@
+/// Adds the rows of a joint as Simbody's own constraints (declared in rows.hpp).
+
 #include <cmath>
 
 #include "validation/simbody/rows.hpp"
@@ -78,6 +80,8 @@ class BuiltInRows {
       out_.push_back(custom_row(model_, index_, row, bodies_));
   }
 
+  /// Not for nearly parallel vectors: acos(cosine), Simbody's parameter, amplifies rounding by 1 /
+  /// sin(angle). The limit 0.9 of the cosine bounds this factor by 2.3.
   bool add_angle(int row, const Row& r) {
     const double sizes = vec(r.a_i).norm() * vec(r.a_j).norm(), cosine = r.f.value(model_.t)[0] / sizes;
     if (r.type != RowType::dp1 || std::abs(cosine) > 0.9) return false;

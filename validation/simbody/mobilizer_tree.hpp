@@ -27,8 +27,9 @@ SimTK::MobilizedBodyIndex add_mobilizer(const Model& model, const Branch& branch
 SimTK::Transform pose_of(const Model& model, int body);
 SimTK::SpatialVec velocity_of(const Model& model, int body);
 
-/// Whether the forces of a row do no work along any mobility at the state, up to rounding. The state must be
-/// realised to Stage::Velocity.
+/// Whether the forces of a row do no work along any mobility at the state. The limit is 1e-10 of the row's
+/// forces, chosen by experiment; it lies above the rounding of rows that the tree satisfies identically. The
+/// state must be realised to Stage::Velocity.
 bool is_idle(const SimTK::SimbodyMatterSubsystem& matter, const SimTK::Constraint& row,
              const SimTK::State& state);
 

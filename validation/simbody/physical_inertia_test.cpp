@@ -1,3 +1,5 @@
+/// The physical twin: which inertias change, and by how much.
+
 #include "validation/simbody/physical_inertia.hpp"
 
 #include <gtest/gtest.h>

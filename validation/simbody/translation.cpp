@@ -130,6 +130,8 @@ struct EffectTranslation {
     spring.actuator = plain(e.actuator);
     model.springs.push_back(spring);
   }
+  /// The angle in Simbody starts in (-pi, pi]. The initial whole turns, which `tracked` holds, are therefore
+  /// subtracted from the free angle.
   void operator()(const TorsionalSpringDamper<double>& e) const {
     model.torsional_springs.push_back(
         {e.angle.joint, e.stiffness, e.damping, e.free_angle - e.angle.tracked, plain(e.actuator)});

@@ -1,3 +1,5 @@
+/// Compiles the augmented systems of all formulations in Quad.
+
 #include "formulations/printed/instances/augmented_solver.hpp"
 
 #include "bodies/numbers/quad.hpp"

@@ -1,3 +1,5 @@
+/// Compiles the augmented systems of all formulations in Real100.
+
 #include "formulations/printed/instances/augmented_solver.hpp"
 
 #include "bodies/numbers/real50.hpp"

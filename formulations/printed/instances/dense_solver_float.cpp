@@ -1,3 +1,5 @@
+/// Compiles the dense solver in float.
+
 #include "formulations/printed/dense_solver_impl.hpp"
 
 namespace trivium {

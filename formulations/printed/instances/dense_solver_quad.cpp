@@ -1,3 +1,5 @@
+/// Compiles the dense solver in Quad.
+
 #include "formulations/printed/dense_solver_impl.hpp"
 
 #include "bodies/numbers/quad.hpp"

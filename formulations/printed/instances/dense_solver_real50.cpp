@@ -1,3 +1,5 @@
+/// Compiles the dense solver in Real50.
+
 #include "formulations/printed/dense_solver_impl.hpp"
 
 #include "bodies/numbers/real50.hpp"

@@ -1,3 +1,5 @@
+/// Compiles the error estimates of all formulations in float.
+
 #include "bodies/numbers/scalar.hpp"
 #include "formulations/printed/instances/error_estimate.hpp"
 

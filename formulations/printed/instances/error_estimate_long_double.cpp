@@ -1,3 +1,5 @@
+/// Compiles the error estimates of all formulations in long double.
+
 #include "bodies/numbers/quad.hpp"
 #include "formulations/printed/instances/error_estimate.hpp"
 

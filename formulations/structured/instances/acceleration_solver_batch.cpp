@@ -1,3 +1,5 @@
+/// Compiles the structured solver in four lanes of double.
+
 #include "bodies/numbers/batch.hpp"
 #include "formulations/equations_of_motion_impl.hpp"
 #include "formulations/structured/acceleration_solver_impl.hpp"

@@ -1,3 +1,5 @@
+/// Compiles the structured solver in float.
+
 #include "formulations/structured/acceleration_solver_impl.hpp"
 
 // instances for the tests only

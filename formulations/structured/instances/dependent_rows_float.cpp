@@ -1,3 +1,5 @@
+/// Compiles the treatment of dependent rows in float.
+
 #include "formulations/structured/closing_elimination_impl.hpp"
 #include "formulations/structured/dependent_rows_impl.hpp"
 

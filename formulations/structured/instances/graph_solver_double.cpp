@@ -1,3 +1,5 @@
+/// Compiles the factorisation along the graph in double.
+
 #include "formulations/structured/correction_impl.hpp"
 #include "formulations/structured/elimination_impl.hpp"
 

@@ -1,3 +1,5 @@
+/// Compiles the factorisation along the graph in Quad.
+
 #include "bodies/numbers/quad.hpp"
 #include "formulations/structured/correction_impl.hpp"
 #include "formulations/structured/elimination_impl.hpp"

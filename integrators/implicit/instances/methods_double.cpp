@@ -1,3 +1,5 @@
+/// Compiles the implicit methods in double.
+
 #include "integrators/implicit/methods_impl.hpp"
 
 namespace trivium::integrators {

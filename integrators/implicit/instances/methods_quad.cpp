@@ -1,3 +1,5 @@
+/// Compiles the implicit methods in Quad.
+
 #include "integrators/implicit/methods_impl.hpp"
 #include "integrators/quad.hpp"
 
