@@ -28,7 +28,7 @@ std::vector<MethodEntry<double>> sundials_methods() {
         .chooses_steps = true},
        [](Request request) { return make_cvode_bdf(request.tolerances.value(), request.given.projects); }},
       {{.name = "arkode-erk",
-        .summary = "explicit Runge-Kutta, of orders 2 to 8 (ARKODE)",
+        .summary = "explicit Runge-Kutta, of orders 2 to 6 and 8 (ARKODE)",
         .order = 5,
         .takes_given_steps = true,
         .chooses_steps = true,
