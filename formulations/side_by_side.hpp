@@ -57,6 +57,7 @@ struct SideBySide {
   }
   /// The smallest cancellation factor of lambda (Comparison::cancellation) over the solved formulations.
   double cancellation() const {
+    if (rows.E.size() != static_cast<Eigen::Index>(rows.unique.size())) return 1;  // norms are not determined
     double least = std::numeric_limits<double>::infinity();
     for (const auto& f : formulations)
       if (f.error.empty())

@@ -256,6 +256,49 @@ TEST(MethodsByName, InterpolateWhereTheMethodDoes) {
   EXPECT_EQ(y[0], 0.25);
 }
 
+/// Its equations fail more than 0.02 s behind the last accepted state.
+struct ShortSighted : SphericalPendulum<double> {
+  double accepted = 0;
+
+  bool accept_state(const double& t, Y&) {
+    accepted = t;
+    return false;
+  }
+  void derivative(const double& t, const Y& y, Y& y_dot) const {
+    require_near(t);
+    SphericalPendulum::derivative(t, y, y_dot);
+  }
+  void evaluate(const double& t, const Y& y, Evaluation& at) const {
+    require_near(t);
+    SphericalPendulum::evaluate(t, y, at);
+  }
+  void require_near(double t) const {
+    if (t > accepted + 0.02) throw IntegrationError("the equations are not known there");
+  }
+};
+
+class MethodsThatChooseSteps : public testing::TestWithParam<MethodInfo> {};
+TEST_P(MethodsThatChooseSteps, TakeShorterOnesWhereTheEquationsFail) {
+  const auto method =
+      make_method<double>(std::string(GetParam().name), Steps::chosen, {.rtol = 1e-2, .atol = 1e-2});
+  ShortSighted pendulum;
+  SystemAdapter<ShortSighted> system(pendulum);
+  ProjectionReport<double> report;
+  const auto go_on = [](const double&, const StateVector<double>&) { return Continue::yes; };
+  const auto run = [&] {
+    return integrate<double>(system, *method, TimeGrid(0, t_end, {}, {}), !GetParam().meets_constraints,
+                             report, go_on, go_on);
+  };
+  if (GetParam().name == "arkode-erk") {  // ARKODE ends a run in which an explicit stage fails
+    EXPECT_THROW(run(), IntegrationError);
+    return;
+  }
+  EXPECT_TRUE(run());
+  EXPECT_GE(method->counters().steps, 25);
+}
+INSTANTIATE_TEST_SUITE_P(Methods, MethodsThatChooseSteps,
+                         testing::ValuesIn(methods_that(&MethodInfo::chooses_steps)), in_a_name);
+
 // each of these models breaks a law of the contract
 struct AddsTwice : SphericalPendulum<double> {
   void displace(const Y& from, const Y& by, Y& to) const { to.head(3) = from.head(3) + 2 * by; }

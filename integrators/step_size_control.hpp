@@ -162,6 +162,8 @@ void take_chosen_step(System& system, StepSizeControl<typename System::Scalar>& 
       }
       trouble.clear();
       step_size.reject(next);
+    } catch (const UsageError&) {
+      throw;
     } catch (const std::runtime_error& failure) {
       trouble = failure.what();
       step_size.fail();

@@ -171,9 +171,14 @@ Scene tree(int n, std::uint64_t seed) {
   bars.reserve(static_cast<std::size_t>(n));
   for (int k = 0; k < n; ++k) {
     const int inboard = k == 0 ? ground : static_cast<int>(engine() % static_cast<std::uint64_t>(k));
-    const V axis = V(uniform(-1, 1), uniform(-1, 1), uniform(0.2, 1)).normalized();
-    bars.push_back(
-        hang(inboard == ground ? nullptr : &bars[inboard], axis, uniform(-1.5, 1.5), uniform(-1, 1)));
+    // one draw a statement: the order of draws within a call depends on the compiler
+    const double z = uniform(0.2, 1);
+    const double y = uniform(-1, 1);
+    const double x = uniform(-1, 1);
+    const V axis = V(x, y, z).normalized();
+    const double rate = uniform(-1, 1);
+    const double angle = uniform(-1.5, 1.5);
+    bars.push_back(hang(inboard == ground ? nullptr : &bars[inboard], axis, angle, rate));
     scene.bodies.push_back(body_of(fmt::format("bar_{}", k + 1), bars.back()));
     scene.constraints.push_back(hinge(fmt::format("J{}", k + 1), inboard, k, axis));
   }

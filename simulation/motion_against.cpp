@@ -239,7 +239,7 @@ MotionAgainst compare_against(const std::vector<ComparedFormulation>& formulatio
       double difference = 0;
       for (const Lines& lines : all) raise(difference, std::abs(lines[n][k] - column.value[n]));
       const double ratio = bound > 0 ? difference / bound : difference > 0 ? INFINITY : 0;
-      if (!(ratio <= worst)) {
+      if (!(ratio <= worst) && worst == worst) {  // a NaN is taken, and then kept
         worst = ratio;
         c.difference = difference;
         c.bound = bound;

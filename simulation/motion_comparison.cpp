@@ -239,7 +239,9 @@ class Comparer {
               acceleration_distance(rows, side.formulations[a].solution, side.formulations[b].solution).all);
     raise(worst.kappa, rows.kappa);
     worst.is_constrained = model.mechanism.nc() > 0;
-    if (worst.bound == 0 || !(apart.lambda / bound <= worst.lambda / worst.bound)) {
+    // written so that a NaN is taken, and then kept
+    const double ratio = apart.lambda / bound, before = worst.lambda / worst.bound;
+    if (worst.bound == 0 || (!(ratio <= before) && before == before)) {
       worst.lambda = apart.lambda;
       worst.bound = bound;
     }

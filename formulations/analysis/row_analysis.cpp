@@ -77,7 +77,8 @@ struct ScaledJacobian {
 /// norms up to 1; a remainder below a tenth of the share is too small whatever the norm of its row.
 std::vector<int> choose_dependent(const MatrixX<double>& Z) {
   const Eigen::Index d = Z.cols();
-  for (double threshold = null_space_share;; threshold /= 10) {
+  // half of the least share: the divisions round
+  for (double threshold = null_space_share; threshold > least_null_space_share / 2; threshold /= 10) {
     std::vector<int> chosen;
     MatrixX<double> basis(d, 0);
     for (Eigen::Index k = Z.rows() - 1; k >= 0 && static_cast<Eigen::Index>(chosen.size()) < d; --k) {
@@ -93,10 +94,8 @@ std::vector<int> choose_dependent(const MatrixX<double>& Z) {
       std::reverse(chosen.begin(), chosen.end());
       return chosen;
     }
-    if (threshold < least_null_space_share)
-      throw ModelError(
-          "could not choose the dependent rows: the null space of Phi_q^T is too badly conditioned");
   }
+  throw ModelError("could not choose the dependent rows: the null space of Phi_q^T is too badly conditioned");
 }
 
 void decide_rank(const ScaledJacobian& scaled, RowAnalysis& out) {

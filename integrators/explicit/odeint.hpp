@@ -99,6 +99,8 @@ class ChosenSteps {
           return;
         }
         trouble.clear();
+      } catch (const UsageError&) {
+        throw;
       } catch (const std::runtime_error& error) {  // no error estimate: a quarter is tried
         trouble = error.what();
         h = tried / 4;

@@ -32,7 +32,7 @@ class AcceleratedNewton {
       bool is_current = false;
       const int code = iterate(solver, y, weights, tolerance, needs_matrix, is_bad, is_current, memory);
       if (code == SUN_NLS_SUCCESS) return code;
-      if (code < 0 || is_current || set_up == nullptr) {
+      if (code < 0 || is_current || is_bad || set_up == nullptr) {
         ++failures;
         return code;
       }

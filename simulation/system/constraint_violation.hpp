@@ -143,12 +143,12 @@ class ConstraintViolation {
       const Extent& extent = extent_[component_[edge.i == nb_ ? edge.j : edge.i]];
       for (int k = 0; k < edge.size(); ++k) {
         const S size = abs(values.edge[e][k]) / scale_[e][k], made_of = size_of(extent, turns_[e][k]);
-        if (!(size <= most.relative * made_of))
-          raise(most.relative, made_of > S(0) ? S(size / made_of) : size);
+        raise(most.size, size);
+        if (!(size <= most.relative * made_of) && most.relative == most.relative) {
+          most.relative = made_of > S(0) ? S(size / made_of) : size;  // a NaN is taken, and then kept
+          most.row = edge.rows[k];
+        }
         if (most.row < 0) most.row = edge.rows[k];
-        if (size <= most.size || most.size != most.size) continue;  // a NaN is taken, and then kept
-        most.size = size;
-        most.row = edge.rows[k];
       }
     }
     return most;
