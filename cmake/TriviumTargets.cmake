@@ -72,8 +72,8 @@ function(trivium_test name label)
   if(label STREQUAL "unit")
     add_dependencies(unit_tests ${name})
   endif()
-  # NO_PRETTY_VALUES: GoogleTest may print a parameter as the bytes of its pointers, so that names would change. If a
-  # name is misread as a filter pattern, no test runs; this must count as a failure.
+  # NO_PRETTY_VALUES: GoogleTest may print the parameter of a test as bytes, pointers among them. In a name of a test these
+  # bytes would differ from run to run. If a name is misread as a filter pattern, no test runs; this must count as a failure.
   gtest_discover_tests(${name} PROPERTIES LABELS ${label} FAIL_REGULAR_EXPRESSION "Running 0 tests" DISCOVERY_TIMEOUT 60
                        TEST_PREFIX ${name}. NO_PRETTY_VALUES)
 endfunction()

@@ -3,7 +3,8 @@
 # folder BIN, in an empty folder below WORK, and compares what they print with what the pages show. With --update the pages
 # take the new output. In a page:
 #   <!-- file: NAME -->            the block that follows is a file, which later commands of the page find
-#   ```sh                          each line is a command; those of `runs_elsewhere` are checked by name alone
+#   ```sh                          each line is a command. Those of `runs_elsewhere` are not run: `./run X` is checked to
+#                                  name a command of `run`, the tools of the build are not checked
 #   ```text                        the output (stdout and stderr) of the commands before it; `text times`: only the words
 #                                  of it are compared, as its numbers are times
 #   <!-- output of: COMMAND -->    what follows, up to the next <!-- end -->, is the command's output, as Markdown

@@ -5,7 +5,8 @@ cmake_minimum_required(VERSION 3.25)
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH source_dir)
 file(READ ${source_dir}/scenes/format/scene.schema.json schema)
 
-# keys_of(<definition> <required> <optional>): its keys, as Markdown code, but for those that all of its kind have
+# keys_of(<definition> <required> <optional>): sets the two variables to the keys of a definition, as Markdown code. Keys
+# that every type has (type, kind, name) are left out; those of a body are all listed.
 function(keys_of definition required optional)
   string(JSON properties GET "${schema}" definitions ${definition} properties)
   string(JSON needed ERROR_VARIABLE none GET "${schema}" definitions ${definition} required)

@@ -34,9 +34,9 @@ function(expect exit_code what)
   message(STATUS "${what}: ${exit_code}, as it should be")
 endfunction()
 
-# Two ways to change a number: by a factor that the rule of its column must detect (10^4 for rounding errors, the
-# leading digit of a count or of a time), and in its last digit, which only the checksum detects. Files of timings are
-# not made again; for them only the checksum is tested.
+# A number is changed in two ways. The first change must violate the rule of its column: a rounding error becomes 10^10 times
+# as large, a count or a time gets another leading digit. The second changes the last digit, which only the checksum detects.
+# Files of timings are not made again; for them only the checksum is tested.
 set(exponent "([0-9]\\.[0-9]+e-)1([4-9])" "\\10\\2" ",[1-4]([0-9][0-9]+)(,|\n)" ",9\\1\\2"
     ",[1-4](\\.[0-9]+e)" ",9\\1")
 set(digit "([0-9]\\.[0-9]+)[0-8](e-[0-9]+)" "\\19\\2" ",([0-9]+)[0-8](,|\n)" ",\\19\\2")

@@ -7,9 +7,10 @@
 
 namespace trivium::integrators {
 
-/// v' and lambda of index 1 at a state, and their rates along the motion. The rates come from one-sided
-/// differences over h / 16 and h / 8 ahead, since a state before the start may lie on another branch. These
-/// fractions of the step size h are small enough for the truncation error and large compared with rounding.
+/// v' and lambda at a state, solved from the equations of index 1 (constraints differentiated twice), and
+/// their rates along the motion. The rates come from one-sided differences over h / 16 and h / 8 ahead, since
+/// a state before the start may lie on another branch. These fractions of the step size h are small enough
+/// for the truncation error and large compared with rounding.
 template <class S>
 struct InitialAcceleration {
   StateVector<S> v_dot, lambda, v_ddot, lambda_dot;

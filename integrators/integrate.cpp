@@ -1,3 +1,6 @@
+/// Walks over the stops of the grid. Each step to a stop is checked by checked_step, which repeats it shorter
+/// if necessary; outputs within a step are interpolated.
+
 #include "integrators/integrate.hpp"
 
 #include <fmt/format.h>
@@ -46,6 +49,9 @@ void checked_step(AnySystem<S>& system, AnyMethod<S>& method, S& t, StateVector<
     const auto stepped = y;
     try {
       require_finite(y, t);
+      // longest_step is the time for 1 rad of a spring's angle at the present rate. The step is at most that
+      // long at its start. If the rate has at most doubled, the angle moved by at most 2 rad and its turns
+      // are still certain (effects/joint_angle.hpp).
       if (!(t - before_t <= 2 * system.longest_step(t, y)))
         throw IntegrationError({{}, static_cast<double>(t)},
                                "the step is too long to count the turns of a torsional spring; take smaller "
@@ -92,7 +98,8 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
       passed.push_back(stop->t);
       stop = walk.next();
     }
-    // the run stops just before the event, so that quantities that jump have their earlier value
+    // The run stops just before the event, so that quantities that jump have their earlier value. 8 epsilon
+    // exceed the rounding of times: no evaluation of the last step lies beyond the event.
     const S little = 8 * std::numeric_limits<S>::epsilon() * max(S(abs(S(grid.start()))), S(abs(stop->t)));
     const S target = stop->is_event ? stop->t - little : stop->t;
     while (t < target) {

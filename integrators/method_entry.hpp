@@ -1,7 +1,7 @@
 #pragma once
-/// The entry of a method in the list: its name, its properties and a function that makes it. Besides its own
-/// file a new method needs only such an entry; names on the command line, checks of steps and parameters, and
-/// the convergence studies follow from it.
+/// The entry of a method in the list: its name, its properties and a function that makes it. A new method
+/// needs such an entry and its own file, and nothing else. Names on the command line, checks of steps and
+/// parameters, and the convergence studies follow from the entry.
 
 #include <memory>
 #include <optional>

@@ -12,7 +12,8 @@ struct MethodParameters {
   std::optional<int> order = {};
   std::optional<double> rho = {};  ///< generalized-alpha: spectral radius at infinity in [0, 1], default 0.8
   std::optional<double> alpha = {};  ///< hht: in [-1/3, 0], default -0.2
-  /// the implicit methods except those of SUNDIALS: whether to factor Newton's matrix in every iteration
+  /// the implicit methods except those of SUNDIALS: whether to factor Newton's matrix in every iteration,
+  /// default false
   std::optional<bool> full_newton = {};
   bool projects = true;  ///< cvode-bdf: whether it projects states within its steps
 };

@@ -1,3 +1,6 @@
+/// Joins the lists of the folders into one. Steps and parameters are checked against the entry here, so that
+/// a method need not check whether it was asked for something that it does not offer.
+
 #include "integrators/methods.hpp"
 
 #include <fmt/format.h>

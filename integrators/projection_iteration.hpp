@@ -1,7 +1,8 @@
 #pragma once
 /// The projection of a state onto the constraints: Newton corrections of the positions until their violation
 /// is rounding, then the same for the velocities. The system computes a single correction (correct_positions,
-/// correct_velocities), the smallest one in its metric. As a rule one factorisation serves for both.
+/// correct_velocities), the smallest one in its metric. As a rule one factorisation serves positions and
+/// velocities.
 ///
 /// This file decides when a projection has converged, when a matrix is factored again, and when a row cannot
 /// be met. integrate.hpp asks the system whether a projection went too far.

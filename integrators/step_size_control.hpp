@@ -59,7 +59,8 @@ class StepSizeControl {
   /// The step size to try next; the step does not go beyond `stop`.
   S length(const S& t, const S& stop) {
     const S room = stop - t;
-    lands_ = proposed_ >= room * S(1 - 1e-10);  // a rest of 1e-10 of a step would be a step of its own
+    // a rest below 1e-10 of a step comes from the rounding of t and must not become a step of its own
+    lands_ = proposed_ >= room * S(1 - 1e-10);
     cut_ = proposed_ > room / 2;
     tried_ = lands_ ? room : cut_ ? S(room / 2) : proposed_;  // two halves: no tiny last step
     return tried_;
@@ -72,6 +73,7 @@ class StepSizeControl {
     if (!(proposed_ > limit_)) return;
     proposed_ = limit_;
     limit_ = limit_growth_ * limit_;
+    // 8 is the largest growth of a step in radau.hpp: a limit that grows faster would not limit any more
     limit_growth_ = std::min(S(8), S(limit_growth_ * limit_growth_));
   }
   void reject(const S& next) { proposed_ = next; }
@@ -83,13 +85,14 @@ class StepSizeControl {
     limit_ = tried_ / 2;
     limit_growth_ = S(1.1);
   }
-  /// After the step accepted last was taken back: a quarter is tried next.
+  /// The step accepted last was taken back. A quarter of it is tried next.
   void shorten() { proposed_ = tried_ / 4; }
 
   bool has_begun() const { return proposed_ > S(0); }
   void begin(const S& h) { proposed_ = h; }
   void restart() { *this = {}; }
-  /// Whether the proposed step size is within the rounding of the times.
+  /// Whether the proposed step size is within the rounding of the times. A step of 4 epsilon contains only a
+  /// few representable times, too few for its stages.
   bool is_too_small(const S& t, const S& stop) const {
     using std::abs, std::max;
     return !(proposed_ > 4 * std::numeric_limits<S>::epsilon() * max(S(abs(t)), S(abs(stop))));
@@ -99,7 +102,7 @@ class StepSizeControl {
   S proposed_{0}, tried_{0};                ///< size of the next step; size of the step tried last
   S limit_{std::numeric_limits<S>::max()};  ///< bound of the step size after a failure
   S limit_growth_{1};                       ///< factor by which limit_ grows each time it bounds a step
-  bool lands_ = false, cut_ = false;        ///< the step tried last ends on `stop`; it was shortened
+  bool lands_ = false, cut_ = false;        ///< whether the last try ends on `stop`; whether it is shortened
 };
 
 /// Throws an IntegrationError if y is not finite or so large that squares could overflow; t is the end of the
@@ -127,8 +130,8 @@ template <FirstOrderSystem System>
 
 /// The factor from a step size to the next: 0.9 error^power, between 0.2 and `most`, for an estimated error
 /// in tolerances. The power is negative: -1 / (order of the estimate + 1). 0.9 makes the next step likely to
-/// be accepted, 0.2 distrusts estimates far outside the asymptotic range (Hairer, Norsett, Wanner (1993),
-/// II.4).
+/// be accepted. The bound 0.2 distrusts estimates far outside the asymptotic range (Hairer, Norsett, Wanner
+/// (1993), II.4).
 template <class S>
 struct StepRule {
   S power, most;

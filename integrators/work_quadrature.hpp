@@ -8,7 +8,7 @@
 
 namespace trivium::integrators {
 
-/// Adds up the work, the element of y after q and v, if a system has it; of order 2.
+/// Adds up the work, the element of y after q and v, with order 2. Does nothing for a system without work.
 template <class S>
 class WorkQuadrature {
  public:

@@ -1,3 +1,6 @@
+/// Every formulation is run such that its outputs are the times of the other motion. If these are not evenly
+/// spaced, the run is continued from time to time.
+
 #include "simulation/motion_against.hpp"
 
 #include <fmt/format.h>

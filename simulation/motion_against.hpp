@@ -6,7 +6,8 @@
 ///
 /// The factor 2 allows both codes an error of the tolerance in every step. Runs from neighbouring starts
 /// (neighbouring_start.hpp) measure the amplification. With given steps, the library's part of the bound is
-/// twice the change that half the step makes; the other code has the default tolerances.
+/// twice the change that half the step makes. The part of the other code is then still steps . tolerance .
+/// amplification, with the tolerances of the options.
 
 #include <optional>
 #include <string>

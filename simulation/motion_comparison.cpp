@@ -1,3 +1,6 @@
+/// First every formulation is run. Then the kept samples are compared output by output; further runs give the
+/// bound along the motion, and some outputs are solved again in all formulations.
+
 #include "simulation/motion_comparison.hpp"
 
 #include <algorithm>
@@ -144,7 +147,7 @@ class Comparer {
       now.amplification = amplification;
       const double steps_so_far = std::max(1.0, static_cast<double>(steps) * (now.t - model_.state.t) / span);
       now.lambda_bound = steps_so_far * tolerance * amplification;
-      // beyond a small difference nothing is proportional to it any more
+      // beyond a small difference the effect of an error is no longer proportional to the error
       if (!(is_near && now.lambda_bound <= small_difference) && !out_.judged_until) out_.judged_until = now.t;
     }
   }
@@ -172,7 +175,7 @@ class Comparer {
   }
 
   /// The bound for given steps. To leading order, halving the step removes at least half of the error, also
-  /// for a method of order 1; twice the change therefore bounds the error.
+  /// for a method of order 1. Twice the change therefore bounds the error.
   void bound_by_halved_steps() {
     std::vector<std::vector<double>> error(formulations_.size());
     for (std::size_t f = 0; f < formulations_.size(); ++f) {
@@ -199,7 +202,8 @@ class Comparer {
     }
   }
 
-  /// Marks the outputs within two average steps of a singular position that a run passed.
+  /// Marks the outputs within two average steps of a singular position that a run passed. The time of a
+  /// passage is the end of the step that found it, and this step may be longer than the average.
   void mark_singular_positions() {
     const double span = run_.end - model_.state.t;
     for (const ComparedRun& one : out_.runs)
@@ -255,7 +259,8 @@ class Comparer {
     return std::max(1, static_cast<int>(std::min(1.0, std::pow(500 / unknowns, 3)) * options_.states));
   }
 
-  /// Least relative error of lambda in double: the bound for given steps assumes at least this much.
+  /// Least relative error of lambda in double: the bound for given steps assumes at least this much. 1e-12 is
+  /// about 1e4 u, the rounding at a kappa of 1e4. Runs with two step sizes may agree better by chance.
   static constexpr double rounding_of_lambda = 1e-12;
 
   const std::vector<ComparedFormulation>& formulations_;

@@ -98,7 +98,8 @@ struct MotionComparison {
 };
 
 /// Runs and compares. Throws a ModelError if the start cannot be analysed, and an Error of kind input of any
-/// run; other errors of a run are stored in its ComparedRun::error.
+/// run. Other errors of the run of a formulation are stored in its ComparedRun::error. Errors of the runs
+/// that only measure a bound (neighbouring starts, half the step) are thrown.
 MotionComparison compare_motion(const std::vector<ComparedFormulation>& formulations,
                                 const Model<double>& model, const ComparisonOptions& options);
 

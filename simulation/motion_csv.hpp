@@ -32,7 +32,8 @@ class MotionCsv {
   std::string name_;
   GrowingFile file_;
   bool has_raw_lambda_;
-  /// Euler parameters of the last line. p and -p are the same orientation; the one near the last is written.
+  /// Euler parameters of the last line. Of p and -p, the same orientation, the one nearer to these is
+  /// written.
   std::vector<Vector4<double>> p_;
 };
 

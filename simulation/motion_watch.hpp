@@ -58,7 +58,7 @@ class MotionWatch {
     raise(report_.largest_kinetic, static_cast<double>(seen.energy.kinetic));
     report_.energy_end = static_cast<double>(seen.energy.total());
     report_.work = static_cast<double>(S(seen.energy.work - at_start_.work));
-    // steps across the singularity of a chart that is kept can lead to any wrong state without an error
+    // with kept charts, a step across a singularity can end in a wrong state without an error
     if (!options_.charts.reframe && report_.near_singular_chart.empty())
       report_.near_singular_chart = first_order().diagnose(t, y);
     return seen;

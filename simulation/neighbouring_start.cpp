@@ -1,3 +1,6 @@
+/// Every component of the state is changed at random, in r-omega, and the result is projected. A projection
+/// can remove most of the change; the distance is therefore measured afterwards.
+
 #include "simulation/neighbouring_start.hpp"
 
 #include <algorithm>

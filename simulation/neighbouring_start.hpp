@@ -1,8 +1,8 @@
 #pragma once
 /// A start near that of a motion, to measure how the motion amplifies small differences. Its distance is
-/// about a hundred tolerances. That is far enough for the errors of the runs not to matter, and near enough
-/// for the effect to be proportional to the distance. If no state can be projected at that distance, a nearer
-/// one is tried.
+/// about a hundred tolerances: far enough for the errors of the runs not to matter, and near enough for the
+/// effect to be proportional to the distance. If no state can be projected at that distance, a nearer one is
+/// tried.
 
 #include "mechanism/model.hpp"
 
@@ -17,15 +17,16 @@ struct NeighbouringStart {
 };
 
 /// Largest relative difference of two motions that counts as proportional to the difference of their starts.
-/// Motions that differ more have diverged. A safety factor: neglected terms of second order are then of the
-/// order of a tenth.
+/// Motions that differ more have diverged. The value is a safety factor: the terms of second order, which the
+/// proportion neglects, are then about a tenth of those of first order.
 inline constexpr double small_difference = 0.1;
 
 /// The default distance in tolerances; the first distance tried is at least 1e-11 and at most 1e-4.
 inline constexpr double distance_in_tolerances = 100;
 
-/// How many neighbours measure an amplification: a single one may lie in a direction that a motion hardly
-/// amplifies, as near a singular position.
+/// How many neighbours measure an amplification. A single one may lie in a direction that a motion hardly
+/// amplifies, as near a singular position. 3 is a compromise: the fewer neighbours, the more likely all of
+/// them miss the direction of strong amplification; every further one costs a run.
 inline constexpr int neighbours = 3;
 
 /// A random neighbour; seeds 1, 2, ... give different directions. On one platform a seed always gives the

@@ -1,3 +1,6 @@
+/// The columns of the file are matched by name first, then every line is read. Spaces, plus signs and line
+/// ends of other systems are accepted.
+
 #include "simulation/other_motion.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +25,7 @@ namespace {
 }
 
 std::string first_of(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 8;
+  constexpr std::size_t most = 8;  // enough to show what names look like; a scene can have hundreds
   const std::vector<std::string> shown(names.begin(),
                                        names.begin() + static_cast<long>(std::min(most, names.size())));
   return fmt::format("{}{}", fmt::join(shown, ", "), names.size() > most ? ", ..." : "");

@@ -1,3 +1,5 @@
+/// Turns the name of the formulation into its type, and refuses methods that do not go with it.
+
 #include "simulation/simulate.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
-/// Checks a scene at its state: residuals, rank, energy and sparsity (declared in solve.hpp).
+/// The analysis of a state behind `trivium check` and trivium::check: residuals, rank and energy. Its
+/// function check_state is declared in state_check.hpp.
 
 #include <fmt/format.h>
 

@@ -10,8 +10,8 @@
 
 namespace trivium {
 
-/// Throws an Error of kind input for an unknown name. `noun` says what the name should be the name of, such
-/// as "formulation"; the message proposes the nearest of the accepted names.
+/// Throws an Error of kind input for an unknown name. `noun` says what is chosen by the name, such as
+/// "formulation". The message proposes the nearest of the accepted names.
 [[noreturn]] void refuse_name(std::string_view noun, std::string_view name,
                               const std::vector<std::string>& accepted);
 

@@ -1,3 +1,6 @@
+/// Settings and results are converted between the public types and those of simulation/motion_comparison.hpp,
+/// which makes the comparison.
+
 #include "trivium/compare.hpp"
 
 #include <fmt/format.h>

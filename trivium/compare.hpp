@@ -69,7 +69,8 @@ struct ComparedMotions {
 };
 
 /// Runs and compares. Throws an Error of kind input if the state violates its constraints or if settings
-/// contradict each other. An error that stops only one formulation is stored in its ComparedMotion::error.
+/// contradict each other. An error that stops the run of one formulation is stored in its
+/// ComparedMotion::error. An error of a run that only measures a bound is thrown.
 ComparedMotions compare(const Scene& scene, const CompareSettings& settings = {});
 
 }  // namespace trivium

@@ -1,3 +1,6 @@
+/// A scene that is built in C++ keeps its parts as JSON text, which the reader of scene files parses at the
+/// first use. Built scenes therefore pass the same checks as files, without a second implementation.
+
 #include "trivium/scene.hpp"
 
 #include <fmt/format.h>
@@ -117,8 +120,8 @@ Scene::Scene(std::string name, double t) {
 }
 
 Scene::Parts& Scene::parts() {
-  // copies of a scene share their parts until one of them changes, so a change begins with a copy; a scene
-  // that was read is first split into the JSON text of its parts
+  // Copies of a scene share their parts until one of them changes, so a change begins with a copy. A scene
+  // that was read is first split into the JSON text of its parts.
   require_parts();
   auto own = std::make_shared<Parts>();
   if (parts_) {

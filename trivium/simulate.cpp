@@ -1,3 +1,6 @@
+/// Checks the settings and turns them into the library's options, also for compare(). Results are converted
+/// to plain types output by output.
+
 #include "trivium/simulate.hpp"
 
 #include <fmt/format.h>

@@ -27,9 +27,9 @@ struct SimulateSettings {
   std::optional<int> order = {};               ///< order of bdf, arkode-erk or arkode-dirk
   std::optional<double> rho = {}, alpha = {};  ///< of generalized-alpha (0 to 1); of hht (-1/3 to 0)
   bool full_newton = false;  ///< implicit methods: a new Newton matrix in every iteration, not every step
-  /// Project onto the constraints after every step. Must be true for implicit methods, which satisfy the
-  /// constraints by their own equations, and with `baumgarte`, which replaces the projection; both then make
-  /// no projection.
+  /// Project onto the constraints after every step. With an implicit method, which satisfies the constraints
+  /// by its own equations, and with `baumgarte`, which replaces the projection, there is no projection to
+  /// switch off: the setting must then be true.
   bool projects = true;
   std::optional<std::array<double, 2>> baumgarte = {};  ///< alpha, beta [1/s]; replaces the projection
   std::string sequence = "313";                         ///< sequence of the Euler angles of r-epsilon

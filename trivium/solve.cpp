@@ -1,3 +1,5 @@
+/// Makes the model of a scene, lets the library assemble or solve it, and converts the answer to plain types.
+
 #include "trivium/solve.hpp"
 
 #include <fmt/format.h>

@@ -40,7 +40,7 @@ struct Check {
   /// of Phi: kg for rows in m (cd, dp2 of a unit vector), kg m^2 for dp1 of unit vectors, kg/m^2 for d. Empty
   /// if the structured solver does not compute the weights.
   std::vector<double> mu;
-  std::vector<std::string> contradictory;       ///< dependent rows that contradict the rows before them
+  std::vector<std::string> contradictory;       ///< dependent rows that contradict those on which they depend
   std::vector<std::string> wrong_branches;      ///< joints on a wrong branch (antiparallel axes), and why
   std::vector<std::string> unphysical_inertia;  ///< bodies that declare an unphysical inertia
   bool is_consistent = false;                   ///< positions, velocities and branches hold

@@ -1,3 +1,6 @@
+/// Chooses the dense or the structured solver by the size of the mechanism, and words the errors and warnings
+/// about a state. check_state, the analysis itself, is in check.cpp.
+
 #include "trivium/state_check.hpp"
 
 #include <fmt/format.h>

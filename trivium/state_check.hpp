@@ -17,6 +17,7 @@ namespace trivium {
 Check check_state(const scenes::Scene& scene, const Model<double>& model);
 
 /// Throws an Error of kind input, with the violated rows and advice, if the state violates its constraints.
+/// If the state is the end of a `saved` run, the advice says that the errors of that run may be the cause.
 void require_consistent(const std::string& source, const Model<double>& model,
                         const std::optional<SavedRun>& saved);
 /// The same for the start of a simulation in `formulation`. If the state is the end of a saved run in that

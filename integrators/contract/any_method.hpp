@@ -12,8 +12,8 @@
 
 namespace trivium::integrators {
 
-/// Any Method on AnySystem. A method that `interpolates` steps over output times; `interpolate` then sets y
-/// to the state at a time within the last step, to the method's own order.
+/// Any Method on AnySystem. A method that `interpolates` steps over output times. At such a time
+/// `interpolate` sets y to the state within the last step, with the accuracy of the method.
 template <class S>
 class AnyMethod {
  public:
@@ -31,8 +31,8 @@ class AnyMethod {
   /// The numbers that the method keeps from step to step (memory.hpp); empty if it keeps none or has not
   /// begun.
   virtual std::vector<double> memory() { return {}; }
-  /// Begins at (t, y) with the memory of another method of the same kind; `stop` is the end of the next given
-  /// step. Throws a std::invalid_argument if the memory is not from such a method.
+  /// Begins at (t, y) with the memory of another object of the same method; `stop` is the end of the next
+  /// given step. Throws a std::invalid_argument if the memory is not from such a method.
   virtual void recall(AnySystem<S>& /*system*/, const S& /*t*/, const StateVector<S>& /*y*/,
                       const S& /*stop*/, const std::vector<double>& /*memory*/) {}
 };

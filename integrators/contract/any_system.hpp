@@ -14,7 +14,7 @@
 
 namespace trivium::integrators {
 
-/// Any FirstOrderSystem; the other groups of functions work if the system behind it has them.
+/// Any FirstOrderSystem. A function of another group works if the system behind the interface has this group.
 template <class S>
 class AnySystem {
  public:
@@ -266,7 +266,7 @@ class SystemAdapter final : public AnySystem<typename System::Scalar> {
                     concepts[static_cast<int>(group)]));
   }
 
-  // the value in the type that the system uses for it
+  // the contents of the box, in the type of the system; for a system without this type, the box itself
   template <class Value>
   static decltype(auto) own(Value& value) {
     if constexpr (std::is_same_v<std::remove_const_t<Value>, AnyEvaluation>) {

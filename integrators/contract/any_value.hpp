@@ -1,6 +1,6 @@
 #pragma once
-/// Type erasure of the values Evaluation and Factors of a system. A box allocates when a system first uses
-/// it, and again only when a system of another type does.
+/// Type erasure of the values Evaluation and Factors of a system. The erased value is a box, which allocates
+/// at its first use, and again only when a system of another type uses it.
 
 #include <memory>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #pragma once
-/// Displacements between states. The vector y begins with q and v; the work follows where a system has it. A
-/// displacement d has as many numbers as v; q may have more on a Lie group.
+/// Displacements between states. The vector y begins with q and v, and ends with the work if the system has
+/// one. A displacement d has as many numbers as v. On a Lie group q may have more.
 
 #include <concepts>
 

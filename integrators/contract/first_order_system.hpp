@@ -12,8 +12,9 @@
 namespace trivium::integrators {
 
 /// The constraint violation at a state. `size` is the largest violation of a row, in the units of the model.
-/// `relative` [-] is the largest violation compared with the numbers that the row is computed from; rounding
-/// alone leaves a few unit roundoffs. `row` is the row with this largest violation, -1 if there are no rows.
+/// `relative` [-] is the largest violation relative to the numbers that the row is computed from. Rounding
+/// alone leaves a few unit roundoffs. `row` is the row with the largest relative violation, -1 if there are
+/// no rows.
 template <class S>
 struct Violation {
   S size{0}, relative{0};
@@ -48,9 +49,9 @@ void raise(Violation<S>& largest, const Violation<S>& next) {
 ///
 ///   projection_is_too_large
 ///                        from (before, stepped, projected): whether the projection of a step is so large
-///                        that the step may have left its branch. The system has the threshold
-///                        (simulation/system/branch_check.hpp); checked_step in integrate.cpp then asks for a
-///                        shorter step
+///                        that the step may have left its branch. The threshold is the system's
+///                        (simulation/system/branch_check.hpp). If the answer is yes, checked_step in
+///                        integrate.cpp asks the method for a shorter step
 ///   accept_state         receives every state that the motion has reached, after its projection. Returns
 ///                        whether the coordinates of y have changed (re-framing); the method's memory is then
 ///                        invalid

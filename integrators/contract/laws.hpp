@@ -2,6 +2,11 @@
 /// The laws of a system: the second half of the contract, which C++ types cannot express. Authors of a model
 /// run `broken_laws` at a state; it returns the laws that do not hold. A ConstrainedSystem is tested for all
 /// laws, another FirstOrderSystem for those of state_laws.hpp.
+///
+/// Most laws here allow 1e6 machine epsilons, two digits more than those of state_laws.hpp: they compare
+/// solutions of linear systems, which the condition number makes less accurate, or sums in which large terms
+/// cancel. Smaller bounds would reject a correct model at an ill-conditioned state; larger ones hide the loss
+/// of a small term.
 
 #include <array>
 #include <cmath>
@@ -78,6 +83,8 @@ class SystemLaws : StateLaws<System> {
     const Y imbalance = Y::Constant(1, S(system_.residual(at, force, lambda, left)));
     equal("accelerations: v' and lambda make the residual zero", imbalance, Y::Zero(1), 1e6);
     system_.inertia_force(at, v_dot + (1 + v_dot.norm()) * numbers(nv_, 17), force);
+    // The imbalance is relative to the forces. Another v' gives one of the order of 1, and 1e-6 is far below
+    // this and far above rounding.
     require("accelerations: the residual of another v' is not zero",
             system_.residual(at, force, lambda, left) > S(1e-6));
     system_.internal_residual(at, v_dot, internal);
@@ -99,7 +106,9 @@ class SystemLaws : StateLaws<System> {
     equal("at rest and with v' = 0 the residual is the reduced applied force", reduced, left, 1e6);
   }
   void rows() {
-    // central differences along the motion; their error is of the order of the squared step
+    // Central differences along the motion. u here is the machine epsilon. With a step of about u^(1/3) the
+    // truncation error (h^2) and the rounding error (u / h) are both of the order of u^(2/3). The factor 1e3
+    // allows for third derivatives and values above 1. A larger one would hide errors.
     using std::cbrt;
     const double u = static_cast<double>(std::numeric_limits<S>::epsilon());
     const S h(cbrt(u) / (1 + static_cast<double>(S(v_.norm()))));

@@ -1,7 +1,7 @@
 #pragma once
 /// The memory of a method: the numbers that it keeps from step to step. Saved together with a state, they
-/// allow a run to continue exactly as if it had not ended. A method with a memory has `show_memory(show)`,
-/// which calls show(part...) with each part; `show` is a MemorySaver or a MemoryReader.
+/// allow a run with given steps to continue exactly as if it had not ended. A method with a memory has
+/// `show_memory(show)`, which calls show(part...) with each part; `show` is a MemorySaver or a MemoryReader.
 
 #include <cstddef>
 #include <stdexcept>
@@ -27,7 +27,8 @@ class MemorySaver {
   std::vector<double>& numbers_;
 };
 
-/// Reads the parts from such a list. Throws a std::invalid_argument if the list does not fit the method.
+/// Reads the parts from a list of a MemorySaver. Throws a std::invalid_argument if the list does not fit the
+/// method.
 template <class S>
 class MemoryReader {
  public:

@@ -14,15 +14,18 @@ struct Counters {
   long iterations = 0;  ///< Newton iterations
 };
 
-/// A method takes one accepted step at a time. `step` moves t and y by one step, at most to `stop`; a step
-/// that ends near `stop` ends on it exactly. `restart` forgets the solution so far, as is needed where the
-/// solution is not smooth. `shorten` makes the next step start where the last one started and be shorter; it
-/// returns whether the method can do this. `step` throws an IntegrationError if the method fails.
+/// A method takes one accepted step at a time. `step` moves t and y by one step, at most to `stop`. A step
+/// that ends near `stop` ends on it exactly. `step` throws an IntegrationError if the method fails. `restart`
+/// forgets the solution so far, as is needed where the solution is not smooth. After `shorten` the next step
+/// starts where the last one started, and is shorter. `shorten` returns false if the method cannot do this.
 ///
-/// Optional functions, which AnyMethod asks for: `lambda`, a pointer to the raw lambda (any_method.hpp) or
-/// null; `interpolates` and `interpolate(t, y)`, the state at a time within the last step; and for a method
-/// with a memory (memory.hpp) `begin(system, t, y, stop)`, `has_begun()` and `show_memory(show)`, which let a
-/// saved run continue exactly.
+/// Optional functions, which AnyMethod asks for:
+///
+///   lambda               a pointer to the raw lambda (any_method.hpp), or null
+///   interpolates, interpolate(t, y)
+///                        the state at a time within the last step
+///   begin(system, t, y, stop), has_begun, show_memory(show)
+///                        the memory (memory.hpp), with which a saved run of given steps continues exactly
 template <class M, class System>
 concept Method = requires(M& method, const M& constant, System& system, typename System::Scalar& t,
                           StateVector<typename System::Scalar>& y, const typename System::Scalar& stop) {

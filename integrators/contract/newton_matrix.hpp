@@ -1,12 +1,12 @@
 #pragma once
-/// Newton's matrix of an implicit step: M, the stiffness K and damping C of springs times the step's shares,
-/// and Phi_q,
+/// Newton's matrix of an implicit step, from M, Phi_q, and the stiffness K and damping C of springs:
 ///
 ///   [ M + gamma' C + beta' K   Phi_q^T ] [ x  ]   [ left ]
 ///   [ Phi_q                    0       ] [ mu ] = [ rows ]
 ///
-/// The factors of this matrix are a value: a method may keep several at the same time, and for as long as it
-/// needs them.
+/// gamma' = dv/dv' [s] and beta' = dq/dv' [s^2] are the derivatives of v and q by v' within the step
+/// (Shares). Their primes are part of the names and mean no derivative by time. The factors of this matrix
+/// are a value: a method may keep several at the same time, and for as long as it needs them.
 
 #include <concepts>
 

@@ -29,7 +29,7 @@ namespace trivium::integrators {
 ///   residual             from (at, force, lambda, left): Q - force - Phi_q^T lambda, where `force` stands
 ///                        for M v'. Returns the largest imbalance relative to the forces at work [-]. `left`
 ///                        has the length of v but is reduced: the part that the multipliers of internal rows
-///                        balance is eliminated, and the elements that this frees are 0 (internal_rows.hpp)
+///                        balance is eliminated. The elements that become free are 0 (internal_rows.hpp)
 ///   position_rows, velocity_rows
 ///                        from (at, rows): Phi, and Phi_q v - nu. Each returns its Violation
 ///   work_rate            from (at, lambda): the rate of the work, which is the element of y after q and v

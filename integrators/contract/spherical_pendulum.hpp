@@ -126,8 +126,8 @@ class SphericalPendulum {
   S phi_of(const Vector& place) const { return (place.squaredNorm() - l * l) / 2; }
   S phi(const Y& y) const { return phi_of(r(y)); }
   S phi_dot(const Y& y) const { return r(y).dot(v(y)); }
-  // Relative to the pendulum's own numbers: l^2 for positions; for velocities l times the speed, plus sqrt(g
-  // l), a speed of free fall, so that the measure also makes sense at rest.
+  // Violations are relative to the pendulum's own numbers: for positions to l^2, for velocities to l times a
+  // speed. This speed contains sqrt(g l), a speed of free fall, so that it is not 0 at rest.
   Violation<S> of_positions(const S& left) const {
     using std::abs;
     return {abs(left), abs(left) / (l * l), 0};

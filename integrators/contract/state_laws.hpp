@@ -34,7 +34,9 @@ class StateLaws {
   }
 
  protected:
-  /// a and b may differ by rounding: by `digits_lost` machine epsilons relative to 1 + |a| + |b|.
+  /// a and b may differ by rounding, relative to 1 + |a| + |b|. `digits_lost` is the number of machine
+  /// epsilons (1e4: four digits). The default leaves room for sums of many terms of different size. A larger
+  /// one hides the loss of a small term.
   void equal(const char* law, const Y& a, const Y& b, double digits_lost = 1e4) {
     const bool same_size = a.size() == b.size();
     const double size = 1 + (same_size ? static_cast<double>(S(a.norm() + b.norm())) : 0.0);
@@ -82,7 +84,8 @@ class StateLaws {
     equal("normalise does not change a normalised state", kept, y_);
   }
   /// One correction from a nearby state reduces the violation at least tenfold, as a Newton step must: its
-  /// error is quadratic.
+  /// error is quadratic. A violation below 1e-11 need not fall any more: this is far above the rounding of a
+  /// row in double.
   void corrections() {
     Y off = nearby(7);
     const auto falls = [&](const char* law, const auto& violation, const auto& correct) {
@@ -117,7 +120,7 @@ class StateLaws {
     equal("displacement recovers the increment of displace", found, by);
     system_.displacement_rate(none, v_, rate);
     equal("displacement_rate at displacement 0 is v", rate, v_);
-    // central difference along a motion with v from the displaced state
+    // central difference along a motion with v from the displaced state; h and the bound as in laws.hpp
     using std::cbrt;
     const double u = static_cast<double>(std::numeric_limits<S>::epsilon());
     const S h(cbrt(u) / (1 + static_cast<double>(S(v_.norm()))));

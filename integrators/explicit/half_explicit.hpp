@@ -8,8 +8,9 @@
 ///
 /// HEM4 has order 4 (Brasey and Hairer, SIAM Journal on Numerical Analysis 30, 1993). HEDOP5 is the formula
 /// 5(4) of Dormand and Prince in this form (Arnold and Murua, Numerical Algorithms 19, 1998). Its seventh
-/// stage lies at the end of the step; the rows that its multipliers meet are those of an extra state at 19/20
-/// of the step. The next step takes V' and lambda of this stage for its first stage.
+/// stage lies at the end of the step. The multipliers of this stage make the velocities of an extra state, at
+/// 19/20 of the step, meet their rows. The first stage of the next step takes over V' and the rate of the
+/// work of this stage.
 ///
 /// A stage has the forces of its own state but the rows of the next stage, so that its linear system is not
 /// symmetric. `solve` iterates with the symmetric matrix of the stage instead; an iteration reduces the error

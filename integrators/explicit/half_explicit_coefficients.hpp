@@ -1,6 +1,6 @@
 #pragma once
 /// The coefficients of the half-explicit methods HEM4 (Brasey and Hairer, SIAM Journal on Numerical Analysis
-/// 30, 1993) and HEDOP5 (Arnold and Murua, Numerical Algorithms 19, 1998). Tests prove them by their order
+/// 30, 1993) and HEDOP5 (Arnold and Murua, Numerical Algorithms 19, 1998). Tests check their order
 /// conditions.
 
 #include <array>

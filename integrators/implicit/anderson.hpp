@@ -1,7 +1,8 @@
 #pragma once
 /// Anderson acceleration of a fixed-point iteration (Anderson, Journal of the ACM 12, 1965). Newton's
-/// matrices here leave out gyroscopic and geometric terms. The error that this leaves changes from iteration
-/// to iteration in a nearly linear way, and a combination of the last few changes removes most of it.
+/// matrices here leave out gyroscopic and geometric terms. The change of an iteration is therefore nearly a
+/// linear function of the change before it, and a combination of the last few changes removes most of the
+/// error.
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -18,11 +19,12 @@ namespace trivium::integrators {
 template <class S>
 class Anderson {
  public:
-  /// Forgets all changes: for another iteration, and where a matrix replaces one that was kept. Iterations
-  /// that factor a matrix at every iterate do not call it in between.
+  /// Forgets all changes: before the iteration for other equations, and when a new matrix replaces one that
+  /// served several iterates, as the kept changes belong to the old matrix. Iterations that factor a matrix
+  /// at every iterate do not call it in between.
   void clear() { kept_ = 0; }
 
-  /// The step to take where the matrix gives `change`.
+  /// The accelerated step, in place of the step `change` by the matrix alone.
   const StateVector<S>& step(const StateVector<S>& change, Eigen::Index measured) {
     if (kept_ > 0) {
       // the previous step, and the difference between its change and this one
@@ -52,7 +54,9 @@ class Anderson {
   }
 
  private:
-  static constexpr int depth = 3;  ///< number of differences that are combined; chosen by experiment
+  /// Number of differences that are combined, chosen by experiment: fewer use less of the past changes, more
+  /// cost storage and scalar products.
+  static constexpr int depth = 3;
   StateVector<S> before_, step_;
   /// The last steps dx_j, and in turns_ the differences df_j of consecutive changes.
   std::array<StateVector<S>, depth> steps_, turns_;

@@ -76,7 +76,7 @@ class BDF {
     past_.clear();
     start_.restart();
   }
-  /// Remembers a state, with v' and lambda solved from it at index 1.
+  /// Remembers a state, with v' and lambda solved from it by the equations of index 1.
   void remember(System& system, const S& t, const StateVector<S>& y) {
     system.accelerations(t, y, x_.v_dot, x_.lambda);
     ++counters_.right_sides;

@@ -10,9 +10,10 @@
 ///   index 3:              Phi(q_n+1, t_n+1) = 0,  s = 0
 ///   stabilised index 2:   Phi(q_n+1, t_n+1) = 0,  Phi_q v_n+1 = nu,  M s + Phi_q^T eta = 0
 ///
-/// In the last equation M and Phi_q are those of Newton's matrix, which includes the resistance of springs.
-/// The auxiliary acceleration a approximates v' at t + (alpha_m - alpha_f) h to first order. Its initial
-/// value is this approximation, so that order 2 holds from the first step on, also where M depends on q.
+/// s is the smallest shift that moves the positions onto their rows, and eta are its multipliers. In its
+/// equation M and Phi_q are those of Newton's matrix, which includes the resistance of springs. The auxiliary
+/// acceleration a approximates v' at t + (alpha_m - alpha_f) h to first order. Its initial value is this
+/// approximation, so that order 2 holds from the first step on, also where M depends on q.
 
 #include <optional>
 

@@ -3,8 +3,8 @@
 /// instantiated in one translation unit per Scalar (instances/).
 ///
 /// Defaults: rho = 0.8 and alpha = -0.2 damp the fastest oscillations within some ten steps. Without damping
-/// (rho = 1, alpha = 0) index-3 multipliers oscillate; with the largest (rho = 0, alpha = -1/3) slow motions
-/// lose more energy. Order 2 is the highest order at which bdf is A-stable.
+/// (rho = 1, alpha = 0) the multipliers of index 3 oscillate. With the largest damping (rho = 0, alpha =
+/// -1/3) slow motions lose more energy. The order 2 of bdf is the highest at which it is A-stable.
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 /// Newton's method for the equations of one implicit step of BDF, generalised-alpha and HHT. As a rule the
 /// matrix is factored once per step, and Anderson acceleration makes up for the terms that the matrix leaves
 /// out. This file decides when the equations count as solved, when the matrix is factored again, and when the
-/// iteration diverges: if five times a correction fails to halve the residual although its matrix was
-/// factored at the iterate that it corrects, or after forty iterations. These methods take given steps, so
-/// that a divergence ends the run.
+/// iteration diverges. It diverges if five times a correction fails to halve the residual although its matrix
+/// was factored at the iterate that it corrects, or after forty iterations. These methods take given steps,
+/// so that a divergence ends the run.
 
 #include <fmt/format.h>
 
@@ -22,17 +22,18 @@
 namespace trivium::integrators {
 
 /// When the equations of a step count as solved: `tolerance` [-] bounds the imbalance relative to the forces
-/// at work. The constraints are always met to rounding, because an error of Phi causes an error of lambda
-/// that is 1 / h^2 times as large. The default 1e-10 is chosen by experiment: far above rounding in double,
-/// which saves the last iterations.
+/// at work. The default 1e-10 is chosen by experiment: it is far above rounding in double, and so saves the
+/// last iterations. A larger value leaves larger errors of v' and lambda. The constraints are iterated to
+/// rounding in any case, because an error of Phi causes an error of lambda that is 1 / h^2 times as large. If
+/// rounding prevents this, up to 1000 times both bounds is accepted.
 struct NewtonOptions {
   double tolerance = 1e-10;
   bool is_full = false;  ///< factor in every iteration; else once per step, and again where needed
 };
 
-/// The unknowns of a step; they begin as predicted. On index 3 v' meets the position rows, and `shift` is
-/// empty. On the stabilised index 2 v' meets the velocity rows, and `shift` moves the positions onto their
-/// rows.
+/// The unknowns of a step; they begin as predicted. With index 3, v' is determined by the position rows, and
+/// `shift` is empty. With the stabilised index 2, v' is determined by the velocity rows, and `shift` moves
+/// the positions onto their rows.
 template <class S>
 struct StepUnknowns {
   StateVector<S> v_dot, lambda, shift;
@@ -44,8 +45,8 @@ template <HasResidual System>
 [[noreturn]] void throw_not_converged(const System& system, const typename System::Scalar& t,
                                       const Violation<typename System::Scalar>& violation) {
   using S = typename System::Scalar;
-  constexpr double met =
-      1e-8;  // half of a double's digits: a divergent iteration is far above, rounding far below
+  // half of a double's digits: a divergent iteration is far above, rounding far below
+  constexpr double met = 1e-8;
   const bool of_rows = !(violation.relative <= S(met));
   throw IntegrationError({of_rows ? fmt::format("row \"{}\"", system.row_name(violation.row)) : std::string(),
                           static_cast<double>(t)},

@@ -25,12 +25,12 @@
 ///
 /// This file has the iteration, a simplified Newton iteration. Each stage has its own real matrix, factored
 /// at the state of that stage, because stiff springs may rotate within one step. The right sides of the rows
-/// are multiplied by A^-1, which decouples the rows of the stages; the coupling by springs is solved for in
+/// are multiplied by A^-1, which decouples the rows of the stages. The coupling by springs is solved for in
 /// radau_springs.hpp. Anderson acceleration makes up for the terms that the matrices leave out.
-/// `solve_stages` decides when the iteration has converged (with tolerances: when the observed convergence
-/// rate says that the changes still to come are small), when matrices are factored again, and when the
-/// iteration diverges. `advance` then tries simpler predictions. If none of them converges, take_chosen_step
-/// tries a quarter of the step size; with given steps the run ends.
+/// `solve_stages` decides when the iteration has converged, when matrices are factored again, and when the
+/// iteration diverges. With tolerances it has converged when the observed convergence rate says that the
+/// changes still to come are small. `advance` tries simpler predictions after a divergence. If none of them
+/// converges, take_chosen_step tries a quarter of the step size; with given steps the run ends.
 
 #include <algorithm>
 #include <array>
@@ -61,17 +61,19 @@ class Radau {
   Radau(std::optional<Tolerances> tolerances, const NewtonOptions& newton)
       : newton_(newton), stages_(placed_within(tolerances)) {
     // With order 9 the error of a step soon falls below the effect of an imbalance of 1e-10, the default
-    // tolerance. With tolerances the size of the corrections ends the iteration, because the imbalance of
-    // forces does not tell how large the errors of positions are. In both cases 0 demands an imbalance of
-    // rounding size; `solve_stages` accepts a larger one only if the iteration can no longer reduce it.
+    // tolerance. 0 demands an imbalance of rounding size; `solve_stages` accepts a larger one if the
+    // iteration can no longer reduce it. With tolerances the size of the corrections ends the iteration, at
+    // any imbalance: the imbalance of forces does not tell how large the errors of positions are.
     if (tolerances || s > 3) newton_.tolerance = 0;
     if (!tolerances) return;
     error_.emplace(*tolerances);
     // The factor 10 is chosen by experiment: a larger one accepts less accurate stages, a smaller one takes
     // rounding for divergence.
     rounding_level_ = std::min(rounding_level_, 10 * tolerances->rtol);
-    // 0.03 as in the code RADAU5 of Hairer and Wanner. With order 5 the number of steps grows with rtol^-1/4,
-    // so that the factor rtol^1/4 keeps the sum of the iteration errors of all steps about the same.
+    // For rtol >= 1e-3 the value is 0.03, as in the code RADAU5 of Hairer and Wanner. The error estimate has
+    // order s: with s = 3 the number of steps grows with rtol^-1/4, and the factor rtol^1/4 keeps the sum of
+    // the iteration errors of all steps about the same. With s = 5 it grows with rtol^-1/6 only, and the
+    // factor is stricter than necessary.
     iteration_tolerance_ = 0.03 * std::min(1.0, std::pow(tolerances->rtol / 1e-3, 0.25));
   }
 
@@ -117,7 +119,8 @@ class Radau {
     nc_ = system.multipliers();
     springs_.begin(system);
     // The start evaluates the model up to h / 8 ahead. With tolerances stop - t is no step size, and a state
-    // so far ahead may not exist, hence h / 1000. Only v' and lambda are used here; they do not depend on h.
+    // so far ahead may not exist. Only v' and lambda are used here, which do not depend on h. The time ahead
+    // may therefore be any small one; h / 1000 is arbitrary.
     const S h = stop - t;
     const InitialAcceleration<S> start(system, t, y, error_ ? h / 1000 : h, counters_);
     stages_.begin(system, springs_.size(), start.v_dot, start.lambda);
@@ -286,7 +289,7 @@ class Radau {
   /// Relative imbalance [-] up to which a residual that no longer halves counts as rounding: 1000 times the
   /// default tolerance of NewtonOptions.
   double rounding_level_ = 1e-7;
-  S iteration_tolerance_{0};  ///< bound of the changes still to come [tolerances]; less for a tighter rtol
+  S iteration_tolerance_{0};  ///< bound of the changes still to come [tolerances]; smaller for smaller rtol
   StepSizeControl<S> step_size_;
   Anderson<S> anderson_;
   Stages stages_;

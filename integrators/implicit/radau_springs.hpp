@@ -30,8 +30,8 @@ class RadauSprings {
 
   /// Solves for the changes of v' and lambda of all stages. A stage's matrix lets a spring resist the stretch
   /// of that stage alone, where A asks for a mixture of the stretches of all stages. A slack per spring and
-  /// stage corrects the difference. The effect of slacks is linear, so that corrections found once are used
-  /// again until the matrices change.
+  /// stage corrects the difference. The solution is linear in the slacks. Its changes by earlier slacks are
+  /// therefore kept until the matrices change, and every later call begins with a combination of them.
   void solve_together(System& system, const S& h, Stages& stages, StateVector<S>& change) {
     const auto& coefficients = stages.coefficients();
     const Eigen::Index springs = size();

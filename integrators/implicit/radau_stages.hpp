@@ -41,9 +41,11 @@ class RadauStages {
     typename System::Evaluation at;      ///< the model evaluated at the stage
     typename System::Factors factors;    ///< Newton matrix at this iterate or an earlier one
     StateVector<S> rows;                 ///< right side of the rows for the next solve
-    // one number per spring; the stretch by a motion (v' or a shift) is its component along the spring
-    StateVector<S> slack, stretch;  ///< stretch without resistance in the next solve; by the last solution x
-    StateVector<S> stretched;       ///< stretch by the whole shift sigma_i
+    /// One number per spring. The stretch by a motion (v' or a shift) is its component along the spring.
+    /// `slack`: the stretch that meets no resistance in the next solve. `stretch`: the stretch by the
+    /// solution x of the last solve.
+    StateVector<S> slack, stretch;
+    StateVector<S> stretched;  ///< stretch by the whole shift sigma_i
   };
 
   /// The displacements theta are computed to the relative tolerance `placed_within` [-].
@@ -107,8 +109,8 @@ class RadauStages {
     known_h_ = h;
   }
 
-  // Sums over the stages, weighted by a row of A, A^-1 or A^2. They are expressions: they read the stages
-  // when they are assigned, not when they are made.
+  // Sums over the stages, weighted by a row of A, A^-1 or A^2. A sum is an Eigen expression: it reads the
+  // stages only when it is assigned to a vector.
   template <class Of>
   static auto mix(const std::array<S, s>& row, const Of& of) {
     return [&]<int... j>(std::integer_sequence<int, j...>) { return (... + (row[j] * of(j))); }

@@ -5,8 +5,8 @@
 ///
 ///   M x + Phi_q^T mu = 0,   Phi_q x = -Phi    and then    Phi_q x = -(Phi_q v - nu)
 ///
-/// They are repeated until the violation is rounding or no longer falls; then up to 1000 times the bound of
-/// rounding is accepted, the safety factor of newton.hpp.
+/// The corrections are repeated until the violation is rounding or no longer falls. If it no longer falls, up
+/// to 1000 times the bound of rounding is accepted, the safety factor of newton.hpp.
 
 #include <limits>
 

@@ -153,21 +153,23 @@ class Ida final : public Stepper {
       return true;
     });
   }
-  /// Solves Newton's system J x = b. The parts of b belong to the residuals of q', v', work, Phi_q v and Phi;
-  /// the parts of x to q, v, work, lambda and sigma. c is the derivative of y' by y in IDA's formula. Three
-  /// systems are solved one after the other. First d, the change of q without the change of v: sigma_0 is the
-  /// sigma for which d meets the position rows,
+  /// Solves Newton's system J x = b. The parts of b belong to these residuals: b_q to q', b_v to the forces,
+  /// b_w to the work, b_nu to the velocity rows Phi_q v = nu, b_phi to the position rows Phi = 0. The parts
+  /// of x belong to q, v, work, lambda and sigma. c is the derivative of y' by y in IDA's formula. The part
+  /// of the work is b_w / c. For the others three systems are solved one after the other. The first gives d,
+  /// the change that q would have if v did not change. sigma_0 is the sigma for which d meets the position
+  /// rows,
   ///
   ///   c d = b_q + s(sigma_0),   Phi_q d = b_phi
   ///
-  /// Then the change x_v = u / c of the velocities. The springs resist by their stiffness K and damping C;
-  /// the right sides contain the changes of Q and of the velocity rows over d,
+  /// The second gives the change x_v = u / c of the velocities. The springs resist by their stiffness K and
+  /// damping C. The right sides contain the changes of Q and of the velocity rows over d,
   ///
   ///   (M + C/c + K/c^2) u + Phi_q^T x_lambda = b_v + Q(q + d, v) - Q(q, v)
   ///
-  ///   Phi_q u = c (b_phi' - (change of Phi_q v over d))
+  ///   Phi_q u = c (b_nu - (change of Phi_q v over d))
   ///
-  /// At last the change of q, with the x_sigma that meets the position rows,
+  /// The third gives the change of q, with the x_sigma for which it meets the position rows,
   ///
   ///   c x_q = b_q + x_v + s(x_sigma),   Phi_q x_q = b_phi
   void solve(const Eigen::Map<StateVectorD>& b, Eigen::Map<StateVectorD> x) override {

@@ -1,3 +1,6 @@
+/// The iteration is a class of its own; a SUNNonlinearSolver, the table of functions that the library calls,
+/// forwards to it.
+
 #include "integrators/sundials/newton.hpp"
 
 #include "integrators/implicit/anderson.hpp"

@@ -1,3 +1,6 @@
+/// The right side and the error weights as functions that the library calls. `linear_system` factors only if
+/// there are springs; `solve` applies the formulas of the header.
+
 #include "integrators/sundials/ode_stepper.hpp"
 
 namespace trivium::integrators::sundials_library {

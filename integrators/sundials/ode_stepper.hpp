@@ -7,8 +7,9 @@
 
 namespace trivium::integrators::sundials_library {
 
-/// The approximation of f_y has the resistance of springs and dampers along their own directions, and the
-/// motion of q with v. The solution x for the right side b is
+/// The approximation of f_y contains the resistance of springs and dampers along their own directions, and
+/// the motion of q with v. gamma [s] is the library's factor, a share of the step. The solution x for the
+/// right side b is
 ///
 ///   (M + gamma C + gamma^2 K) w + Phi_q^T mu = Q(q + b_q + gamma b_v, v + b_v) - Q(q, v),   Phi_q w = 0
 ///

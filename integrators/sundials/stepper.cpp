@@ -1,3 +1,6 @@
+/// A step first adds the change of y since the last step to the offset, then lets the library advance its
+/// numbers, and reads y back. The library's linear solver is an object that calls Stepper::solve.
+
 #include "integrators/sundials/stepper.hpp"
 
 #include <fmt/format.h>
@@ -43,10 +46,13 @@ void Stepper::step(AnySystem<double>& system, double& t, StateVectorD& y, const 
   accept(functions_.set_stop(memory_, aim), "set the stop time");
   double reached = t;
   if (advance(aim, reached) < 0) fail(t, y);
+  // A step of a few epsilons of t is no progress: the library could repeat such steps without end. The bound
+  // 4 epsilon is that of StepSizeControl.
   constexpr double least = 4 * std::numeric_limits<double>::epsilon();
-  if (reached < stop && !(reached - t > least * std::abs(t))) fail(t, y);  // else the library would not end
+  if (reached < stop && !(reached - t > least * std::abs(t))) fail(t, y);
   y = state(numbers());
-  // the library may end a step within its own rounding of the stop time
+  // The library may end a step within its own rounding of the stop time. 1e-14, about 50 epsilon, is far
+  // above the rounding of a time and far below a step.
   if (std::abs(stop - reached) <= 1e-14 * std::max(std::abs(stop), std::abs(stop - t))) reached = stop;
   last_step_ = reached - t;
   t = reached;
@@ -64,7 +70,7 @@ void Stepper::restart() {
 
 bool Stepper::shorten() {
   has_begun_ = false;
-  first_step_ = last_step_ / 4;
+  first_step_ = last_step_ / 4;  // a quarter, as StepSizeControl takes after a failure
   --counters_.steps;
   ++counters_.rejected_steps;
   return true;

@@ -37,7 +37,8 @@ void print_head(const std::string& first, const std::vector<std::string>& others
 std::string rounded(double x) { return x >= 9.95 ? fmt::format("{:.0f}", x) : fmt::format("{:.1f}", x); }
 
 /// CPU time [ms] of a method's cheapest run in r-omega whose error of positions is at most `error` [m], or
-/// "-" if no run reaches this error.
+/// "-" if no run reaches this error. 0.95 is the limit below which one decimal leaves a single digit; two
+/// decimals are shown there.
 std::string cheapest(const ResultsTable& table, const std::string& scene, const std::string& method,
                      double error) {
   std::optional<double> least;

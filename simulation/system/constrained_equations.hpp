@@ -11,11 +11,11 @@
 ///     [ Phi_q                    0       ] [ dlambda ] = - [ Phi / beta'               ]
 ///
 /// beta' [s^2] and gamma' [s] are numbers of the method, of order h^2 and h (integrators::Shares): within the
-/// step, a change dv' of v' changes q by beta' dv' and v by gamma' dv'. Only the primes of q' and v' are
-/// derivatives by time. The division of Phi by beta' keeps the condition number bounded as h -> 0. K and C
-/// hold the stiffness and damping of springs along their directions (spring_rows.hpp). Gyroscopic and
-/// geometric terms are left out of the matrix; the Newton iteration therefore converges linearly, with a rate
-/// of about the angle [rad] that bodies turn in a step.
+/// step, a change dv' of v' changes q by beta' dv' and v by gamma' dv'. The primes of beta' and gamma' are
+/// part of these names; all other primes are derivatives by time. The division of Phi by beta' keeps the
+/// condition number bounded as h -> 0. K and C hold the stiffness and damping of springs along their
+/// directions (spring_rows.hpp). Gyroscopic and geometric terms are left out of the matrix; the Newton
+/// iteration therefore converges linearly, with a rate of about the angle [rad] that bodies turn in a step.
 ///
 /// The class is a model of the concept integrators::ConstrainedSystem, which defines its functions.
 
@@ -151,7 +151,7 @@ class ConstrainedEquations {
   void inertia_force(const Factors& factors, const StateVector& x, StateVector& force) const {
     inertia_force(factors.at().body(), x, force);
   }
-  /// Generalized force of the effects, without gyroscopic terms, with its components in the order of v: per
+  /// Generalised force of the effects, without gyroscopic terms, with its components in the order of v: per
   /// body a force [N] and one number for each rotational velocity of the formulation.
   void applied_force(const Evaluation& at, StateVector& force) {
     apply_effects(*at);
@@ -243,8 +243,8 @@ class ConstrainedEquations {
     for (Wrench<S>& w : wrenches_) w = {};
     mechanism_.effects.apply(view(model), wrenches_);
   }
-  /// Assembles rows and mass blocks, once per evaluation. Factors go on using them, so an evaluation that has
-  /// been factored must not be assembled again.
+  /// Assembles rows and mass blocks, once per evaluation. Factors keep using these rows and blocks, so that
+  /// an evaluation that has been factored must not be assembled again.
   void assemble(EvaluatedModel<F>& model) {
     if (model.is_factored)
       throw std::logic_error("residuals or factors are requested from an evaluation that has been factored");

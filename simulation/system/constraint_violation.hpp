@@ -1,10 +1,10 @@
 #pragma once
 /// Measures how far a state violates its constraints. The absolute measure is the largest |Phi_k| or |Phi_k'|
 /// divided by the row's scale [m or rad, m/s or rad/s]. The relative measure divides further by the size of
-/// the component, which is the set of bodies connected by rows: a row of lengths by the component's lengths
-/// or speeds, a row of angles by 1 or by its angular velocities. The relative violation caused by rounding is
-/// then a few u, whatever the size of the mechanism. integrators/projection_iteration.hpp decides by the
-/// relative measure.
+/// the component, which is the set of bodies connected by rows. For a row of lengths this size is a length of
+/// the component, or a speed for Phi_k'. For a row of angles it is 1, or an angular velocity for Phi_k'. The
+/// relative violation caused by rounding is then a few u, whatever the size of the mechanism.
+/// integrators/projection_iteration.hpp decides by the relative measure.
 
 #include <algorithm>
 #include <array>
@@ -64,7 +64,9 @@ class ConstraintViolation {
       extent.length = std::max(extent.length, S(body[b].r.norm() + extent.reach));
       const S v = body[b].r_dot.norm(), omega = body[b].omega_bar.norm();
       extent.speed = std::max(extent.speed, S(v + omega * extent.reach));
-      // the rounding of its speed v gives a body that does not rotate an angular velocity of v / arm
+      // The rounding u v of its speed v gives a body that does not rotate an angular velocity of u v / arm.
+      // The scale of the component's angular velocities, whose rounding is u times the scale, must therefore
+      // be at least v / arm.
       extent.spin = std::max(extent.spin, extent.arm > S(0) ? S(omega + v / extent.arm) : S(omega + v));
     }
   }
@@ -118,7 +120,7 @@ class ConstraintViolation {
  private:
   /// The size of a component: lengths [m], speeds [m/s], angular velocities [rad/s], the fastest so far.
   struct Extent {
-    S arm{0}, reach{0};  ///< largest |joint point| in its frame: on bodies alone; on bodies and ground
+    S arm{0}, reach{0};  ///< largest |joint point| in its frame [m]; `arm` leaves out the ground
     S length{0}, speed{0}, fastest{0}, spin{0}, fastest_spin{0};
   };
 

@@ -1,8 +1,8 @@
 #pragma once
 /// Displacements between states, for implicit methods. A displacement d has as many numbers as v, in the same
 /// order. The position r moves by addition. The orientation moves as the formulation defines: by a rotation
-/// vector in Lie-group formulations, by addition in the others. By a change of v', this file also enforces
-/// internal rows within a step, such as p . p = 1 in r-p.
+/// vector in Lie-group formulations, by addition in the others. This file also changes v' such that internal
+/// rows, such as p . p = 1 in r-p, hold within a step.
 
 #include <vector>
 
@@ -89,7 +89,7 @@ class Displacements {
         Layout::of(left, b).template tail<F::internal_constraints>() =
             F::internal_gamma(body[b]) - F::internal_jacobian(body[b]) * Layout::q_of(v_dot, b);
   }
-  /// Adds to x the least change of the rotational unknowns that makes this residual zero.
+  /// Adds to x the least change of the rotational unknowns that makes the residual of the internal rows zero.
   void solve_internal_rows(const std::vector<typename F::Reduced>& body, const StateVector& left,
                            StateVector& x) const {
     if constexpr (F::internal_constraints > 0)

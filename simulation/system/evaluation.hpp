@@ -1,7 +1,7 @@
 #pragma once
 /// The equations of motion at one (t, y), as a value: the bodies in that state, their rows and mass blocks.
-/// Factors of Newton's matrix share the storage of the evaluation that they were made from. A later
-/// evaluation then takes its spare storage: nothing is copied and, after the first steps, nothing allocated.
+/// Factors of Newton's matrix share the storage of the evaluation that they were made from. While they do so,
+/// a later evaluation takes spare storage: nothing is copied and, after the first steps, nothing allocated.
 
 #include <memory>
 #include <stdexcept>

@@ -5,9 +5,10 @@
 /// this folder provide the parts: projection and violation of constraints, energy, charts, jumps of
 /// velocities, the branch check and the log.
 ///
-/// This file decides two things. Dependent rows are detected at every accepted state and kept within a step;
-/// the start of the motion decides how they are detected. Solutions between accepted states are refined only
-/// if the last accepted state showed that it is necessary.
+/// This file decides two things: how dependent rows are detected, and which solutions are refined. Dependent
+/// rows are detected at every accepted state and kept within a step; the start of the motion decides how they
+/// are detected. Solutions between accepted states are refined only if the last accepted state showed that it
+/// is necessary.
 ///
 /// The class is a model of the concept integrators::FirstOrderSystem, which defines its functions.
 
@@ -158,7 +159,8 @@ class FirstOrderEquations {
   }
 
   /// Accepts a state: changes the charts of bodies near their singularity, detects the dependent rows, and
-  /// lets effects count turns. Returns whether a chart changed, and so y. Throws a ModelError.
+  /// lets effects count turns. Returns whether a chart changed; y is then in the new chart. Throws a
+  /// ModelError.
   bool accept_state(const S& t, StateVector& y) {
     accepted_t_.reset();
     const bool reframed = charts_.is_on() && reframe(t, y);
@@ -326,13 +328,15 @@ class FirstOrderEquations {
   /// If refinement at the last accepted state corrected the accelerations by this relative amount or less,
   /// solutions between accepted states are not refined: their errors are then far below those of a step.
   /// 1e-13 is about 1000 u of double, and is used in all Scalars. In float nearly all solutions are refined.
-  /// In quad, solutions between accepted states may have errors up to 1e-13, more than quad allows.
+  /// In quad, solutions between accepted states may have errors up to 1e-13, although their rounding is near
+  /// 1e-34.
   static constexpr double small_correction = 1e-13;
-  // the state accepted last, if the solver still holds its solution, and whether it asks for refinement
+  // the state accepted last, if the solver still holds its solution, and whether solutions after it are
+  // refined
   std::optional<S> accepted_t_;
   StateVector accepted_;
   bool refines_ = false;
-  // the state at which rows were measured last, and which
+  // the state at which rows were measured last, and whether they were rows of positions or of velocities
   Rows measured_ = Rows::none;
   S measured_t_{0};
   StateVector measured_y_;

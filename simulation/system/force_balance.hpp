@@ -41,6 +41,7 @@ class ForceBalance {
       return at.spring_sizes.empty() ? typename SpringRows<F>::SpringSize{} : at.spring_sizes[b];
     };
     for (BalanceSize& size : size_) size = {};
+    // machine epsilon, twice the unit roundoff: the forces and arms below come from several roundings
     const S u = std::numeric_limits<S>::epsilon();
     S all_left(0);
     for (int b = 0; b < mechanism_.nb(); ++b) {
@@ -71,7 +72,7 @@ class ForceBalance {
         if (part > largest * whole) largest = part / whole;
       };
       take_share(size.force_left, size.force);
-      // moment arms are differences of positions up to length_of: they have a rounding of u length_of
+      // moment arms are differences of positions up to length_of, with a rounding of epsilon length_of
       take_share(S(size.moment_left - u * components.length_of(b) * size.force),
                  S(size.moment + components.arm_of(b) * size.force));
     }

@@ -1,7 +1,7 @@
 #pragma once
-/// Events of a motion: passages through singular positions, and impulses at jumps of velocities. A state is a
-/// passage if more rows are dependent than at the state before; that is decided here. Impulses are computed
-/// in simulation/system/discontinuities.hpp.
+/// Events of a motion: passages through singular positions, and impulses at jumps of velocities. This file
+/// decides which states are passages: those where more rows are dependent than at the state before. Impulses
+/// are computed in simulation/system/discontinuities.hpp.
 
 #include <cstddef>
 #include <utility>

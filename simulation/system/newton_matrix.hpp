@@ -4,8 +4,9 @@
 ///     [ M + gamma' C + beta' K   Phi_q^T ]
 ///     [ Phi_q                    0       ]
 ///
-/// spring_rows.hpp contributes the stiffness K and the damping C of springs. The dependent rows are those
-/// that the acceleration solver found at the last accepted state; this file does not detect any.
+/// gamma' = dv/dv' and beta' = dq/dv' within the step (integrators::Shares); their primes are part of the
+/// names. spring_rows.hpp contributes the stiffness K and the damping C of springs. The dependent rows are
+/// those that the acceleration solver found at the last accepted state; this file does not detect any.
 
 #include <memory>
 #include <stdexcept>
@@ -48,8 +49,9 @@ class NewtonFactors {
   std::shared_ptr<EvaluatedModel<F>> model_;
 };
 
-/// Assembles, factors and solves Newton's system. It also converts between the graph's vectors and the flat
-/// vectors of the methods, which hold rows by their numbers, and forces and motions in the places of v.
+/// Assembles, factors and solves Newton's system. It also converts between the vectors of the graph and the
+/// flat vectors of the methods. In a flat vector, rows are in the order of the mechanism, forces and motions
+/// in the order of v.
 template <Formulation F>
 class NewtonMatrix {
  public:

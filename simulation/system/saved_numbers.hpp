@@ -40,8 +40,8 @@ std::vector<double> counted_angles(Mechanism<S, Types>& mechanism) {
 }
 
 /// Returns the saved y, and restores charts in `bodies`, counted angles in `mechanism`, and fastest speeds in
-/// `projection`. Throws an Error where the saved run is not one of `size` numbers of this mechanism at the
-/// time of `state`.
+/// `projection`. Throws an Error if the saved run ended at another time than that of `state`, if its y does
+/// not have `size` numbers, or if its other numbers do not fit the mechanism.
 template <Formulation F>
 VectorX<typename F::Scalar> restore_numbers(const SavedRun& saved, MechanismOf<F>& mechanism,
                                             const MechanismState<typename F::Scalar>& state, int size,
@@ -79,7 +79,7 @@ VectorX<typename F::Scalar> restore_numbers(const SavedRun& saved, MechanismOf<F
 }
 
 /// Throws an Error if a body of the scene is not where the saved numbers have it: the body was edited in the
-/// file, so that the saved numbers are not meant.
+/// file, and the saved numbers no longer describe the scene.
 template <class S, class Types>
 void check_bodies_as_saved(const SavedRun& saved, const Mechanism<S, Types>& mechanism,
                            const MechanismState<S>& state, const MechanismState<S>& of_numbers) {

@@ -5,8 +5,9 @@
 ///
 ///     g x - f / (gamma' c + beta' k) = slack,   gamma' = dv/dv',  beta' = dq/dv'  in the step
 ///
-/// 1 / (gamma' c + beta' k) is the compliance of the row. Elimination of f adds the spring's part of gamma' C
-/// + beta' K to M. As a row, a stiff spring worsens the condition number no more than a constraint does.
+/// The primes of gamma' and beta' are part of these names (integrators::Shares). The compliance of the row is
+/// 1 / (gamma' c + beta' k). Elimination of f adds the spring's part of gamma' C + beta' K to M. As a row, a
+/// stiff spring worsens the condition number no more than a constraint does.
 
 #include <algorithm>
 #include <utility>
@@ -41,8 +42,8 @@ class SpringRows {
  public:
   using S = typename F::Scalar;
   using StateVector = VectorX<S>;
-  /// Per body: the size of the numbers whose difference is the force [N] or moment [N m] of its springs. u
-  /// times this size is the rounding of that force or moment.
+  /// Per body: the size of the numbers whose difference is the force [N] or moment [N m] of its springs. The
+  /// machine epsilon times this size is the rounding of that force or moment.
   struct SpringSize {
     S force{0}, moment{0};
   };
@@ -108,7 +109,7 @@ class SpringRows {
   void clear_slack(GraphVector<S>& right_side) const {
     for (const int e : soft_) right_side.edge[e].setZero();
   }
-  /// Sets the slack of every spring: it resists only g x - slack.
+  /// Sets the slack of every spring: the spring resists only g x - slack.
   void put_slack(const StateVector& slack, GraphVector<S>& right_side) const {
     for (std::size_t s = 0; s < soft_.size(); ++s) right_side.edge[soft_[s]][0] = slack[s];
   }

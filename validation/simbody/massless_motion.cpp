@@ -11,9 +11,9 @@ namespace trivium {
 
 namespace {
 
-/// Bound for squares of motions. A rotation about an axis at an angle theta to the massless axis has theta^2
-/// times the inertia of a transverse rotation. The tolerance of a principal moment therefore applies to
-/// squares.
+/// Bound of the eigenvalues of `squares` below, which are squares of angles. A rotation about an axis at an
+/// angle theta to the massless axis has theta^2 times the inertia of a transverse rotation. The tolerance of
+/// a principal moment, an inertia, is therefore also the bound of theta^2.
 constexpr double tolerance = inertia_tolerance;
 
 struct MasslessRotation {

@@ -47,6 +47,7 @@ scenes::Scene physical_twin(scenes::Scene scene) {
     if (check.physical() && moment[0] > inertia_tolerance * J.trace()) continue;
     const double reach = reach_of(scene, b), mass = mechanism.bodies[b].mass;
     const double size = J.trace() + mass * reach * reach;
+    // the header has the formula and the reason of 1/100
     J.diagonal().array() += std::max(0.0, moment[2] - moment[1] - moment[0]) + (size > 0 ? size : mass) / 100;
     scenes::Body& body = scene.bodies[static_cast<std::size_t>(b)];
     scenes::Matrix3 rows;

@@ -12,7 +12,8 @@ namespace trivium {
 ///   eps = max(0, J3 - J1 - J2) + (trace(J) + m s^2) / 100
 ///
 /// where s [m] is the largest distance from the centre of mass to a point of a constraint or spring on this
-/// body; if s = 0 and J = 0, eps = m (1 m)^2 / 100. Other bodies stay unchanged.
+/// body; if s = 0 and J = 0, eps = m (1 m)^2 / 100. Other bodies stay unchanged. 1/100 is a compromise: a
+/// smaller share makes the mass matrix worse conditioned, a larger one changes the motion more.
 scenes::Scene physical_twin(scenes::Scene scene);
 
 }  // namespace trivium
