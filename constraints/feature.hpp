@@ -141,8 +141,9 @@ struct PointOffsetFeature {
     return (s_j.bias - s_i.bias) + (on_j.r_ddot - on_i.r_ddot) +
            (j.jacobian(s_j) * on_j.q_ddot - i.jacobian(s_i) * on_i.q_ddot);
   }
-  /// The offset, and the difference of the velocities of the centres, count as one term each: value() and
-  /// rate() form these differences first, and their cancellation belongs to the state.
+  /// The offset, and the difference of the velocities of the centres, count as one term each, because value()
+  /// and rate() form these differences first. All formulations subtract the same given numbers here, so a
+  /// cancellation in these differences is the same in every formulation.
   FeatureMagnitude<Scalar> magnitude() const {
     const Scalar on_i = s_i.a.norm(), on_j = s_j.a.norm();
     const Scalar omega_i = i.omega_bar.norm(), omega_j = j.omega_bar.norm();

@@ -57,7 +57,8 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
   using std::abs, std::cbrt;
   std::vector<BrokenLaw> broken;
   const double u = static_cast<double>(std::numeric_limits<S>::epsilon());
-  // a = b up to `bound` relative to |a| + |b| + size, with `size` the magnitude of the terms of both
+  // u is the machine epsilon here. a = b up to `bound` relative to |a| + |b| + size, with `size` the
+  // magnitude of the terms of both
   const auto equal = [&](const char* law, const S& a, const S& b, const S& size, double bound) {
     using std::abs;
     const S off = abs(S(a - b)), all = abs(a) + abs(b) + size;

@@ -1,3 +1,6 @@
+/// Solves each formulation with its AccelerationSolver and completes the result with sums over bodies and
+/// rows: the norms E, the multipliers of internal rows, residuals and joint reactions.
+
 #include "formulations/structured_side_by_side.hpp"
 
 #include <Eigen/Cholesky>

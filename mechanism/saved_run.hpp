@@ -1,6 +1,8 @@
 #pragma once
 /// The saved end of a run, in the coordinates of its formulation and with the memory of its integrator. A run
-/// that starts from it continues as if it had not been interrupted. A scene saves poses and twists as well.
+/// can be continued from it. One-step methods with given steps then give the same bits as without the
+/// interruption, multistep methods and chosen steps the same motion within their tolerances. A scene saves
+/// poses and twists as well.
 
 #include <string>
 #include <vector>
@@ -16,8 +18,9 @@ struct SavedRun {
   std::vector<double> fastest;  ///< largest speeds so far, (m/s, rad/s) for each group of connected bodies
   std::vector<double> memory;   ///< data that the integrator keeps from step to step
   double phi = 0, phi_dot = 0;  ///< constraint violation |Phi|, |Phi'| of the state [m or rad, per second]
-  bool began_singular = false;  ///< first run began with nearly dependent rows, which count as independent
-  std::vector<double> angles;   ///< last counted joint angles [rad], in the order of the effects
+  /// The first run began with nearly dependent rows. They count as independent along the whole motion.
+  bool began_singular = false;
+  std::vector<double> angles;  ///< last counted joint angles [rad], in the order of the effects
   bool operator==(const SavedRun&) const = default;
 };
 

@@ -188,8 +188,8 @@ struct NumTraits<trivium::Batch<T, N>> : GenericNumTraits<T> {
 };
 // Doxygen loses the scope of this specialisation
 /// @cond
-/// 0: a fixed-size Eigen array of Batch gets the alignment of Batch itself. Eigen's default can be smaller,
-/// which clang++ rejects.
+/// With value = 0 a fixed-size Eigen array of Batch gets the alignment of Batch itself. Eigen's default can
+/// be smaller, which clang++ rejects.
 template <class T, int N, int size>
 requires(size != Dynamic) struct internal::compute_default_alignment<trivium::Batch<T, N>, size> {
   enum { value = 0 };

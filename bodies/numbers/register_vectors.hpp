@@ -1,7 +1,7 @@
 #pragma once
 /// 3-vectors padded to a vector register, for innermost loops. In float, double and long double a padded
-/// vector has a fourth entry, always 0, so that in float and double one instruction adds or scales a vector.
-/// Products of 3 x n matrices work on padded columns.
+/// vector has a fourth entry, always 0. One instruction then adds or scales a vector, in float always and in
+/// double if the processor has AVX. Products of 3 x n matrices work on padded columns.
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -16,8 +16,8 @@ inline constexpr const char* wrong_branch_advice =
 /// together.
 MechanismState<double> assemble(const Mechanism<double>& mechanism, MechanismState<double> state);
 
-/// Projects the velocities onto Phi_q q' = nu, with the smallest change in the mass metric; positions are
-/// not changed.
+/// Projects the velocities onto Phi_q q' = nu, with the smallest change in the mass metric. Positions are not
+/// changed.
 void project_velocities(const Mechanism<double>& mechanism, MechanismState<double>& state);
 
 }  // namespace trivium

@@ -1,3 +1,5 @@
+/// Sums the squares of lambda and of accelerations with the weights of the row analysis, in double.
+
 #include "formulations/analysis/comparison.hpp"
 
 #include <cmath>

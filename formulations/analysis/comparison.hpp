@@ -10,7 +10,9 @@
 
 namespace trivium {
 
-/// Factor of lambda_bound: how many roundings, each amplified by kappa, may separate two formulations.
+/// Factor of lambda_bound, fixed before the experiments (docs/lambda.md). Many roundings, each amplified by
+/// kappa, separate two formulations: 100 is a margin of two digits over a single one. A larger factor would
+/// hide errors of a formulation, a smaller one could be exceeded by correct ones.
 inline constexpr int bound_factor = 100;
 
 /// The bound of the relative difference of lambda between two formulations, in arithmetic of unit roundoff
@@ -19,7 +21,8 @@ inline double lambda_bound(double u, double kappa) { return bound_factor * u * k
 
 /// A difference of two solutions and the magnitudes that make it relative, all in one norm.
 struct Comparison {
-  /// reference_size: magnitude of the solution that the right side could cause, |E^-1 b| for lambda.
+  /// The difference, the sizes of the two solutions, and reference_size: the magnitude of the solution that
+  /// the right side could cause, |E^-1 b| for lambda.
   double difference = 0, size_1 = 0, size_2 = 0, reference_size = 0;
   double size_uncancelled = 0;  ///< reference_size with every term by magnitude; 0: not known
 
@@ -27,10 +30,10 @@ struct Comparison {
   double relative() const { return over(std::max({size_1, size_2, reference_size})); }
   /// The relative error of the first solution if the second is exact.
   double error() const { return over(std::max(size_2, reference_size)); }
-  /// Cancellation factor [-], at least 1: size_uncancelled relative to four times the largest of size_1,
-  /// size_2 and reference_size. Rounding errors grow by this factor. Magnitudes exceed the sum of their terms
-  /// in every state; the four keeps the factor at 1 in ordinary states. Where a symmetric body spins fast,
-  /// the factor grows with |omega_bar|^2 relative to the load.
+  /// Cancellation factor [-], at least 1, by which rounding errors grow: size_uncancelled relative to four
+  /// times the largest of size_1, size_2 and reference_size. size_uncancelled is a sum of magnitudes, which
+  /// is larger than the magnitude of the sum in every state. The four keeps the factor at 1 in ordinary
+  /// states. Where a symmetric body spins fast, the factor grows with |omega_bar|^2 relative to the load.
   double cancellation() const {
     const double scale = std::max({size_1, size_2, reference_size});
     return size_uncancelled > 0 && scale > 0 ? std::max(1.0, size_uncancelled / (4 * scale)) : 1.0;
@@ -62,7 +65,8 @@ template <class Scalar>
 AccelerationComparison compare_accelerations(const RowAnalysis& rows, const PhysicalSolution<Scalar>& a,
                                              const PhysicalSolution<Scalar>& b);
 
-/// Differences of accelerations relative to the larger solution or to the size that Q and gamma could cause.
+/// Differences of accelerations, relative to the largest of the two solutions and of the size that Q and
+/// gamma could cause.
 struct AccelerationDistance {
   double all = 0, r_ddot = 0, omega_bar_dot = 0;
 };

@@ -1,3 +1,5 @@
+/// kappa from the eigenvalues of W^T W, which is the equilibrated Schur complement.
+
 #include "formulations/analysis/condition_number.hpp"
 
 #include <Eigen/Eigenvalues>

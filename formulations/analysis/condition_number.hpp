@@ -1,6 +1,6 @@
 #pragma once
 /// kappa: the condition number of the equilibrated Schur complement E^-1 S E^-1, with S = Phi M^-1 Phi^T and
-/// E = diag(S)^(1/2), over its nonzero singular values. Rounding errors of lambda grow with kappa; the bound
+/// E = diag(S)^(1/2), over its nonzero singular values. Rounding errors of lambda grow with kappa. The bound
 /// on the difference of lambda between two formulations is 100 u kappa (lambda_bound in comparison.hpp).
 
 #include "bodies/numbers/vectors.hpp"

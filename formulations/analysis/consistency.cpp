@@ -1,3 +1,6 @@
+/// Divides the residual of every row by the norm of the row's gradient, and compares the axes of joints to
+/// find wrong branches.
+
 #include "formulations/analysis/consistency.hpp"
 
 #include <fmt/format.h>
@@ -110,7 +113,8 @@ Consistency check_consistency(const Mechanism<double>& mechanism, const Mechanis
   // Relative to the lengths and speeds of the scene. Positions within 1e-8 leave redundant rows dependent up
   // to rank_tolerance.
   constexpr double tolerance = 1e-8;
-  // [1/s], speed tolerance per length: the speeds of a scene at rest are rounding errors
+  // [1/s], speed tolerance per length. A scene at rest has speed 0 and gives no scale for its velocities.
+  // 1e-12 is far above their rounding errors (about 1e-16 per second) and far below the speed of a motion.
   constexpr double rate_of_rounding = 1e-12;
   const VectorX<double> velocity = velocity_residual(eom);
   for (int k = 0; k < eom.nc(); ++k) {

@@ -41,9 +41,9 @@ struct Consistency {
 /// velocity is 1e-8 times the speed of the scene plus 1e-12 times its length per second.
 Consistency check_consistency(const Mechanism<double>& mechanism, const MechanismState<double>& state);
 
-/// The scales of rounding in a scene. `length` is the largest distance of a centre of mass from the global
-/// origin or of a joint point from its body's origin [m]; 1 m if all are 0. `speed` is the largest velocity,
-/// or angular velocity times length [m/s].
+/// The length and the speed of a scene, to which its rounding errors are relative. `length` is the largest
+/// distance of a centre of mass from the global origin or of a joint point from its body's origin [m], and 1
+/// m if all are 0. `speed` is the largest velocity, or angular velocity times length [m/s].
 struct Extent {
   double length = 0, speed = 0;
 };

@@ -1,7 +1,7 @@
 #pragma once
-/// Bounds of Q, gamma and the row gradients of a tangent system in which every term enters by its magnitude,
-/// so that nothing cancels. They give the scale of a lambda that is a small difference of large terms. The
-/// bounds of rows come from their features, the bounds of effects from add_load_bounds.
+/// Bounds of Q, gamma and the row gradients of a tangent system. Every term of a bound enters by its
+/// magnitude, so that nothing cancels. The bounds give the scale of a lambda that is a small difference of
+/// large terms. The bounds of rows come from their features, the bounds of effects from add_load_bounds.
 
 #include <cmath>
 #include <vector>
@@ -71,11 +71,11 @@ class MagnitudeBounds {
 
 }  // namespace detail
 
-/// Sets system.magnitudes; omega_bar enters by its norm. Two examples of why the values of Q and gamma are
-/// not enough: if a body spins fast about an axis of symmetry, Q and gamma vanish, but p'' of r-p contains
-/// |omega_bar|^2 p / 4, whose rounding remains. If the direction c of a row is nearly parallel to the vector
-/// from the centre of mass to its point, the gradient in the rotations is a small difference in every
-/// formulation.
+/// Sets system.magnitudes, in which omega_bar enters by its norm. Two examples show why the values of Q and
+/// gamma are not enough. If a body spins fast about an axis of symmetry, Q and gamma vanish, but p'' of r-p
+/// contains |omega_bar|^2 p / 4, whose rounding remains. If the direction c of a row is nearly parallel to
+/// the vector from the centre of mass to its point, the gradient in the rotations is a small difference in
+/// every formulation.
 template <class Types>
 void add_magnitude_bounds(const Mechanism<double, Types>& mechanism, const MechanismState<double>& state,
                           TangentSystem& system) {

@@ -1,3 +1,6 @@
+/// A regular M is factored body by body. A singular M is augmented by the weighted rows, scaled along the
+/// principal axes of the bodies and factored as a whole, which also finds motions without inertia and rows.
+
 #include "formulations/analysis/mass_metric.hpp"
 
 #include <Eigen/Cholesky>
@@ -55,7 +58,8 @@ VectorX<double> least_direction(const MatrixX<double>& H) {
   return Eigen::SelfAdjointEigenSolver<MatrixX<double>>(H).eigenvectors().col(0);
 }
 
-/// Throws for a singular metric; names the body that rotates most in the direction without mass and rows.
+/// Throws for a singular metric. The error names the body that rotates most in the direction without mass and
+/// rows.
 [[noreturn]] void throw_without_inertia(const TangentSystem& s, const VectorX<double>& direction) {
   Eigen::Index worst = 0;
   double size = -1;
@@ -65,6 +69,8 @@ VectorX<double> least_direction(const MatrixX<double>& H) {
       worst = b;
     }
   const Vector3<double> axis = direction.segment<3>(6 * worst + 3).normalized().unaryExpr([](double x) {
+    // The components of an eigenvector have rounding errors of about 1e-16, or more if eigenvalues are close.
+    // The value only keeps them out of the message: a larger one would round the axis visibly.
     constexpr double rounding_of_eigenvectors = 1e-9;
     return std::abs(x) < rounding_of_eigenvectors ? 0.0 : x;
   });
@@ -125,7 +131,7 @@ void MassMetric::factor_augmented(const TangentSystem& s) {
   const MatrixX<double> scaled = scale.asDiagonal() * principal * scale.asDiagonal();
   const Eigen::LLT<MatrixX<double>> llt(scaled);
   // The equilibrated metric is R^T R with columns of unit size in R. A pivot is the squared distance of a
-  // column from the span of the columns before. Its rounding error is some u times the number of columns; a
+  // column from the span of the columns before. Its rounding error is some u times the number of columns. A
   // pivot below 1e-13 is such an error.
   constexpr double least_pivot = 1e-13;
   if (llt.info() != Eigen::Success || llt.matrixLLT().diagonal().minCoeff() < std::sqrt(least_pivot))

@@ -11,10 +11,11 @@ namespace trivium {
 
 /// A symmetric positive definite metric of the tangent space: M, or M + Phi^T diag(mu) Phi if M is singular.
 /// The term mu_k Phi_k^T Phi_k is about as large as the inertia of the lighter of the two bodies of row k:
-/// mu_k is the smallest of m / |Phi_r|^2 and tr(Jbar) / |Phi_pi_bar|^2 over both bodies. The unit of mu_k is
-/// kg divided by the square of the unit of Phi_r. mu_k is rounded to a power of two, so that products with
-/// mu_k are exact. Except for this rounding, the metric does not depend on units or on the scale of a row.
-/// Unique multipliers and accelerations do not depend on mu.
+/// mu_k is the smallest of m / |Phi_r|^2 and tr(Jbar) / |Phi_pi_bar|^2 over both bodies. If the row acts only
+/// on rotations of bodies with Jbar = 0, mass times 1 m^2 stands for tr(Jbar). The unit of mu_k is kg divided
+/// by the square of the unit of Phi_r. mu_k is rounded to a power of two, so that products with mu_k are
+/// exact. Except for this rounding and the case Jbar = 0, the metric does not depend on units or on the scale
+/// of a row. Unique multipliers and accelerations do not depend on mu.
 class MassMetric {
  public:
   /// Throws a ModelError that names a body and an axis if [M; Phi] does not have full column rank.

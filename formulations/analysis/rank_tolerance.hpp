@@ -1,9 +1,11 @@
 #pragma once
 /// All tolerances that decide whether a constraint row is dependent, and so the rank. The analysis of a
-/// mechanism (row_analysis.hpp) decides once, in double, by the pivots of a QR factorisation of the scaled
-/// Jacobian, which estimate its singular values. The structured solver (structured/) decides at every state,
-/// in its own Scalar. Its pivots are squares of sines between rows and only select candidates; the sine of a
-/// candidate is then compared with the same number as a singular value. So both find the same rank.
+/// mechanism (row_analysis.hpp) decides once, in double: the pivots of a QR factorisation of the scaled
+/// Jacobian estimate its singular values, and rank_tolerance is their limit relative to the largest one. The
+/// structured solver (structured/) decides at every state, in its own Scalar. Its pivots are squares of sines
+/// between rows and only select candidates. The limit for the sine of a candidate is direction_tolerance,
+/// which equals rank_tolerance except in float. So both find the same rank except near the limit, where it
+/// matters that they average the levers of rotations differently.
 
 #include <cmath>
 
@@ -34,18 +36,19 @@ inline constexpr double vanishing_row_tolerance = 1e-5;
 
 /// Choice of the dependent rows from the end of the file: a row is taken if its row of the null basis, made
 /// orthogonal to those of the rows already taken, keeps at least this share of its norm. If too few rows are
-/// found, the search is repeated with a tenth of the share, down to the least share. The first share costs at
-/// most one digit of the multipliers; below the last one no digit is left after rounding.
+/// found, the search is repeated with a tenth of the share, down to the least share. A share s magnifies
+/// rounding errors of the multipliers by 1/s: the first share costs one digit, and the least one leaves about
+/// four digits of a double.
 inline constexpr double null_space_share = 0.1, least_null_space_share = 1e-12;
 
 // pivots of closing edges: squares of sines, weighted by inertia
 
-/// A row counts as dependent until its sine is examined (direction_tolerance) if its pivot is at most this
-/// share of its diagonal before other rows were eliminated. The value corresponds to a sine of 1e-4 and is
-/// unrelated to rank_tolerance, which has the same digits. The relative rounding error of a larger pivot is
-/// at most u / 1e-8, which one step of iterative refinement corrects. A dependent row that looks independent
-/// only because its points are misplaced within their tolerance has a far smaller pivot, unless its motion
-/// has almost no inertia. In float, 1000 u is the larger value.
+/// A row of a closing counts as dependent at first if its pivot is at most this share of the row's diagonal
+/// entry before other rows were eliminated. Its sine decides later (direction_tolerance). The value
+/// corresponds to a sine of 1e-4 and is unrelated to rank_tolerance, which has the same digits. The relative
+/// rounding error of a larger pivot is at most u / 1e-8, which one step of iterative refinement corrects. A
+/// dependent row that looks independent only because its points are misplaced within their tolerance has a
+/// far smaller pivot, unless its motion has almost no inertia. In float, 1000 u is the larger value.
 template <class S>
 S dependent_pivot() {
   return larger(S(1000 * unit_roundoff<S>()), S(1e-8));
@@ -84,11 +87,11 @@ S inertia_rounding() {
 
 // pivots of the rows of one joint, sines
 
-/// A row of a tree joint counts as dependent at first if its largest entry, after the elimination of the
-/// rows before it, is at most this share of the magnitude of its terms. The inertia that a row passes on to
-/// the parent grows with the inverse square of the row's remainder, so at u^(1/4) the other motions of the
-/// parent keep half of their digits. The bound 1e-32 limits the share to rank_tolerance. The sines of rows
-/// between this share and direction_tolerance are examined afterwards.
+/// A row of a tree joint counts as dependent at first if its largest entry, after the elimination of the rows
+/// before it, is at most this share of the magnitude of its terms. Its sine decides later
+/// (direction_tolerance). The inertia that a row passes on to the parent grows with the inverse square of the
+/// row's remainder, so at u^(1/4) the other motions of the parent keep half of their digits. The bound 1e-32
+/// applies in quad and wider Scalars, where it keeps the share from falling below rank_tolerance.
 template <class S>
 S joint_row_tolerance() {
   using std::sqrt;
@@ -109,18 +112,24 @@ S joint_row_rounding() {
 /// positions within their tolerance (1e-8) can cause.
 inline constexpr double contradiction_tolerance = 1e-6;
 
-/// The same for the structured solver, whose positions are consistent to its direction_tolerance.
+/// The same for the structured solver, whose positions are consistent to its direction_tolerance. The factor
+/// 30 acts in float only, since 1e-6 is larger in wider Scalars. It is chosen by experiment: a smaller factor
+/// reports rounding errors of float as contradictions, a larger one lets contradictions pass.
 template <class S>
 S contradiction_tolerance_in() {
   return larger(S(contradiction_tolerance), S(30 * direction_tolerance<S>()));
 }
 
-/// Absolute part of the contradiction tolerance [unit of gamma]: a right side that comes from velocities of
-/// rounding size is no contradiction.
+/// Absolute part of the contradiction tolerance [unit of gamma]. In a mechanism at rest all terms of gamma
+/// may be zero up to rounding, so that a relative tolerance alone would compare rounding errors. The value is
+/// far above the rounding errors of terms of size 1 (1e-16) and far below the accelerations of a motion.
 inline constexpr double contradiction_floor = 1e-12;
 
-/// A fully refined solution violates a dependent row by at most this share of the row's terms: about u for
-/// each product in the row. After a larger violation the sines of the dependent rows are examined.
+/// A fully refined solution violates a dependent row by at most this share of the row's terms. A row has up
+/// to 12 products and gamma: their rounding errors add up to 13 u at worst, and to about sqrt(13) u if they
+/// are independent. 8 lies between these factors. A larger violation is no error: it makes the solver examine
+/// the sines of the dependent rows. A smaller value causes this at more states, a larger one lets small
+/// contradictions pass.
 template <class S>
 S row_rounding() {
   return S(8 * unit_roundoff<S>());

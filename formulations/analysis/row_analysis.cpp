@@ -1,3 +1,7 @@
+/// A QR factorisation of the transposed, scaled Jacobian with column pivoting gives the rank and the null
+/// space. The null space gives the multipliers that are not unique and the choice of the dependent rows. The
+/// right sides of these rows are then compared with the values that the independent rows imply.
+
 #include "formulations/analysis/row_analysis.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -14,7 +18,7 @@ namespace trivium {
 
 namespace {
 
-/// The connected component of each body; rows connect bodies, but not through the ground.
+/// The connected component of each body. Rows connect bodies, but not through the ground.
 std::vector<Eigen::Index> connected_components(const TangentSystem& s) {
   const Eigen::Index nb = static_cast<Eigen::Index>(s.mass.size());
   std::vector<Eigen::Index> of(s.mass.size());
@@ -73,8 +77,11 @@ struct ScaledJacobian {
 };
 
 /// Chooses the dependent rows from the null basis Z: as far as possible the last rows of the file, such that
-/// their rows of Z stay well conditioned (null_space_share). Z has orthonormal columns, so its rows have
-/// norms up to 1; a remainder below a tenth of the share is too small whatever the norm of its row.
+/// their rows of Z stay well conditioned. The remainder of a row of Z, orthogonal to the rows already chosen,
+/// must exceed a share of the row's norm (null_space_share). It must also exceed a tenth of this share
+/// itself, because a row of small norm makes the chosen rows badly conditioned even if it is orthogonal to
+/// them. The norms are at most 1, since Z has orthonormal columns. The tenth is chosen by experiment: a
+/// smaller factor costs digits of the multipliers, a larger one passes over more of the last rows.
 std::vector<int> choose_dependent(const MatrixX<double>& Z) {
   const Eigen::Index d = Z.cols();
   // half of the least share: the divisions round
@@ -140,7 +147,7 @@ void decide_rank(const ScaledJacobian& scaled, RowAnalysis& out) {
   for (int k = 0; k < nc; ++k)
     if (!std::binary_search(out.dependent.begin(), out.dependent.end(), k)) out.independent.push_back(k);
 
-  // from the scaled rows to the rows themselves, orthonormal in E
+  // the null basis of the scaled rows gives one of the rows themselves, whose product with E is orthonormal
   const VectorX<double> to_E = out.E.cwiseProduct(row_scale);
   const MatrixX<double> EN = to_E.asDiagonal() * Z;
   if (null > 0) {

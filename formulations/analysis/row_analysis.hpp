@@ -37,9 +37,9 @@ RowAnalysis analyse_rows(const TangentSystem& system);
 /// take minutes and gigabytes and are refused.
 inline constexpr int most_dense_unknowns = 6000;
 
-/// The row analysis of a model, in double. Throws a ModelError that names mechanism and time: too many
-/// unknowns, a singular metric, or contradictory rows. For other types of constraints and effects include
-/// row_analysis_impl.hpp.
+/// The row analysis of a model, in double. Throws a ModelError that names the mechanism: if there are too
+/// many unknowns or, also with the time, if the metric is singular or rows contradict each other. For other
+/// types of constraints and effects include row_analysis_impl.hpp.
 template <class Types>
 RowAnalysis analyse_rows(const Model<double, Types>& model);
 

@@ -1,6 +1,6 @@
 #pragma once
 /// The row analysis of a model with any types of constraints and effects. row_analysis.cpp compiles it for
-/// the types of the library; include this file for other types.
+/// the types of the library. Include this file for other types.
 
 #include <fmt/format.h>
 

@@ -1,3 +1,5 @@
+/// The norms by solutions with the factored mass metric.
+
 #include "formulations/analysis/row_norms.hpp"
 
 #include <algorithm>

@@ -18,11 +18,11 @@ struct RowNorms {
   double acceleration_bound = 0;  ///< norm of the accelerations that Q and gamma could cause, in the metric
 };
 
-/// Least value of b relative to its bound without cancellation. If all terms of b cancel, the remainder is
-/// rounding error and must not be the scale of lambda. 1e-8 is half of the digits of a double.
+/// Least ratio of b to schur_rhs_bound_uncancelled. Smaller b are raised to it. If all terms of b cancel, the
+/// remainder is rounding error and must not be the scale of lambda. 1e-8 is half of the digits of a double.
 inline constexpr double cancellation_floor = 1e-8;
 
-/// The norms at a state. W = L^-1 Phi^T [6 nb x nc] with the metric L L^T; E are its column norms.
+/// The norms at a state. W = L^-1 Phi^T [6 nb x nc] with the metric L L^T. E are its column norms.
 RowNorms row_norms(const TangentSystem& system, const MassMetric& metric, const MatrixX<double>& W);
 
 /// 1 / v for every component, and 0 where v is 0, as for a row without a gradient.

@@ -12,7 +12,7 @@
 
 namespace trivium {
 
-/// Bounds of a tangent system in which every term enters by its magnitude (magnitude_bounds.hpp).
+/// Bounds of Q, gamma and the row gradients, whose terms enter by their magnitudes (magnitude_bounds.hpp).
 struct Magnitudes {
   /// One row: its bodies, a bound of |Phi_r|, and bounds of |Phi_pi_bar| on each body.
   struct Row {

@@ -1,6 +1,7 @@
 #pragma once
 /// The dense solver of the printed equations: accelerations and lambda of one formulation at one state. The
-/// matrix omits the dependent rows; among equivalent multipliers those of minimum |E lambda| are returned.
+/// matrix omits the dependent rows. If several lambda exert the same forces, the one of minimum |E lambda| is
+/// returned.
 
 #include <vector>
 
@@ -15,7 +16,7 @@
 namespace trivium {
 
 /// The augmented system K x = b of one formulation at one state. A full vector holds all unknowns in printed
-/// order (augmented_system.hpp); a reduced vector omits the multipliers of dependent rows.
+/// order (augmented_system.hpp). A reduced vector omits the multipliers of dependent rows.
 template <EquationsAsPrinted F>
 class AugmentedEquations {
  public:

@@ -1,6 +1,6 @@
 #pragma once
-/// The definitions of augmented_solver.hpp, compiled in instances/ for float to Real50. Include this file
-/// only for a Scalar without an instance.
+/// The definitions of augmented_solver.hpp, compiled in instances/ for float to Real50, and in Real100 the
+/// equations alone. Include this file only for a Scalar without an instance.
 
 #include "base/error.hpp"
 #include "formulations/printed/augmented_solver.hpp"

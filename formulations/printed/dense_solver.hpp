@@ -1,6 +1,6 @@
 #pragma once
 /// A dense symmetric system K x = b, such as the printed equations. The matrix is equilibrated and factored
-/// by LU with partial pivoting; solutions are refined with residuals in working precision (Higham, Accuracy
+/// by LU with partial pivoting. Solutions are refined with residuals in working precision (Higham, Accuracy
 /// and Stability of Numerical Algorithms, 2002, chapter 12).
 
 #include <memory>
@@ -20,7 +20,7 @@ class DenseSolver {
   DenseSolver& operator=(DenseSolver&&) noexcept;
 
   /// Solves K x = b with at most three steps of refinement. A correction that is not smaller than half of the
-  /// one before is rounding error: it is dropped, and the refinement ends.
+  /// one before counts as rounding error: it is not added, and the refinement ends.
   VectorX<Scalar> solve(const VectorX<Scalar>& b) const;
   /// Forward and back substitution without refinement.
   VectorX<Scalar> substitute(const VectorX<Scalar>& b) const;

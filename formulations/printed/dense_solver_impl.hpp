@@ -16,9 +16,9 @@ struct DenseSolver<Scalar>::Factor {
 
 namespace detail {
 
-/// Scales K symmetrically so that the largest entry of each row and column is near 1 (Ruiz 2001). The
-/// factors are powers of two, so the scaling causes no rounding. A sweep halves the exponents; ten sweeps
-/// bring entries of 2^1000 near 1.
+/// Scales K symmetrically so that the largest entry of each row and column is near 1 (Ruiz 2001). The factors
+/// are powers of two, so the scaling causes no rounding. A sweep halves the exponents, and ten sweeps bring
+/// entries of 2^1000 near 1.
 template <class Scalar>
 VectorX<Scalar> equilibrate(MatrixX<Scalar>& K) {
   using std::frexp, std::ldexp, std::abs;
@@ -61,6 +61,9 @@ VectorX<Scalar> DenseSolver<Scalar>::solve(const VectorX<Scalar>& b) const {
   const VectorX<Scalar> c = scale_.cwiseProduct(b);
   VectorX<Scalar> x = factor_->lu.solve(c);
   Scalar last = x.norm();
+  // One step usually reduces the residual to rounding. The others are for matrices whose condition number
+  // approaches 1 / u, where each step corrects few digits. Three is chosen by experiment: fewer leave digits
+  // there, more cost time without a gain.
   for (int step = 0; step < 3; ++step) {
     const VectorX<Scalar> correction = factor_->lu.solve(c - K_ * x);
     const Scalar size = correction.norm();

@@ -12,8 +12,9 @@ namespace trivium {
 
 namespace detail {
 
-/// The change of x if the dependent rows were satisfied too, in the least-squares sense, and if the
-/// null-space part of the multipliers had exactly no effect. It measures the influence of the choice of the
+/// The change of x with which the dependent rows are satisfied too, in the least-squares sense, and with
+/// which the multipliers of minimum |E lambda| satisfy the equations of the bodies. It vanishes up to
+/// rounding if the rows are exactly dependent, and otherwise measures the influence of the choice of the
 /// omitted rows.
 template <EquationsAsPrinted F, EquationsAsPrinted Higher>
 VectorX<typename F::Scalar> ambiguity_of(const AugmentedSolver<F>& solver,
@@ -23,8 +24,8 @@ VectorX<typename F::Scalar> ambiguity_of(const AugmentedSolver<F>& solver,
   using H = typename Higher::Scalar;
   const VectorX<S> full = solver.expand(x), shared = solver.to_minimum_norm(full);
   const Eigen::Index nc = solver.equations().nc();
-  // minimum-norm multipliers change the bodies' equations by a combination of Phi^T N: 0 if exactly
-  // dependent
+  // the minimum-norm multipliers differ from those of x by a vector N y, and change the bodies' equations by
+  // Phi^T N y, which is 0 up to rounding if the rows are exactly dependent
   const VectorX<H> missed = higher.defect(scalar_cast<H>(full));
   VectorX<S> change = scalar_cast<S>(VectorX<H>(higher.defect(scalar_cast<H>(shared)) - missed));
   VectorX<S> dependent = VectorX<S>::Zero(nc);
@@ -63,7 +64,7 @@ ErrorEstimate estimate_error(const AugmentedSolver<F>& solver, const VectorX<typ
     return error(previous, best);
   };
   const double u = static_cast<double>(unit_roundoff<S>());
-  // The error is known well enough if the last correction is at most 5 % of it; the estimate adds this
+  // The error is known well enough if the last correction is at most 5 % of it, since the estimate adds this
   // correction. Four steps reach this share unless the factors in S have no correct digit.
   const auto is_settled = [u](double remaining, double found) { return remaining <= 0.05 * found + u; };
   bool settled = false;
@@ -81,6 +82,8 @@ ErrorEstimate estimate_error(const AugmentedSolver<F>& solver, const VectorX<typ
   // digit.
   constexpr double no_digits = 0.3;
   const auto bounded_estimate = [&](double known, double remaining, double ambiguous) {
+    // The factor 2 is a margin, chosen by experiment: without it, the neglected error of `best` can make the
+    // estimate smaller than the error. A larger factor gives away digits.
     const double estimate = 2 * (known + remaining + ambiguous) + u;
     return settled && estimate < no_digits ? estimate : std::max(1 / u, known);
   };

@@ -1,7 +1,7 @@
 #pragma once
-/// Multipliers that are not unique, in the precision of the solution: the null space of Phi^T, which
-/// row_analysis.hpp computes in double, is refined, and among equivalent multipliers those of minimum
-/// |E lambda| are chosen.
+/// Multipliers that are not unique, in the precision of the solution. row_analysis.hpp computes the null
+/// space of Phi^T in double. Here it is refined, and among all lambda that exert the same forces the one of
+/// minimum |E lambda| is chosen.
 
 #include <vector>
 
@@ -13,8 +13,8 @@ namespace trivium {
 
 /// The null space N of Phi^T in Scalar, over the rows whose multipliers are not unique.
 ///
-/// Which rows are dependent is decided in double (row_analysis.hpp); N itself is refined until Phi^T N no
-/// longer shrinks. If rounded coordinates in the scene make rows only nearly dependent, N is the
+/// Which rows are dependent is decided in double (row_analysis.hpp). N itself is refined in Scalar as long as
+/// Phi^T N shrinks. If rounded coordinates in the scene make rows only nearly dependent, N is the
 /// least-squares combination, and the rest of Phi^T N is an ambiguity of the scene data.
 template <class Scalar>
 class RedundantMultipliers {
@@ -31,8 +31,9 @@ class RedundantMultipliers {
   /// do not change.
   void to_minimum_norm(VectorX<Scalar>& lambda) const;
 
-  /// The change of the rows' right sides, smallest in the norm of E^-1, that makes them consistent if they
-  /// are violated by `residual`: the part of the residual along the null space.
+  /// The disagreement of the rows among each other if they leave the residual `residual`: its part along the
+  /// null space. Subtracted from the rows' right sides, it makes them consistent, and it is the smallest such
+  /// change in the norm of E^-1.
   VectorX<Scalar> disagreement(const VectorX<Scalar>& residual) const;
 
  private:

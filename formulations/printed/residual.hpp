@@ -15,9 +15,9 @@ namespace trivium {
 
 /// The largest relative residuals [-] of the bodies' equations and of the rows, without an assembled matrix.
 /// The residual of a body's equation is divided by the sum of the magnitudes of its terms. The residual Phi''
-/// of a row is divided by |gamma| plus the magnitudes of the gradient times accelerations; these are not the
-/// accelerations of the solution, which may be zero, but as large as all forces on a body could cause
-/// together. The rows listed in `dependent` are reported separately, because the solver omits them.
+/// of a row is divided by |gamma| plus the magnitudes of the gradient times accelerations. The accelerations
+/// of the solution may be zero, so those that all forces on a body could cause together are taken. The rows
+/// listed in `dependent` are reported separately, because the solver omits them.
 struct MatrixFreeResidual {
   double bodies = 0, rows = 0, dependent_rows = 0;
   double worst() const { return larger(bodies, rows); }

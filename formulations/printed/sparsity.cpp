@@ -1,3 +1,5 @@
+/// Counts the nonzero entries of the blocks of each body and row, twice for blocks that appear transposed.
+
 #include "formulations/printed/sparsity.hpp"
 
 #include "formulations/equations_of_motion.hpp"

@@ -1,8 +1,11 @@
 #pragma once
 /// Accelerations and multipliers of one formulation in O(nb). The augmented system, with the normalisation
 /// rows eliminated in closed form, is assembled joint by joint (graph_assembly.hpp) and solved along the
-/// graph of bodies and joints (graph_solver.hpp). One object serves one mechanism; its plan is made once, and
+/// graph of bodies and joints (graph_solver.hpp). One object serves one mechanism. Its plan is made once, and
 /// a solution at another state allocates nothing.
+///
+/// The elimination drops rows that it takes for dependent: they get the multiplier 0. A dropped row may still
+/// be independent, by a small sine. A test finds such rows and restores them.
 ///
 /// The library has every formulation in double and Quad (instances/). For another Scalar include
 /// acceleration_solver_impl.hpp and graph_solver_impl.hpp.
@@ -20,16 +23,18 @@
 
 namespace trivium {
 
-/// The relative size [0 to 1] of the last correction by refinement: accelerations in the mass metric,
-/// multipliers by their forces or their moments, whichever is larger. It estimates the error before that
-/// refinement, over the whole mechanism; a body far lighter than the others may have a larger relative error.
-/// If forces are in balance, the accelerations are rounding error and their correction may be 1.
+/// The size [0 to 1] of the last correction by refinement, relative to the solution. Accelerations are
+/// measured in the mass metric. Multipliers are measured by the forces and by the moments that they exert:
+/// `lambda` is the larger of these two ratios. The correction estimates the error before that refinement,
+/// over the whole mechanism. The relative error of a body far lighter than the others may be larger. If
+/// forces are in balance, the accelerations are rounding error and their correction may be 1.
 struct Corrections {
   double acceleration = 0, lambda = 0;
 };
 
-/// as_needed: one step of refinement, and more if the corrections are above rounding error, for example if a
-/// light body carries a heavy one.
+/// as_needed: one step of refinement, and further steps as long as the corrections fall and the next one is
+/// predicted to exceed 1e-4 u. In double a second step is made if the first correction exceeds about 2e-10,
+/// for example if a light body carries a heavy one.
 enum class Refinement { none, as_needed };
 
 template <Formulation F>
@@ -44,7 +49,7 @@ class AccelerationSolver {
   AccelerationSolver(const AccelerationSolver&) = delete;  // solver_ keeps a pointer to the matrix
 
   /// Solves at a state. Throws a ModelError that names the body if a link is singular, and the row if a
-  /// dependent row contradicts the others; all results are NaN then.
+  /// dependent row contradicts the others. After an error all results are NaN.
   void solve(std::span<const BodyState<F>> state, const S& t, Refinement refinement = Refinement::as_needed,
              DependentRows how = DependentRows::detect);
 
@@ -56,8 +61,8 @@ class AccelerationSolver {
 
   const MechanismOf<F>& mechanism() const { return mechanism_; }
   const EliminationPlan& plan() const { return solver_.plan(); }
-  /// The factors of the last state, to solve for other right sides. To factor another matrix with them
-  /// invalidates the accelerations of this object.
+  /// The factors of the last state, to solve for other right sides. If they are used to factor another
+  /// matrix, the accelerations of this object become invalid.
   GraphSolver<S>& factors() { return solver_; }
   GraphAssembly<F>& assembly() { return assembly_; }
   const GraphAssembly<F>& assembly() const { return assembly_; }
@@ -83,8 +88,9 @@ class AccelerationSolver {
   void copy_lambda(VectorX<S>& all) const {
     for_each_row([&](int edge, int k, int row) { all[row] = solution_.edge[edge][k]; });
   }
-  /// The indices of the dependent rows, ascending. If solve() did not have to test the dropped rows, they are
-  /// tested here. The rows restored by this get a multiplier in place of 0, and the state is solved again.
+  /// The indices of the dependent rows, ascending. If solve() had no reason to test the dropped rows, they
+  /// are tested here. The rows restored by this test get a multiplier in place of 0, and the state is solved
+  /// again.
   std::vector<int> dependent_rows();
   int rank() { return mechanism_.nc() - static_cast<int>(dependent_rows().size()); }
 
@@ -92,9 +98,9 @@ class AccelerationSolver {
 
   /// By row, whether its multiplier is unique: no null space vector of Phi_q^T contains the row.
   std::vector<bool> unique();
-  /// The lambda of minimum |E lambda| among all with the same Phi_q^T lambda, where
-  /// E = diag(Phi_q M^-1 Phi_q^T)^(1/2). Throws a ModelError that names the body if there are dependent rows
-  /// and an inertia is singular.
+  /// The lambda of minimum |E lambda| among all with the same Phi_q^T lambda, where E = diag(Phi_q M^-1
+  /// Phi_q^T)^(1/2). If there are dependent rows and an inertia is singular, throws a ModelError that names
+  /// the body.
   VectorX<S> minimum_norm_lambda();
 
  private:
@@ -104,7 +110,7 @@ class AccelerationSolver {
   void measure_violations();
   void stabilise(int edge);
 
-  /// Factors and eliminates link by link; each joint is evaluated just before its step.
+  /// Factors and eliminates link by link. Each joint is evaluated just before its step.
   void eliminate();
   void assemble_link(const typename GraphAssembly<F>::LinkJoint& link);
 
@@ -116,22 +122,24 @@ class AccelerationSolver {
 
   // dependent rows (dependent_rows_check_impl.hpp)
 
-  /// The right side of a dependent row must be the same combination of the others as the row is. If the
-  /// solution violates dropped rows, they are tested and the independent ones restored; throws a ModelError
-  /// if a dependent row contradicts the others.
+  /// Checks the right sides of the dependent rows. If a row is a combination of other rows, its gamma must be
+  /// the same combination of the gammas of these rows. If the solution violates dropped rows, they are tested
+  /// and the independent ones restored. Throws a ModelError if a dependent row contradicts the others.
   void check_dependent_rows();
   template <class SizeOfBody>
   std::optional<EdgeRow> find_violated_row(const GraphVector<S>& solution, const S& tolerance, const S& least,
                                            const SizeOfBody& size_of_body) const;
-  /// The largest of a body's accelerations and of the accelerations that its forces alone and its angular
-  /// velocity alone would cause. The body's accelerations alone give no scale: they are rounding errors if
-  /// forces are in balance.
+  /// The largest of three: the accelerations of the body, those that its forces alone would cause, and those
+  /// that its angular velocity alone would cause. The body's accelerations alone give no scale, because they
+  /// are rounding errors if forces are in balance.
   AccelerationSize<S> size_of_causes(int b) const;
-  /// omega^2 as a size of x; times the levers it is the size of the terms of gamma.
+  /// omega^2, as the size of the rotational unknowns x. The levers in the rows turn it into the size of the
+  /// velocity terms of gamma.
   AccelerationSize<S> size_of_turning(int b) const {
     return {S(0), assembly_.angular_motion()[b].omega.squaredNorm()};
   }
-  /// Tests the dropped rows, restores the independent ones and solves again if there are any; once per state.
+  /// Tests the dropped rows, once per state. Restores the independent ones and, if there are any, solves
+  /// again.
   void decide_dependent_rows();
   Place place_of(const EdgeRow& row) const;
   [[noreturn]] void throw_violated(const EdgeRow& row) const;

@@ -1,3 +1,6 @@
+/// Sorts the joints into edges by their pair of bodies. Drivers and basic rows are added to the edge of a
+/// joint between the same bodies where they fit.
+
 #include "formulations/structured/body_joint_graph.hpp"
 
 #include <algorithm>
@@ -62,8 +65,8 @@ BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joint
                        turns(*driver, *found->second.second);
     take_rows(joins ? found->second.first : add_edge(*driver, false), *driver);
   }
-  // a point joint alone may leave free a motion without inertia, which the elimination of its link cannot
-  // solve; basic rows between the same bodies may hold this motion, so they join the point joint's edge
+  // A point joint alone may leave free a motion without inertia, which the elimination of its link cannot
+  // solve. Basic rows between the same bodies may hold this motion, so they join the point joint's edge.
   for (const auto& [pair, basic] : basic_edge) {
     const auto found = point_edge.find(pair);
     if (found == point_edge.end()) continue;

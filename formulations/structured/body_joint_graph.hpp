@@ -42,7 +42,7 @@ struct GraphJoint : BodyPair {
 };
 
 /// Each joint becomes an edge, with two exceptions. A rotation_driver joins the edge of the revolute about
-/// whose axis it rotates. Up to six basic constraints between the same two bodies form one edge; a point
+/// whose axis it rotates. Up to six basic constraints between the same two bodies form one edge. A point
 /// joint between these bodies joins that edge if both together have at most six rows.
 BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joints);
 

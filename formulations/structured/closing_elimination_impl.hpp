@@ -1,11 +1,12 @@
 #pragma once
 /// GraphSolver: the elimination of a closing at the body where the links of its loop meet. Before this step
-/// the equations of the closing c are, with the coupling blocks B and the body's unknowns a,
+/// the equations of the closing c are, with the body's unknowns a, the closing's columns C on this body and
+/// the coupling blocks B,
 ///
 ///     C^T a - B_cc lambda_c - sum over later closings of B_cn lambda_n = gamma_c
 ///
 /// The pivots of B_cc = L D L^T decide which rows of the closing are dependent (tolerances:
-/// rank_tolerance.hpp). A closing that is eliminated at the ground has no a and no C; its multipliers then
+/// rank_tolerance.hpp). A closing that is eliminated at the ground has no a and no C. Its multipliers then
 /// couple with those of later closings only. A part of graph_solver_impl.hpp.
 
 #include <algorithm>
@@ -27,9 +28,10 @@ void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
   if (how_ == DependentRows::detect_near_singular || how_ == DependentRows::keep_count) choose_rows(c);
   // A pivot is the diagonal entry of a row after the rows and closings before it were eliminated. own: the
   // entry before other closings were eliminated. size.product: the size of the entry if no terms had
-  // cancelled on the way along the loop. The rounding error of the pivot is relative to both. An entry of
-  // relative size sine2 has cancelled so far that its row has no direction. is_marked_: rows that are
-  // dependent whatever their pivot is, by an earlier decision, by the caller or by choose_rows().
+  // cancelled on the way along the loop. The rounding error of the pivot is relative to the sum of both. If
+  // the pivot is below sine2 * size.product, the row has cancelled to less than direction_tolerance of its
+  // terms, and the remainder has no reliable direction. is_marked_: rows that are dependent whatever their
+  // pivot is, by an earlier decision, by the caller or by choose_rows().
   const S sine2 = direction_tolerance<S>() * direction_tolerance<S>();
   for (int k = 0; k < n; ++k) {
     const S pivot = block(k, k);
@@ -87,8 +89,9 @@ void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
 
 template <class S>
 void GraphSolver<S>::choose_rows(int c) {
-  // keep_count chooses as many rows as were independent, but not necessarily the same. detect_near_singular
-  // excludes rows that are marked already, and those of relative pivot up to near_singular_pivot_. The pivots
+  // keep_count chooses as many rows as were independent before, but not necessarily the same ones.
+  // detect_near_singular excludes rows that are marked already, and rows whose relative pivot is at most
+  // near_singular_pivot_. The pivots
   // of the rows not yet chosen change with every choice, because the chosen row is eliminated from them.
   const ClosingFactor& f = closing_[c];
   Matrix6<S> block = coupling_[plan_.diagonal_slot[c]];

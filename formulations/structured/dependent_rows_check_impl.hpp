@@ -28,8 +28,9 @@ void AccelerationSolver<F>::check_dependent_rows() {
   }
   if (const auto row = find_violated_row(solution_, tolerance, least, [&](int) { return whole; }))
     throw_violated(*row);
-  // The violation may be rounding error of large forces anywhere in the mechanism. Without forces only the
-  // right sides of the rows act; a violation that is still there is a contradiction.
+  // The violation may be rounding error of large forces anywhere in the mechanism. The same system is solved
+  // without forces, so that only the right sides of the rows act. A violation that is still there is a
+  // contradiction.
   for (BodyPart<S>& force : right_side_.body) force = {};
   solver_.solve(right_side_, step_);
   solver_.correct(assembly_.matrix(), right_side_, step_, residual_, residual_);

@@ -3,12 +3,15 @@
 /// borders them to the factors. A part of graph_solver_impl.hpp.
 ///
 /// A pivot is the square of the sine between a row and the rows before it, so its rounding error hides sines
-/// below sqrt(u). The remainder of the row itself is not squared: the motion a under a force along row k,
-/// with the right sides of the other rows 0, has H a = Phi_k^T minus the best combination of the other rows.
-/// This motion is solved for, and a^T H a is the pivot without the loss of digits.
+/// below sqrt(u). The row's remainder, the part outside the span of the other rows, is not squared and can be
+/// computed. Let a be the motion that a force along row k causes if the right sides of the other rows are 0,
+/// and H the block diagonal matrix of the bodies' blocks (graph_system.hpp). Then H a is the remainder:
+/// Phi_k^T minus the best combination of the other rows. The system is solved for a, and a^T H a is the pivot
+/// without the loss of digits.
 ///
-/// Whether the remainder is large enough is a question of geometry, not of inertia: a second factorisation
-/// answers it (unit_inertia_solver_impl.hpp). The tolerances are in analysis/rank_tolerance.hpp.
+/// Whether the remainder is large enough is a question of geometry, not of inertia. It is answered by a
+/// second factorisation, with unit inertias (unit_inertia_solver_impl.hpp). The tolerances are in
+/// analysis/rank_tolerance.hpp.
 
 #include <algorithm>
 #include <memory>

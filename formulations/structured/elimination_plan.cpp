@@ -1,3 +1,7 @@
+/// Makes the lists of the plan one after the other. Links are listed in depth-first order. The loop of each
+/// closing is found by climbing from both ends of its edge. Closings are ordered by minimum degree. Then
+/// every block gets a slot.
+
 #include "formulations/structured/elimination_plan.hpp"
 
 #include <algorithm>
@@ -58,7 +62,7 @@ class Planner {
     }
   }
 
-  /// The node's place in the order of elimination; the ground comes last.
+  /// The node's place in the order of elimination, which ends with the ground.
   int depth_order(int node) const {
     return node == ground_ ? std::numeric_limits<int>::max() : link_of_[node];
   }
@@ -69,8 +73,8 @@ class Planner {
       const int c = static_cast<int>(plan_.closings.size());
       const GraphEdge& e = plan_.graph.edges[edge];
       plan_.closings.push_back({edge, ground_, -1, -1, -1, {}, {}});
-      // two pointers climb from the ends of the edge to the lowest common ancestor; in each turn the one
-      // whose node is eliminated earlier moves to the parent
+      // Two pointers climb from the ends of the edge to the lowest common ancestor. In each turn the pointer
+      // whose node is eliminated earlier moves to the parent.
       int a = e.i, b = e.j;
       std::vector<int> path;
       bool is_relative = e.is_relative;
@@ -82,9 +86,10 @@ class Planner {
         lower = forest_.parent[lower];
       }
       // If all rows of the loop depend on relative motion only, a rigid motion of the whole loop changes none
-      // of them: the rows of the closing that are dependent with the common ancestor at rest are dependent.
-      // Otherwise the motion of the ancestor may make them independent, so the closing is eliminated at the
-      // ground, and all links from the ancestor to the ground carry its columns.
+      // of them. The motion of the common ancestor then cannot make a dependent row independent, so the
+      // decision about the closing's rows can be made at the ancestor. Otherwise the motion of the ancestor
+      // may make rows independent, so the closing is eliminated at the ground, and all links from the
+      // ancestor to the ground carry its columns.
       for (; !is_relative && a != ground_; a = forest_.parent[a]) path.push_back(link_of_[a]);
       std::sort(path.begin(), path.end());
       plan_.closings[c].body = a;
@@ -105,7 +110,7 @@ class Planner {
   }
 
   /// Orders the closings body by body. At each body the closing with the fewest neighbours is next (minimum
-  /// degree); its elimination couples these neighbours with each other.
+  /// degree). Its elimination couples these neighbours with each other.
   void order_closings() {
     const int n = static_cast<int>(plan_.closings.size());
     std::vector<std::set<int>> neighbours(n);

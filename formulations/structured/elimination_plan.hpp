@@ -1,12 +1,13 @@
 #pragma once
 /// The symbolic part of the structured solver: the spanning tree, the order of elimination, the body at which
-/// each loop is closed, and the blocks that fill in. Made once per mechanism; numeric work follows its lists.
+/// each loop is closed, and the blocks that fill in. A plan is made once per mechanism, and the numeric
+/// factorisation follows its lists.
 ///
 /// A link is a body with the joint to its parent in the tree. Links are eliminated from the leaves to the
-/// root, which causes no fill-in. A closing is an edge outside the tree; it closes a loop. While the links of
+/// root, which causes no fill-in. A closing is an edge outside the tree and closes a loop. While the links of
 /// the loop are eliminated, the closing's multipliers stay unknown: each of these links carries them as a
-/// border of extra columns. The closing is eliminated when all links of the loop are, at the lowest common
-/// ancestor of the loop's bodies; at the ground if a row of the loop depends on absolute motion.
+/// border of extra columns. The closing is eliminated after the last link of the loop: at the lowest common
+/// ancestor of the loop's bodies, or at the ground if a row of the loop depends on absolute motion.
 
 #include <vector>
 
@@ -26,8 +27,8 @@ struct EliminationPlan {
   /// The coupling block of two closings that pass the same link.
   struct Coupling {
     int first,
-        second;  ///< indices into the link's columns: the closing eliminated first, the other or the same
-    int slot;    ///< slot of the block; its rows are those of the closing eliminated first
+        second;  ///< indices into the link's columns, in the order of elimination; equal on the diagonal
+    int slot;    ///< slot of the block, whose rows are those of the closing `first`
   };
   struct Link {
     int body;
@@ -35,22 +36,22 @@ struct EliminationPlan {
     int edge;    ///< the joint to the parent; -1 if the body has none and floats freely
     bool body_is_j;
     bool is_first = false;  ///< the first link to be eliminated into this parent
-    // the sum of a body's block and of the blocks that its children pass up has a slot from the elimination
-    // of the first child to that of the body; then the slot is free for another body
+    // The sum of a body is its own block plus the blocks that its children pass up. It has a slot from the
+    // elimination of the first child to the elimination of the body. Then the slot is free for another body.
     int sum_slot = -1;         ///< slot of the body's sum; -1 if the body has no children
     int parent_sum_slot = -1;  ///< slot of the parent's sum; -1 if the parent is the ground
     std::vector<Column> columns;
     std::vector<Coupling> couplings;
   };
-  /// A closing that is coupled with another one and eliminated after it.
+  /// A closing n that is coupled with a closing c and eliminated after c. c lists it in `later`.
   struct Neighbour {
-    int closing;
-    int slot;         ///< slot of the coupling of the two
-    int column_slot;  ///< slot of its block on the body where the other one is eliminated; -1 on the ground
+    int closing;      ///< n
+    int slot;         ///< slot of the coupling of c and n
+    int column_slot;  ///< slot of the block of n on the body where c is eliminated; -1 on the ground
   };
-  /// A coupling of two neighbours that the elimination of a closing changes.
+  /// A coupling that the elimination of a closing changes. It couples two entries of the list `later`.
   struct Fill {
-    int first, second, slot;  ///< indices into `later`, slot of the coupling of the two
+    int first, second, slot;  ///< two indices into `later`, slot of their coupling
   };
   struct Closing {
     int edge;

@@ -1,11 +1,12 @@
 #pragma once
 /// A link whose joint to the parent is any edge of at most six rows, or no joint at all. Phi are the rows on
-/// the body, P those on the parent, a and a_p the unknowns of the two:
+/// the body, P those on the parent, a and a_p the unknowns of body and parent:
 ///
 ///     M a + Phi^T lambda = F,   Phi a + P a_p = gamma,   a = Y (gamma - P a_p) + H q
 ///
-/// Gauss-Jordan elimination of the rows gives Y and H with Phi Y = I, Phi H = 0. The body is then eliminated
-/// in the coordinates q of its free motion H. PointLink is the faster special case of point joints.
+/// Gauss-Jordan elimination of the rows gives Y and H with Phi Y = I, Phi H = 0. The columns of H are the
+/// motions that the joint leaves free. The body is then eliminated in the coordinates q of these motions, in
+/// which its inertia is D = H^T M H. PointLink is the faster special case of point joints.
 
 #include <array>
 
@@ -17,8 +18,8 @@ namespace trivium {
 template <class S>
 class GeneralLink {
  public:
-  /// Eliminates the body's block and adds the remaining block to the parent's, if there is a parent. Rows
-  /// that on this body depend (or nearly depend) on rows before them get the multiplier 0 and are marked in
+  /// Eliminates the body's block and adds the remaining block to the parent's, if there is a parent. If a row
+  /// on this body depends, or nearly depends, on rows before it, it gets the multiplier 0 and is marked in
   /// `dependent`. Rows that are marked on entry stay dependent.
   Elimination factor(const BodyBlock<S>& block, const LinkRows<S>& link, BodyBlock<S>* parent,
                      DependentRows how, std::array<bool, 6>& dependent) {
@@ -57,8 +58,9 @@ class GeneralLink {
       const Vector6<S> squares = C.col(k).cwiseAbs2();
       const S r = squares.template head<3>().sum(), x = squares.template tail<3>().sum();
       size.take(k, r, x);
-      // scales the present squares up to the largest size that this part had on the way, so that a part that
-      // has cancelled counts with its size before the cancellation
+      // The translational and the rotational part of the column may have cancelled on the way from body to
+      // body. The squares of each part are scaled up to the largest size that it had so far, its size before
+      // the cancellation.
       const auto whole = [](const S& was, const S& is) { return select(is > S(0), S(was / is), S(0)); };
       size.product[k] +=
           whole(size.r[k], r) * squares.template head<3>().dot(inverse_size_.template head<3>()) +
@@ -76,7 +78,7 @@ class GeneralLink {
       parent->x.col(k) += passed.x;
     }
   }
-  /// Adds a^T D^-1 b of the free parts of two closings.
+  /// Adds a^T D^-1 b, the coupling of two closings through the free motion of this link, to `sum`.
   void couple(const LinkColumn<S>& a, const LinkColumn<S>& b, int rows_b, Matrix6<S>& sum) const {
     for (int n = 0; n < rows_b; ++n) sum.col(n) += a.g.leftCols(free()) * Free(D_inverse_ * free_part(b, n));
   }
@@ -117,8 +119,9 @@ class GeneralLink {
   /// Works lane by lane for batches, unlike Eigen's maxCoeff().
   static S largest_of(const Vector3<S>& v) { return larger(larger(v[0], v[1]), v[2]); }
 
-  /// Gauss-Jordan elimination on [Phi | P | I], with the largest pivot of each row. Column k is weighted by
-  /// 1 / sqrt(M_kk): unknowns without inertia become pivots first, so that the free ones have inertia.
+  /// Gauss-Jordan elimination on [Phi | P | I]. The pivot of a row is its largest entry after column k is
+  /// weighted by 1 / sqrt(M_kk). Unknowns with little inertia thus become pivots first, and the free unknowns
+  /// have inertia.
   void solve_rows(const Matrix6<S>& M, const LinkRows<S>& link, DependentRows how,
                   std::array<bool, 6>& dependent) {
     using std::abs, std::sqrt;
@@ -128,9 +131,10 @@ class GeneralLink {
     G.template leftCols<6>() = C.transpose();
     G.template middleCols<6>(6) = C_parent.transpose();
     G.template rightCols<6>().setIdentity();
-    // Weights of moments far below mass * lever^2 (lever: the length |x| / |r| of a row's two parts) would
-    // magnify the rounding of the rotational entries until a dependent row looks independent. The scale of
-    // the moments is therefore at least mass * lever^2.
+    // Let the lever be the length |x| / |r| of a row's rotational and translational parts. If a moment of
+    // inertia were far below mass * lever^2, its column would get a large weight. The rounding errors of the
+    // column would then make a dependent row look independent. The scale of the moments is therefore at least
+    // mass * lever^2.
     S lever2(0);
     for (int k = 0; k < rows; ++k) {
       const S r2 = link.C.r.col(k).squaredNorm(), x2 = link.C.x.col(k).squaredNorm();
@@ -138,15 +142,16 @@ class GeneralLink {
     }
     const S masses = largest_of(M.diagonal().template head<3>());
     const S moments = larger(largest_of(M.diagonal().template tail<3>()), S(masses * lever2));
-    // The limit 1e-6 keeps the ratio of two weights below 1000. It is chosen by experiment: larger ratios
-    // magnify rounding errors, smaller ones leave unknowns without inertia free.
+    // The limit 1e-6 keeps the ratio of the weights of two translations, or of two rotations, at most 1000.
+    // It is chosen by experiment: larger ratios magnify rounding errors, smaller ones leave unknowns without
+    // inertia free.
     Vector6<S> weight;
     for (int k = 0; k < 6; ++k) {
       const S& largest = k < 3 ? masses : moments;
       const S least = select(largest > S(0), S(S(1e-6) * largest), S(1));
       weight[k] = 1 / S(sqrt(select(M(k, k) > least, M(k, k), least)));
     }
-    // sums of the magnitudes of the terms in G; the remainder of a row is compared with them
+    // sums of the magnitudes of the terms in G, with which the remainder of a row is compared
     Matrix6<S> made_of = C.transpose().cwiseAbs();
     std::array<int, 6> pivot_of_row;
     std::array<bool, 6> is_basic{};
@@ -207,7 +212,9 @@ class GeneralLink {
     }
   }
 
-  /// D^-1 by L D L^T; false if a pivot is rounding error compared with `made_of`, the terms of its diagonal.
+  /// Computes D^-1 by Gauss elimination of whole rows of [D | I], without exchanges since D is symmetric and
+  /// positive definite. Returns false if a pivot is rounding error compared with `made_of`, the sizes of the
+  /// terms of the diagonal of D.
   bool invert(const Block& D, const Free& made_of) {
     const int n = free();
     Block L = D;

@@ -113,7 +113,7 @@ void GraphAssembly<F>::assemble_closing(const ClosingJoint& closing, const S& t,
   closing.joint.evaluate(angular_motion_, body_, t, rows.C_i.x.template leftCols<3>(),
                          rows.C_j.x.template leftCols<3>(), rows.C_i.x.template rightCols<3>(),
                          rows.C_j.x.template rightCols<3>(), right_side.edge[closing.edge]);
-  // evaluate() writes +L_i; the rows contain -L_i^T x_i
+  // evaluate() writes +L_i, but the rows contain -L_i^T x_i
   rows.C_i.x.template leftCols<3>() *= S(-1);
 }
 

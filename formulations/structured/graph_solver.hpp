@@ -3,6 +3,9 @@
 /// is done per entry of the elimination plan, without allocation and without search. Cost and memory are
 /// linear in the number of bodies for trees and for mechanisms with short loops.
 ///
+/// To drop a row means to treat it as dependent: its multiplier is 0 and its right side is ignored. A dropped
+/// row that turns out to be independent is restored.
+///
 /// Parts: elimination_impl.hpp (the pass along the plan), point_link.hpp and general_link.hpp (one link),
 /// closing_elimination_impl.hpp (one closing), correction_impl.hpp (iterative refinement) and
 /// dependent_rows_impl.hpp (independent rows that the pivots take for dependent).
@@ -60,17 +63,18 @@ class GraphSolver {
   int steps() const { return static_cast<int>(plan_.steps.size()); }
 
   /// Factors the matrix, which must outlive the factors. With DependentRows::detect it calls
-  /// restore_independent_rows() if a dependent row may be independent: if its pivot exceeds rounding, or if a
-  /// general joint of the tree has dependent rows (they may still constrain the parent).
-  /// Throws SingularLink and NearlyDependentRows.
+  /// restore_independent_rows() if a dependent row may be independent. This is the case if the row's pivot
+  /// exceeds rounding. It is also the case in a general joint of the tree, whose dependent rows may still
+  /// constrain the parent. Throws SingularLink and NearlyDependentRows.
   void factor(const GraphMatrix<S>& matrix);
 
-  /// The solution for a right side. Dependent rows have the multiplier 0; their right sides are ignored.
+  /// Solves for a right side. Dependent rows have the multiplier 0, and their right sides are ignored.
   void solve(const GraphVector<S>& right_side, GraphVector<S>& solution);
 
-  // start(), eliminate() for each step in order, and substitute() factor and solve in one pass; they do not
-  // restore independent rows. The rows of a link may be assembled just before its step: the processor
-  // assembles them while it waits for the results of the previous link, and this wait limits the speed.
+  // start(), eliminate() for each step in order, and substitute() together factor and solve in one pass. They
+  // do not restore independent rows. The caller may assemble the rows of a link just before its step. Each
+  // step has to wait for the results of the step before, and the processor does the assembly during this
+  // wait.
   void start(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side);
   /// Throws SingularLink.
   void eliminate(int step, const GraphVector<S>& right_side);
@@ -90,7 +94,7 @@ class GraphSolver {
   void mark_dependent(int edge, int k) { is_marked_[edge][k] = true; }
 
   /// From now on every factorisation keeps the dependent rows of the last factorisation of `other`. The edges
-  /// that both graphs have must come first in both; the dependent rows of further edges do not change.
+  /// that both graphs have must come first in both. The dependent rows of further edges do not change.
   void keep_dependent_rows_of(const GraphSolver& other) {
     how_ = DependentRows::keep;
     std::copy_n(other.is_dependent_.begin(), std::min(is_marked_.size(), other.is_dependent_.size()),
@@ -112,18 +116,19 @@ class GraphSolver {
     const auto& rows = is_dependent_[edge];
     return std::find(rows.begin(), rows.end(), true) != rows.end();
   }
-  /// Restores the rows that the last factorisation drops although they are independent; returns whether there
-  /// are any. A pivot is the square of a sine and loses the digits of a small sine in rounding, so the
-  /// elimination drops all rows of small sine. Here the sine of each dropped row is computed: the angle is
-  /// the one between the row's gradient and the span of all other rows, with rotations converted to lengths
-  /// by lever2(). If the sine exceeds direction_tolerance, the row is bordered to the factors: the factored
-  /// system gets one more row and column. Throws NearlyDependentRows beyond most_restored.
+  /// Restores the rows that the last factorisation dropped although they are independent. Returns whether
+  /// there are any. A pivot is the square of a sine and loses the digits of a small sine in rounding, so the
+  /// elimination drops all rows of small sine. Here the dropped rows are tested by their sines. A bisection
+  /// discards sets of rows that depend on the others, and the sine of each remaining row is computed. The
+  /// angle is the one between the row's gradient and the span of all other rows, with rotations converted to
+  /// lengths by lever2(). If the sine exceeds direction_tolerance, the row is bordered to the factors: the
+  /// factored system gets one more row and column. Throws NearlyDependentRows beyond most_restored.
   ///
   /// Cost: one factorisation and a few solutions, and for each restored row a number of solutions that grows
   /// with the logarithm of the number of dropped rows. Memory is allocated at the first call and when more
   /// rows are restored than ever before.
   bool restore_independent_rows();
-  /// Computes lever2() for the matrix of the last factorisation; costs about one factorisation.
+  /// Computes lever2() for the matrix of the last factorisation, at the cost of about one factorisation.
   void measure_levers();
   /// Square of the lever [m^2]: the length by which rotations of this body are converted to translations.
   /// The value is that of the last measure_levers() or restore_independent_rows().
@@ -133,7 +138,7 @@ class GraphSolver {
   /// Each restored row stores a response of the size of the whole system and makes every solution slower.
   /// More than 100 come from positions that violate their constraints: redundant rows then look independent.
   static constexpr int most_restored = 100;
-  /// Adds multiplier * Phi_k^T of a row to the forces on its two bodies; not for point joints of the tree.
+  /// Adds multiplier * Phi_k^T of a row to the forces on its two bodies. Not for point joints of the tree.
   void add_row(const EdgeRow& row, const S& multiplier, GraphVector<S>& force) const;
 
   /// One step of iterative refinement: solves for the `correction` of `solution`, which is not added to it.
@@ -158,11 +163,11 @@ class GraphSolver {
     int rows;
   };
   /// A restored row, bordered to the factors. Its response is the motion a, with its multipliers, that a unit
-  /// force along the row causes (the row's own multiplier is -1). All right sides are 0; the rows of the
-  /// factors and of the borders before this one hold.
+  /// force along the row causes if all other forces and all right sides of rows are 0. The motion satisfies
+  /// the rows in the factors and the rows of earlier borders. The row's own multiplier is -1 in the response.
   struct Border {
     EdgeRow row;
-    S stiffness;  ///< Phi_k a: the change of the row in its response a; equal to a^T H a
+    S stiffness;  ///< Phi_k a, the rate of the row in its own response a; equal to a^T H a
     GraphVector<S> response;
     S gamma;  ///< the row's right side in the current solution
   };
@@ -201,18 +206,18 @@ class GraphSolver {
   /// `body` is the block of the body where the closing is eliminated; null at the ground.
   void factor_closing(int c, BodyBlock<S>* body);
   /// Decides, before a closing is eliminated, which of its rows are dependent, and marks them. The
-  /// independent rows are chosen by diagonal pivoting: the row with the largest pivot relative to its terms
-  /// is the next. Rows that are chosen in this way determine the motion well, also at later states.
+  /// independent rows are chosen by diagonal pivoting: the next one is the row with the largest pivot
+  /// relative to its terms. Rows that are chosen in this way determine the motion well, also at later states.
   void choose_rows(int c);
   void forward_link(int index, const GraphVector<S>& right_side);
   /// Eliminates the link's unknowns from the right side. `force` is the body's force plus the forces that its
-  /// children passed up; the result is added to the parent's force and to the right sides of the closings.
+  /// children passed up. The remainder is added to the parent's force and to the right sides of the closings.
   void pass_up(int index, const BodyPart<S>& force, const GraphVector<S>& right_side, BodyPart<S>* parent);
   void forward_closing(int c, BodyPart<S>* body);
   void backward_closing(int c, GraphVector<S>& solution);
   void backward_link(int index, GraphVector<S>& solution);
 
-  /// Back substitution; then adds the responses of the bordered rows such that these rows are satisfied.
+  /// Back substitution. Then the responses of the bordered rows are added such that these rows are satisfied.
   void finish(const GraphVector<S>& right_side, GraphVector<S>& solution);
   /// Borders a dependent row to the factors. Returns false if the response to the row is rounding error.
   bool border(const EdgeRow& row);
@@ -248,8 +253,8 @@ class GraphSolver {
   std::optional<Probe> probe_;
   std::shared_ptr<UnitInertiaSolver> unit_inertia_solver_;
   BodyColumns<S> no_columns_;
-  // A body without a joint to a parent has no rows: none_ is read in place of their right side, nowhere_ is
-  // written in place of their multipliers.
+  // A body without a joint to a parent has no rows. none_ is then read in place of their right side, and
+  // nowhere_ is written in place of their multipliers.
   const Vector6<S> none_ = Vector6<S>::Zero();
   Vector6<S> nowhere_;
   const GraphMatrix<S>* matrix_ = nullptr;

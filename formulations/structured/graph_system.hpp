@@ -5,7 +5,7 @@
 ///     H_b a_b + sum over edges of Phi^T lambda = force_b        Phi_i a_i + Phi_j a_j = gamma
 ///
 /// a_b has the six unknowns of a body: r'' and three rotational unknowns x, or increments of both. With H = M
-/// the solution is the accelerations and multipliers; with other H, an increment of a projection or of a
+/// the solution is the accelerations and multipliers. With other H it is an increment of a projection or of a
 /// Newton iteration. A wrench on a body has the same two parts: a force, and a generalised force on x.
 
 #include <array>
@@ -130,13 +130,14 @@ struct LinkRows {
 enum class DependentRows {
   detect,  ///< rows whose gradient is, up to the tolerance, a linear combination of the others
   /// The rows of `detect`, and nearly dependent rows, which the pivots alone cannot distinguish from
-  /// dependent ones. No row is restored and no right side is checked. For motions through singular positions.
+  /// dependent ones. No dropped row is restored and no right side is checked. For motions through singular
+  /// positions.
   detect_near_singular,
   /// The rows of the last decision. At a state that violates its constraints a little, as the stages of an
-  /// integrator do, dependent rows would look independent.
+  /// integrator do, a new decision would take dependent rows for independent ones.
   keep,
-  /// In each closing as many rows as in the last decision, but those that now have the smallest pivots. For
-  /// motions that drift from their constraints.
+  /// As many dependent rows in each closing as in the last decision, but not necessarily the same: those that
+  /// now have the smallest pivots. For motions that drift from their constraints.
   keep_count
 };
 
@@ -144,8 +145,8 @@ enum class DependentRows {
 /// `dependent_rows` if orientation rows of a point joint depend on each other.
 enum class Elimination { done, no_inertia, dependent_rows };
 
-/// Sizes of the columns of a closing, row by row, as if no terms cancelled on the way from body to body.
-/// A column whose terms have cancelled consists of rounding error; its current value does not show this.
+/// Sizes of the columns of a closing, row by row, as if no terms cancelled on the way from body to body. They
+/// show whether a column has cancelled and consists of rounding error, which its current value does not show.
 template <class S>
 struct ColumnSizes {
   Vector6<S> r, x;     ///< the largest squared norms of the column's two parts on the bodies so far

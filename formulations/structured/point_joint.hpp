@@ -141,7 +141,7 @@ class PointJoint {
       }
     }
   };
-  /// In addition the part of their second derivatives that does not depend on the unknowns x (bias).
+  /// Like Moving, and the bias: the part of the second derivatives that does not depend on the unknowns x.
   struct Moved {
     std::array<Padded<S>, 4> a, rate, bias;
 

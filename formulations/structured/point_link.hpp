@@ -11,14 +11,15 @@
 ///     H_rr u + H_rx x_c + f = F      H_rx^T u + H_xx x_c + W_c lambda_w = tau      f = sign lambda_point
 ///
 /// The ansatz is x_c = N q + Y w, where N^T W_c = 0 and Y^T W_c = I. N^T times the moment equation does not
-/// contain lambda_w and gives q; Y^T times the moment equation gives lambda_w. The parent receives the
+/// contain lambda_w and gives q. Y^T times the moment equation gives lambda_w. The parent receives the
 /// remainder, which depends on u and w only:
 ///
 ///     f = f_0 - rr u - Z w           lambda_w = s_0 - Z^T u - T w
 ///
 /// Precondition: the orientation rows depend on relative rotation only, that is, W_p is -W_c in the parent's
-/// axes. Rows that are nearly dependent on the child but not on the parent would lose digits with the square
-/// of their sine. No point joint has such rows; those of a GeneralLink are dropped and tested.
+/// axes. Otherwise the rows on the child (W_c) could be nearly dependent on each other while the rows on the
+/// parent are not, and digits would be lost with the square of the sine. No point joint has such rows. A
+/// GeneralLink may have them: it drops them, and they are tested later.
 
 #include <array>
 
@@ -28,7 +29,8 @@
 namespace trivium {
 
 /// N and Y of the orientation rows W^T x = w: W^T N = 0, W^T Y = I. Returns false if the rows depend on each
-/// other. The tolerance assumes rows of unit vectors, whose products then are sines.
+/// other. The tolerance assumes columns of W of unit length. The length of their cross product is then a
+/// sine, and their determinant a product of sines.
 template <class S, int m>
 bool solve_orientation(const PaddedColumns<S, 3>& W, PaddedColumns<S, 3 - m>& N, PaddedColumns<S, m>& Y) {
   using std::sqrt;
@@ -100,7 +102,8 @@ bool invert_positive(const Matrix<S, n, n>& D, const S& least, Matrix<S, n, n>& 
   }
 }
 
-/// Functions are flattened: calls of the small block operations would pass their blocks through memory.
+/// Functions are flattened, because calls of the small block operations would pass their blocks through
+/// memory.
 template <class S, int m>
 class PointLink {
  public:
@@ -136,7 +139,7 @@ class PointLink {
         T_.col(k) = transpose_times<S, m>(Y_, times<S, 3>(xx, Y)) - carried.transpose() * P;
       }
     if (parent == nullptr) return Elimination::done;
-    // substitutes u and w by the parent's r'' and x; `arm` / 2 splits a quadratic term as X does
+    // substitutes u and w by the parent's r'' and x, where `arm` / 2 splits a quadratic term as X does
     const PaddedColumns<S, m> W = parent_rows(rows);
     const PaddedColumns<S, 3> arm = times_transpose<S, 3>(rr_, rows.L_parent);
     const PaddedColumns<S, 3> ZW = times_transpose<S, m>(Z_, W);
@@ -168,7 +171,7 @@ class PointLink {
       parent->x.col(k) += times<S, 3>(rows.L_parent, rest_r) - times<S, m>(parent_rows(rows), rest_w);
     }
   }
-  /// Adds a^T D^-1 b of the free parts of two closings.
+  /// Adds a^T D^-1 b, the coupling of two closings through the free motion of this link, to `sum`.
   void couple(const LinkColumn<S>& a, const LinkColumn<S>& b, int rows_b, Matrix6<S>& sum) const {
     for (int n = 0; n < rows_b; ++n)
       sum.col(n) += a.g.template leftCols<free>() * (D_inverse_ * free_part(b, n));
@@ -191,8 +194,8 @@ class PointLink {
     parent->r += f;
     parent->x += times<S, 3>(rows.L_parent, f) - times<S, m>(parent_rows(rows), s);
   }
-  /// Subtracts the terms of the joint from the right sides, which then are residuals: the forces of lambda
-  /// from those of both bodies, the accelerations along the rows from gamma.
+  /// Subtracts the terms of the joint from the right sides, which then are residuals. The forces of lambda
+  /// are subtracted from the forces on both bodies, the accelerations along the rows from gamma.
   [[gnu::flatten]] static void take_residual(const LinkRows<S>& link, const BodyPart<S>& child,
                                              const BodyPart<S>* parent, const Vector6<S>& lambda,
                                              BodyPart<S>& on_child, BodyPart<S>* on_parent,
@@ -213,7 +216,7 @@ class PointLink {
     gamma.template head<3>() -= rows.sign * unpadded<S>(u);
     gamma.template segment<m>(3) -= w;
   }
-  /// The rate of row k of a closing that the link's own gamma and force cause with the parent at rest.
+  /// The left side of row k of a closing that the link's own gamma and force cause with the parent at rest.
   S closing_rate(const LinkColumn<S>& c, int k) const {
     return c.rest_r.col(k).dot(u_) + c.rest_x.col(k).template head<m>().dot(w_) + free_part(c, k).dot(q_);
   }

@@ -11,7 +11,8 @@
 
 namespace trivium {
 
-/// Sums of squares, by component, of the force and moment that each single multiplier exerts on one body.
+/// Sums of squares, by component, of the forces and moments that the multipliers exert on one body. The three
+/// multipliers of a point joint enter together as one force, every other multiplier by itself.
 template <class S>
 struct WrenchSize {
   Padded<S> force = Padded<S>::Zero(), moment = force;
@@ -39,8 +40,8 @@ void AccelerationSolver<F>::refine() {
 
 template <Formulation F>
 void AccelerationSolver<F>::refine_as_needed() {
-  // Stops if the correction did not fall to half of the one before, or if the next correction, at the same
-  // rate now / before, would be below `enough`: 1e-4 u changes no digit even if the rate becomes worse.
+  // Stops if the correction did not fall to half of the one before. Also stops if the next correction would
+  // be below `enough` at the same rate now / before: 1e-4 u changes no digit even if the rate becomes worse.
   const double enough = 1e-4 * static_cast<double>(unit_roundoff<S>());
   double before = 3;  // corrections are at most 1, so the first one always counts as a fall
   for (;;) {
@@ -53,7 +54,8 @@ void AccelerationSolver<F>::refine_as_needed() {
 
 template <Formulation F>
 void AccelerationSolver<F>::measure_and_add_step() {
-  // sums by component, added up at the end; the loop begins with the links whose solution was found last
+  // The sums are by component and are added up at the end. The loop begins with the links that were solved
+  // last, whose numbers are still in the cache.
   Padded<S> moved = Padded<S>::Zero(), size = moved;
   WrenchSize<S> lambda_moved, lambda_size;
   const EliminationPlan& plan = solver_.plan();

@@ -1,3 +1,7 @@
+/// Removes an edge from every loop, short loops first, and then grows a breadth-first tree from the ground
+/// and from each separate part. Short loops are found by a bounded search from both ends of an edge, which
+/// keeps the time linear in the size of the graph.
+
 #include "formulations/structured/spanning_forest.hpp"
 
 #include <algorithm>
@@ -14,7 +18,7 @@ struct Incident {
   int node, edge;
 };
 
-/// The graph's edges by node. An edge can be removed; the lists at() still contain it, is_there() does not.
+/// The graph's edges by node. A removed edge stays in the lists at(), but is_there() is false for it.
 class Adjacency {
  public:
   explicit Adjacency(const BodyJointGraph& graph) : edges_(graph.edges), at_(graph.bodies + 1) {
@@ -62,11 +66,12 @@ SpanningForest breadth_first(const Adjacency& graph) {
   return forest;
 }
 
-/// The edges of a shortest loop through the given edge; empty if there is none or if the search would visit
+/// The edges of a shortest loop through the given edge. Empty if there is none or if the search would visit
 /// more than `reach` edges. The search is breadth-first from both ends and continues at the end whose front
-/// has fewer edges; so a body with many joints (the ground, a hub) is met before its joints are searched.
-/// `reach` bounds the time per edge, so that planning stays linear in the size of the graph. 1000 is chosen
-/// by experiment: with fewer edges loops that could be kept short are opened at an unfavourable edge.
+/// has fewer edges. A body with many joints (the ground, a hub) is therefore met before its joints are
+/// searched. `reach` bounds the time per edge, so that planning stays linear in the size of the graph. 1000
+/// is chosen by experiment: a smaller value opens loops that could be kept short at an unfavourable edge, a
+/// larger one costs time.
 std::vector<int> shortest_loop(const Adjacency& graph, int through) {
   constexpr std::size_t reach = 1000;
   struct Reached {
@@ -114,8 +119,9 @@ std::vector<int> shortest_loop(const Adjacency& graph, int through) {
 }
 
 /// Removes edges until no loop is left and returns them. From each short loop the edge with the fewest rows
-/// is removed and, among equals, the edge that belongs to the fewest short loops. Neighbouring loops then
-/// stay separate, and the border of a ladder is as wide as one of its cells.
+/// is removed and, among equals, the edge that belongs to the fewest short loops. An edge that two loops
+/// share is thus kept, and the two do not merge into a longer one. In a ladder, whose cells are the loops,
+/// each link then carries the columns of few cells.
 std::vector<int> open_loops(Adjacency& graph) {
   std::vector<int> removed;
   const auto closing_edges = [&] {
@@ -148,7 +154,9 @@ std::vector<int> open_loops(Adjacency& graph) {
       progress = true;
     }
     if (progress) continue;
-    // only long loops are left: they are opened at the edges outside the breadth-first tree, in their middle
+    // Only long loops are left. They are opened at the edges outside the breadth-first tree. Such an edge
+    // lies in the middle of its loop, at the same distance from the tree's root on both sides, up to one
+    // edge.
     for (int e : closing) {
       graph.remove(e);
       removed.push_back(e);

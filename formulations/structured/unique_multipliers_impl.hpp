@@ -67,7 +67,7 @@ std::vector<bool> AccelerationSolver<F>::unique() {
   std::vector<bool> flags(mechanism_.nc(), true);
   const MatrixX<S> N = left_null_space();
   if (N.cols() == 0) return flags;
-  // lever2() below needs them, and solve() does not compute them at every state
+  // lever2() below needs the levers of the bodies, which solve() does not measure at every state
   solver_.measure_levers();
   // A multiplier is not unique if its row has more than a negligible share in a null space vector. The share
   // is the coefficient times the norm of the row's gradient. In this norm the rotational part is divided by

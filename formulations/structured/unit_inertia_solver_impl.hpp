@@ -1,7 +1,8 @@
 #pragma once
-/// GraphSolver: decides by geometry alone which rows are independent, with translations and rotations as H
-/// instead of the inertia. With H = M a body of small inertia in some direction would magnify the remainder
-/// that inexact positions leave of a dependent row. A part of dependent_rows_impl.hpp.
+/// GraphSolver: decides by geometry alone which rows are independent. It solves the same system with a unit
+/// inertia for every translation and rotation in place of the mass matrix. If positions are inexact, a
+/// dependent row differs a little from the combination of other rows that it should be, and a small inertia
+/// in some direction would magnify this difference. A part of dependent_rows_impl.hpp.
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +18,9 @@
 namespace trivium {
 
 /// The system with the same rows and H = diag(1, 1, 1, l^2, l^2, l^2) for each body. The lever l converts
-/// rotations to lengths; l^2 is the mean of |x|^2 / |r|^2 over the rows with a translational part r on the
-/// bodies of the same component (connected_bodies.hpp), and 1 where there is no lever. The three rows of a
-/// point joint of the tree count as one.
+/// rotations to lengths. l^2 is a mean over all bodies of the same component (connected_bodies.hpp): the mean
+/// of |x|^2 / |r|^2 over their rows with a translational part r. l is 1 where there is no lever. The three
+/// rows of a point joint of the tree count as one.
 template <class S>
 class GraphSolver<S>::UnitInertiaSolver {
  public:
@@ -43,7 +44,7 @@ class GraphSolver<S>::UnitInertiaSolver {
   }
 
   /// The given rows that are independent: the sine between the row and the span of all other rows exceeds
-  /// direction_tolerance. Such a row is bordered here and counts as one of the others for rows after it.
+  /// direction_tolerance. Such a row is bordered here, and the rows after it are tested against this row too.
   const std::vector<EdgeRow>& independent(const std::vector<EdgeRow>& rows) {
     candidates_.clear();
     independent_.clear();
@@ -55,7 +56,8 @@ class GraphSolver<S>::UnitInertiaSolver {
   const S& lever2(int body) const { return lever2_[component_[body]]; }
 
  private:
-  /// Bisection: discards a set of rows if random combinations of them depend on the others; else halves it.
+  /// Bisection. If random combinations of a set of rows depend on the other rows, the set is discarded.
+  /// Otherwise each half is searched.
   void search(std::span<const EdgeRow> rows) {
     if (rows.size() == 1) {
       if (left_of(rows, 0) > square(direction_tolerance<S>()) && solver_.border(rows.front()))
@@ -64,15 +66,16 @@ class GraphSolver<S>::UnitInertiaSolver {
     }
     // The remainders of rows may cancel by accident in a combination. So two combinations are tried, against
     // a tolerance that is smaller by the factor 30: that both cancel so far has a probability of about 1e-3.
+    // A larger factor leaves more sets to halve, a smaller one discards more independent rows by accident.
     const S little = square(direction_tolerance<S>() / 30);
     if (all(left_of(rows, 1) <= little) && all(left_of(rows, 2) <= little)) return;
     search(rows.first(rows.size() / 2));
     search(rows.subspan(rows.size() / 2));
   }
 
-  /// Square of the remainder of a combination of the rows, that is, of its part outside the span of all other
-  /// rows. Each row is scaled to unit size and has a random coefficient of magnitude 0.5 to 1; a single row
-  /// has the coefficient 1, and the result is the square of its sine.
+  /// Square of the remainder of a combination of the rows. The remainder is the part outside the span of all
+  /// other rows. Each row is scaled to unit size and has a random coefficient of magnitude 0.5 to 1. A single
+  /// row has the coefficient 1, and the result is the square of its sine.
   S left_of(std::span<const EdgeRow> rows, std::uint32_t seed) {
     using std::sqrt;
     Probe& probe = solver_.cleared_probe();
@@ -85,6 +88,7 @@ class GraphSolver<S>::UnitInertiaSolver {
     }
     solver_.solve(probe.load, probe.response);
     const S rough = solver_.energy(probe.response);
+    // a remainder below the smallest tolerance of search() is dependent whatever its rounding error is
     if (all(rough <= square(direction_tolerance<S>() / 30))) return rough;
     solver_.refine(probe);
     return solver_.energy(probe.response);

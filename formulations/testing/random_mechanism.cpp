@@ -1,3 +1,6 @@
+/// Draws bodies first and fits joints between them: a tree, then closings, repeated joints, nearly dependent
+/// rows and a driver on request, and effects.
+
 #include "formulations/testing/random_mechanism.hpp"
 
 #include "bodies/rotations/so3.hpp"

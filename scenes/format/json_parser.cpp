@@ -39,6 +39,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     constexpr int number_overflow = 406;  // identifier of nlohmann::json::out_of_range for such a number
     if (e.id == number_overflow)
       fail_here(fmt::format("{} is not finite as a double", printable(token)), "a finite number");
+    // 240 characters hold the place and the cause, and cut a long token of the file
     std::string_view message = e.what();
     message.remove_prefix(std::min(message.find("line "), message.size()));
     fail(root_, fmt::format("not JSON: {}", printable(message, 240)), "a JSON document");

@@ -4,5 +4,5 @@
 
 #include "bodies/numbers/real50.hpp"
 
-// Real100 estimates the errors of solutions in Real50; no system is solved in Real100.
+// Real100 estimates the errors of solutions in Real50, and no system is solved in Real100.
 TRIVIUM_AUGMENTED_EQUATIONS(Real100)
