@@ -9,6 +9,7 @@
 
 namespace trivium {
 
+/// What is wrong: the input, the model or the integration.
 enum class ErrorKind {
   input,       ///< invalid file, option or request
   model,       ///< the equations of motion cannot be formed or solved at this state
@@ -17,10 +18,14 @@ enum class ErrorKind {
 
 /// Where and when an error occurred.
 struct Place {
-  std::string where;  ///< `body "rod"`, `row "hinge.cd(e_x)"` or a position in a file; may be empty
+  /// The part of the model, such as `body "rod"` or `row "hinge.cd(e_x)"`. For an invalid scene, also one
+  /// built in C++, the JSON pointer to the faulty value, such as `/bodies/0/mass`. For an invalid setting of
+  /// a run, the scene. May be empty.
+  std::string where;
   std::optional<double> when = {};  ///< time of the state [s]
 };
 
+/// An error of the library: message, kind and place.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& what) : Error(kind, what, Place{}) {}
@@ -35,6 +40,7 @@ class Error : public std::runtime_error {
   /// Puts the source of a scene in front of the message and of the place, unless they begin with it.
   Error(const std::string& source, const Error& inner);
 
+  /// The kind, and the place and time of the problem (Place).
   ErrorKind kind() const { return kind_; }
   const std::string& where() const { return place_.where; }
   std::optional<double> when() const { return place_.when; }

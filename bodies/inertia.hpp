@@ -7,9 +7,9 @@
 
 namespace trivium {
 
-/// Tolerance for moments of inertia, relative to the trace [-]: a smaller principal moment counts as zero. It
-/// is above the relative errors of 1e-15 that decimal digits and rotations of the axes leave, and below
-/// 8e-11, the smallest principal moment of a wire 0.1 mm thick and 10 m long.
+/// Tolerance for moments of inertia, relative to the trace [-]: a smaller principal moment counts as zero.
+/// The value is above the relative errors of 1e-15 that decimal digits and rotations of the axes leave, and
+/// below 8e-11, the smallest principal moment of a wire 0.1 mm thick and 10 m long.
 inline constexpr double inertia_tolerance = 1e-12;
 
 /// Result of check_inertia; each flag is false if its condition is violated by more than inertia_tolerance.

@@ -10,8 +10,9 @@
 
 namespace trivium {
 
-/// (to + arm_j) - (from + arm_i) [m, global]. The longer arm is added to the difference of the centres first:
-/// the centre of the ground is the origin, so the arm of a ground point is its whole position.
+/// (to + arm_j) - (from + arm_i) [m, global], where `from` and `to` are the centres of mass of bodies i and j
+/// and each arm is A s_bar. The longer arm is added to the difference of the centres first: the centre of the
+/// ground is the origin, so the arm of a ground point is its whole position.
 template <class Scalar>
 Vector3<Scalar> offset_between(const Vector3<Scalar>& from, const Vector3<Scalar>& arm_i,
                                const Vector3<Scalar>& to, const Vector3<Scalar>& arm_j) {

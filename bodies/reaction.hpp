@@ -17,7 +17,8 @@ struct Reaction {
   Reaction about(const Vector3<Scalar>& other) const {
     return {force, torque + (point - other).cross(force), other};
   }
-  /// The same reaction with components in a frame at the global origin; A [3x3] maps that frame to global.
+  /// The same reaction with components in another frame, for a reaction with global components. The origin of
+  /// that frame is the global origin. A [3x3] maps components in that frame to global components.
   Reaction in_frame(const Matrix3<Scalar>& A) const {
     return {A.transpose() * force, A.transpose() * torque, A.transpose() * point};
   }

@@ -9,6 +9,7 @@
 
 namespace trivium {
 
+/// Mass and inertia of a rigid body. The default is 1 kg and 1 kg m^2 about every axis.
 template <class Scalar>
 struct RigidBody {
   Scalar mass{1};                                         ///< m [kg]
@@ -36,7 +37,8 @@ struct Twist {
   Vector3<Scalar> omega_bar = Vector3<Scalar>::Zero();  ///< angular velocity [rad/s, body frame]
 };
 
-/// Position and velocity of a body, independent of the coordinates of a formulation. Effects see only this.
+/// Position and velocity of a body, independent of the coordinates of a formulation. Effects read the motion
+/// of bodies in this form only (EffectView).
 template <class Scalar>
 struct BodyMotion {
   Vector3<Scalar> r = Vector3<Scalar>::Zero(), r_dot = Vector3<Scalar>::Zero();  ///< [m], [m/s], global

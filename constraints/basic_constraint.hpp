@@ -57,8 +57,10 @@ template <template <class> class... C>
 struct BasicConstraints {
   static_assert((DotProductConstraint<C<double>, double> && ...));
 
+  /// A constraint of any type of the list.
   template <class Scalar>
   using In = std::variant<C<Scalar>...>;
+  /// The list with more types at its end.
   template <template <class> class... More>
   using With = BasicConstraints<C..., More...>;
 
@@ -71,8 +73,10 @@ struct BasicConstraints {
   }();
 };
 
+/// The basic constraints of the library.
 using StandardConstraints = BasicConstraints<DP1, TurningDP1, DP2, D, CD>;
 
+/// A basic constraint of any type of the list, over one Scalar.
 template <class Scalar, class List = StandardConstraints>
 using BasicConstraint = typename List::template In<Scalar>;
 
@@ -85,6 +89,7 @@ template <class... C>
 const TimeFunction& function_of(const std::variant<C...>& constraint) {
   return std::visit([](const auto& c) -> const TimeFunction& { return c.function(); }, constraint);
 }
+/// The two bodies of a constraint of any type.
 template <class... C>
 BodyPair bodies_of(const std::variant<C...>& constraint) {
   return std::visit([](const BodyPair& pair) { return pair; }, constraint);
@@ -95,6 +100,7 @@ Scalar row_scale(const std::variant<C...>& constraint, const Scalar& t) {
   const Scalar scale = std::visit([&](const auto& c) { return Scalar(c.scale(t)); }, constraint);
   return scale == Scalar(0) ? Scalar(1) : scale;
 }
+/// Whether Phi / scale of a constraint measures an angle [rad]; otherwise it measures a length [m].
 template <class... C>
 bool is_of_angle(const std::variant<C...>& constraint) {
   return std::visit([](const auto& c) { return c.is_of_angle; }, constraint);

@@ -3,8 +3,10 @@
 ///
 ///     a = A a_bar,   a' = rate,   a'' = B q'' + bias,
 ///
-/// with q'' the second derivatives of the rotational unknowns of the body (omega_bar' in r-omega, p'' in r-p,
-/// epsilon'' in r-epsilon). Constraints need nothing else of a formulation.
+/// where q'' is the rotational unknown of the body (omega_bar' in r-omega, p'' in r-p, epsilon'' in
+/// r-epsilon). The equations of a constraint need nothing else of a formulation. Only the bounds that
+/// features give for estimates of rounding errors (magnitude() in feature.hpp) also read the body's
+/// omega_bar.
 
 #include <concepts>
 
@@ -28,7 +30,8 @@ concept BodyKinematics = requires(const K& body, const Vector3<typename K::Scala
   { body.r_dot } -> std::convertible_to<Vector3<typename K::Scalar>>;  // its velocity [m/s, global]
   { body.A } -> std::convertible_to<Matrix3<typename K::Scalar>>;      // rotation matrix, body to global
   { body.vector(v) } -> std::convertible_to<BodyVector<typename K::Scalar>>;
-  // B, the derivative of a by the rotational unknowns, and v^T B
+  // B [3 x n], the derivative of a by the rotational coordinates (in r-omega by a small rotation), and v^T B
+  // [1 x n]; n = rotational_unknowns
   { body.jacobian(a) } -> std::convertible_to<Matrix<typename K::Scalar, 3, K::rotational_unknowns>>;
   { body.jacobian_along(a, v) } -> std::convertible_to<Matrix<typename K::Scalar, 1, K::rotational_unknowns>>;
 };
@@ -40,6 +43,7 @@ enum class End { i, j };
 template <class Scalar, int RotationalUnknowns>
 struct BodyAcceleration {
   Vector3<Scalar> r_ddot = Vector3<Scalar>::Zero();  ///< acceleration of the centre of mass [m/s^2, global]
+  /// The rotational unknown q'' of the formulation.
   Vector<Scalar, RotationalUnknowns> q_ddot = Vector<Scalar, RotationalUnknowns>::Zero();
 };
 

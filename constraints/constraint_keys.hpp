@@ -5,10 +5,12 @@
 ///
 ///     vector_i(a_bar...), vector_j(a_bar...)   a vector of body i or j; key `vector` of that side in a file
 ///     point_i(s_bar...), point_j(s_bar...)     a point of body i or j; key `point` of that side
-///     need(key, value...)                      the function of time `f` or the global vector `direction`
+///     need(key, value...)                      a function of time or a global vector
 ///     may(key, value...)                       the same, but optional in a file; default 0
 ///
-/// A constraint of scene files has at most one vector and one point per body, and no other keys.
+/// A constraint of scene files has at most one vector and one point per body. Its function of time has the
+/// key `f`, its global vector the key `direction`, and it has no other parts. A constraint that scene files
+/// cannot contain is free of these limits: the function of TurningDP1 has the key `alpha`.
 
 #include <string_view>
 

@@ -1,8 +1,9 @@
 #pragma once
 /// The laws of a basic constraint, a test for new constraints. The concept DotProductConstraint checks which
-/// members exist; `broken_laws` checks, at one state of two moving bodies, that they are consistent: Phi, nu
-/// and gamma with each other by difference quotients, and `keys`, `scale`, `is_of_angle`,
-/// `sees_relative_motion`, `function` and `vanishes` with Phi. The value of `scale` itself is not checked.
+/// members exist. `broken_laws` checks at one state of two moving bodies that the members are consistent: nu
+/// and gamma with the difference quotients of Phi and Phi', and `keys`, `is_of_angle`,
+/// `sees_relative_motion`, `function` and `vanishes` with the row. Of `scale` only the sign is checked, not
+/// the value.
 
 #include <cmath>
 #include <limits>

@@ -15,9 +15,10 @@
 
 namespace trivium {
 
-/// One row of the constraint equations, with its Jacobian blocks for bodies i and j. The unit of Phi is the
-/// unit of the dot product: DP1 has none, D has m^2, DP2 and CD have m if their vectors are dimensionless. nu
-/// has the unit of Phi per s, gamma per s^2.
+/// One row of the constraint equations, with its Jacobian blocks for bodies i and j. Phi_rot is the
+/// derivative by the n rotational coordinates of a body, in r-omega by a small rotation (body components).
+/// The unit of Phi is the unit of the dot product: DP1 has none, D has m^2, DP2 and CD have m if their
+/// vectors are dimensionless. nu has the unit of Phi per s, gamma per s^2.
 template <class Scalar, int RotationalUnknowns>
 struct ConstraintRow {
   using Translational = Matrix<Scalar, 1, 3>;
@@ -25,7 +26,7 @@ struct ConstraintRow {
 
   Scalar phi{0}, nu{0}, gamma{0};  ///< Phi, and right sides of Phi_q q' = nu and Phi_q q'' = gamma
   Translational r_i = Translational::Zero(), r_j = Translational::Zero();  ///< Phi_r of i and j [1x3]
-  Rotational rot_i = Rotational::Zero(), rot_j = Rotational::Zero();  ///< derivative by rotational unknowns
+  Rotational rot_i = Rotational::Zero(), rot_j = Rotational::Zero();       ///< Phi_rot [1xn]
 };
 
 /// Returns use(x, y, f) with the features and f(t) of a basic constraint or of a variant of them.

@@ -5,6 +5,7 @@
 
 namespace trivium {
 
+/// The joints; joint.hpp (JointBuilder) states the rows and the free motions of each.
 enum class JointType {
   basic,  ///< one basic constraint, not a joint
   spherical,

@@ -81,8 +81,8 @@ struct BodyVectorFeature {
   }
 };
 
-/// a = A a_bar(t), a vector that moves relative to its body in a prescribed way. Its drift is A a_bar_t; this
-/// is also added to the rate, and 2 A' a_bar_t + A a_bar_tt to the bias.
+/// a = A a_bar(t), a vector that moves relative to its body in a prescribed way. Its drift A a_bar_t is also
+/// a term of the rate, and 2 A' a_bar_t + A a_bar_tt are terms of the bias.
 template <BodyKinematics Body, End end>
 struct MovingVectorFeature : BodyVectorFeature<Body, end> {
   using Base = BodyVectorFeature<Body, end>;
@@ -142,8 +142,9 @@ struct PointOffsetFeature {
            (j.jacobian(s_j) * on_j.q_ddot - i.jacobian(s_i) * on_i.q_ddot);
   }
   /// The offset, and the difference of the velocities of the centres, count as one term each, because value()
-  /// and rate() form these differences first. All formulations subtract the same given numbers here, so a
-  /// cancellation in these differences is the same in every formulation.
+  /// and rate() form these differences first. All formulations subtract the same given numbers here. A
+  /// cancellation magnifies the errors of these data, equally in every formulation, and is no error of the
+  /// arithmetic.
   FeatureMagnitude<Scalar> magnitude() const {
     const Scalar on_i = s_i.a.norm(), on_j = s_j.a.norm();
     const Scalar omega_i = i.omega_bar.norm(), omega_j = j.omega_bar.norm();

@@ -57,14 +57,16 @@ struct NamedRow {
   std::string label;  ///< name within the joint, e.g. "dp1(u_i, z_j)"
   BasicConstraint<Scalar> constraint;
 };
+/// The rows of one joint, in the order of their multipliers.
 template <class Scalar>
 using JointRows = std::vector<NamedRow<Scalar>>;
 
-/// Builds the rows of a joint between a frame on body i and a frame on body j. Free relative motions:
-/// spherical 3 rotations; universal 2 rotations, about z_i and z_j; revolute 1 rotation about z; cylindrical
-/// rotation about z and translation along z; translational translation along z; fixed none; planar rotation
-/// about z and translations along u and v; in_line all but translations along u and v; in_plane all but
-/// translation along z; distance all but translation along d_ij; rotation_driver all but rotation about z.
+/// Builds the rows of a joint between a frame on body i and a frame on body j. The free motions of j relative
+/// to i, along and about the axes u, v, z of i: spherical 3 rotations; universal 2 rotations, about z_i and
+/// z_j; revolute 1 rotation about z; cylindrical rotation about z and translation along z; translational
+/// translation along z; fixed none; planar rotation about z and translations along u and v; in_line all but
+/// translations along u and v; in_plane all but translation along z; distance all but translation along d_ij;
+/// rotation_driver all but rotation about z.
 template <class Scalar>
 class JointBuilder {
  public:

@@ -1,6 +1,6 @@
 #pragma once
 /// The simplest kinematics of a body for constraints: r and the global angular velocity omega. No formulation
-/// of the library uses them. The laws of constraints are tested with them, and a PlainBody at rest in the
+/// of the library uses this type. The laws of constraints are tested with it, and a PlainBody at rest in the
 /// global frame lets constraint code take points and vectors in global components.
 
 #include "bodies/rotations/so3.hpp"
@@ -13,9 +13,9 @@ template <class S>
 struct PlainBody {
   using Scalar = S;
   static constexpr int rotational_unknowns = 3;
-  Vector3<S> r = Vector3<S>::Zero(), r_dot = Vector3<S>::Zero();
-  Matrix3<S> A = Matrix3<S>::Identity();
-  Vector3<S> omega = Vector3<S>::Zero();  ///< angular velocity [rad/s, global]
+  Vector3<S> r = Vector3<S>::Zero(), r_dot = Vector3<S>::Zero();  ///< centre of mass [m], [m/s], global
+  Matrix3<S> A = Matrix3<S>::Identity();                          ///< rotation matrix, body to global
+  Vector3<S> omega = Vector3<S>::Zero();                          ///< angular velocity [rad/s, global]
 
   BodyVector<S> vector(const Vector3<S>& a_bar) const {
     const Vector3<S> a = A * a_bar, rate = omega.cross(a);

@@ -31,23 +31,25 @@ struct EffectView {
 
 /// An effect must have
 ///
-///     apply                   adds its wrenches to `wrenches`, one per body and the ground's last
-///     power                   the rate of work on the bodies [W]
-///     potential_energy        the stored energy V [J]; 0 if the effect stores none
-///     nonconservative_power   the part of the power that does not come from V: power + dV/dt [W]
-///     is_conservative         true if nonconservative_power is always 0
-///     type, name              the name of the type in scene files, and the name of this effect in its scene
-///     keys                    presents every part with its key in a scene file (effect_keys.hpp)
+///     apply(view, wrenches)         adds its wrenches to `wrenches`, one per body and the ground's last
+///     power(view)                   the rate of work on the bodies [W]
+///     potential_energy(view)        the stored energy V [J]; 0 if the effect stores none
+///     nonconservative_power(view)   the part of the power that does not come from V: power + dV/dt [W]
+///     is_conservative()             true if nonconservative_power is always 0
+///     type, name                    the name of the type in scene files, and of this effect in its scene
+///     keys(visitor, e...)           static; presents every part with its key in a file (effect_keys.hpp)
 ///
-/// and, for effects of the library, operator==. It may also have
+/// and, for effects of the library, operator==. All but `keys` are const. The effect may also have
 ///
-///     follow                  counts full revolutions; called at every accepted state
-///     longest_step            the longest step [s] after which `follow` cannot miscount a revolution
-///     append_kinks            appends the times [s] at which its functions of time are not smooth; steps end
-///                             there, so that integrators keep their order
-///     add_load_bounds         bounds of its wrenches by the magnitudes of terms that may cancel, to estimate
-///                             rounding errors
-///     sees_motion = false     states that its wrenches do not depend on the motion
+///     follow(view)                  not const; counts full revolutions; called at every accepted state
+///     longest_step(view)            the longest step [s] after which `follow` cannot miscount a revolution
+///     append_kinks(times)           appends to a std::vector<double> the times [s] at which its functions
+///                                   of time are not smooth; steps end there, so that integrators keep
+///                                   their order
+///     add_load_bounds(view, add)    bounds of its wrenches, to estimate rounding errors. Calls add(body, F,
+///                                   n_bar) with the magnitudes, by component, of terms that may cancel
+///                                   [N, global; N m, body frame]
+///     sees_motion = false           static; states that its wrenches do not depend on the motion
 template <class E, class Scalar>
 concept Effect = std::default_initializable<E> &&
     requires(const E& effect, const EffectView<Scalar>& view, std::span<Wrench<Scalar>> wrenches) {
@@ -61,12 +63,12 @@ concept Effect = std::default_initializable<E> &&
   E::keys(KeyVisitor{}, effect);
 };
 
-/// An effect that resists a change of one coordinate x between two bodies, a length [m] or an angle [rad].
-/// `gradient` gives the wrenches on bodies i and j whose power is x'; the spring acts with -tension times the
-/// gradient. `stiffness` [N/m or N m/rad] and `damping` [N s/m or N m s/rad] are the derivatives of the
-/// tension by x and x'.
-/// `tension_scale` [N or N m] is the size of the terms whose difference is the tension, to bound its rounding
-/// error. Implicit methods include springs in Newton's matrix. An effect with `gradient` must be a Spring.
+/// An effect that resists a change of one coordinate x between two bodies i and j, a length [m] or an angle
+/// [rad]. `bodies` returns the indices of i and j. `gradient` gives the wrenches on i and j whose power is
+/// x'; the spring acts with -tension times the gradient. `stiffness` [N/m or N m/rad] and `damping` [N s/m or
+/// N m s/rad] are the derivatives of the tension by x and x'. `tension_scale` [N or N m] is the size of the
+/// terms whose difference is the tension, to bound its rounding error. Implicit methods include springs in
+/// Newton's matrix. An effect with `gradient` must be a Spring.
 template <class E, class Scalar>
 concept Spring = requires(const E& effect, const EffectView<Scalar>& view) {
   { effect.stiffness } -> std::convertible_to<Scalar>;

@@ -12,7 +12,7 @@
 ///     place(key, s_bar...), angle(key, angle...)
 ///                              a position [m] or an angle [rad], optional; values too small for the Scalar
 ///                              become 0, whereas with `need` and `may` they are an error
-///     turns(key, angle...)     the full revolutions at the start, a part of the JointAngle above
+///     turns(key, angle...)     the full revolutions at the start, a part of the angle passed to `joint`
 ///
 /// Optional parts are 0, or the global frame, if a file omits them; members must have these initial values.
 

@@ -57,8 +57,8 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
   using std::abs, std::cbrt;
   std::vector<BrokenLaw> broken;
   const double u = static_cast<double>(std::numeric_limits<S>::epsilon());
-  // u is the machine epsilon here. a = b up to `bound` relative to |a| + |b| + size, with `size` the
-  // magnitude of the terms of both
+  // `u` is the machine epsilon. a = b up to `bound` relative to |a| + |b| + size, with `size` the magnitude
+  // of the terms of both
   const auto equal = [&](const char* law, const S& a, const S& b, const S& size, double bound) {
     using std::abs;
     const S off = abs(S(a - b)), all = abs(a) + abs(b) + size;
@@ -118,8 +118,9 @@ std::vector<BrokenLaw> broken_laws(const E& effect, const std::vector<RigidBody<
   std::sort(kinks.begin(), kinks.end());
   if (!std::includes(kinks.begin(), kinks.end(), shown_kinks.begin(), shown_kinks.end()))
     broken.push_back({"append_kinks names the kinks of the functions of time", 1, 0});
-  // Stored energy after r and A have moved for the time `by` with constant r' and omega_bar. With h = cbrt(u)
-  // the truncation error of the central difference, of order h^2, and its rounding error, u / h, are equal.
+  // Stored energy after r and A have moved for the time `by` with constant r' and omega_bar. With h =
+  // cbrt(epsilon), where epsilon is the local `u`, the truncation error of the central difference, of order
+  // h^2, and its rounding error, epsilon / h, are equal.
   const S h(cbrt(u));
   const auto stored = [&](const S& by) {
     std::vector<BodyMotion<S>> moved = motion;

@@ -29,20 +29,25 @@ struct EffectTypes {
   using In = std::tuple<std::vector<E<Scalar>>...>;
   template <class Scalar>
   using OneOf = std::variant<E<Scalar>...>;
+  /// The list with more types at its end.
   template <template <class> class... More>
   using With = EffectTypes<E..., More...>;
 };
 
+/// The effects of the library.
 using StandardEffects = EffectTypes<Gravity, Force, Torque, SpringDamper, TorsionalSpringDamper>;
 static_assert(std::equality_comparable<StandardEffects::OneOf<double>>, "an effect without operator==");
 
+/// The effects of one mechanism.
 template <class Scalar, class List = StandardEffects>
 class Effects {
  public:
+  /// Adds an effect of a type of the list.
   template <class E>
   void add(E effect) {
     std::get<std::vector<E>>(lists_).push_back(std::move(effect));
   }
+  /// All effects of the type E, in the order in which they were added.
   template <class E>
   std::vector<E>& all() {
     return std::get<std::vector<E>>(lists_);
@@ -123,7 +128,7 @@ class Effects {
   void for_each_angle(const Visit& visit) {
     std::apply([&](auto&... list) { (visit_angles(list, visit), ...); }, lists_);
   }
-  /// Tells effects that count revolutions the accepted state of a motion.
+  /// Passes an accepted state of a motion to the effects that count revolutions.
   void follow(const EffectView<Scalar>& view) {
     std::apply([&](auto&... list) { (follow_list(list, view), ...); }, lists_);
   }

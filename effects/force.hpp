@@ -18,7 +18,7 @@ struct Force {
   static constexpr std::string_view type = "force";
 
   std::string name;
-  int body = 0;
+  int body = 0;                                     ///< index of the body
   Vector3<Scalar> s_bar = Vector3<Scalar>::Zero();  ///< point of application P [m, body frame]
   std::array<TimeFunction, 3> components;           ///< force components in `frame` [N]
   ComponentFrame frame = ComponentFrame::global;

@@ -22,6 +22,7 @@ struct JointAngle {
   Scalar tracked{0};  ///< last counted angle [rad]; at the start 2 pi times the initial revolutions
   bool operator==(const JointAngle&) const = default;
 
+  /// Sets the last counted angle to `turns` full revolutions.
   void set_turns(int turns) { tracked = Scalar(2 * std::numbers::pi * turns); }
   /// The number of full revolutions nearest to theta [rad].
   static int turns_of(double theta) { return static_cast<int>(std::lround(theta / (2 * std::numbers::pi))); }

@@ -20,8 +20,9 @@
 
 namespace trivium {
 
-/// Where the end points coincide (l = 0), the force has no direction. Functions that need l then throw a
-/// ModelError, unless k l0, c and h(t) are all 0, so that the force is 0 as well.
+/// A spring, damper and actuator between two points. Where the end points coincide (l = 0), the force has no
+/// direction. Functions that need l then throw a ModelError, unless k l0, c and h(t) are all 0, so that the
+/// force is 0 as well.
 template <class Scalar>
 struct SpringDamper {
   static constexpr std::string_view type = "spring_damper";

@@ -18,7 +18,7 @@ struct Torque {
   static constexpr std::string_view type = "torque";
 
   std::string name;
-  int body = 0;
+  int body = 0;                            ///< index of the body
   std::array<TimeFunction, 3> components;  ///< torque components in `frame` [N m]
   ComponentFrame frame = ComponentFrame::global;
   bool operator==(const Torque&) const = default;

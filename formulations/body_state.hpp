@@ -22,13 +22,14 @@ struct BodyState {
   typename F::Coordinates q;
 };
 
+/// The kinematics of one body in its chart.
 template <EquationsAsPrinted F>
 typename F::Kinematics kinematics_of(const BodyState<F>& body) {
   return F::kinematics(body.chart, body.r, body.r_dot, body.q);
 }
 
-/// The coordinates of all bodies without the ground. Throws a ModelError that names the body if its chart
-/// is singular at this state.
+/// The coordinates of all bodies without the ground, each in the chart that the formulation chooses by
+/// `options`. Throws a ModelError that names the body if its chart is singular at this state.
 template <EquationsAsPrinted F, class Types>
 std::vector<BodyState<F>> to_coordinates(const Mechanism<typename F::Scalar, Types>& mechanism,
                                          const MechanismState<typename F::Scalar>& state,

@@ -53,7 +53,7 @@ Pair random_pair(Random& random, const ChartOptions& options = {}) {
 constexpr double bound = 1e-30;  // about 10000 unit roundoffs of quad (9.6e-35)
 double error(const S& a, const S& b) { return std::abs(static_cast<double>(S(a - b))); }
 
-// The lecture notes' gamma_hat (Negrut, ME751; Haug 1989, section 9.6), with B(p, abar) of r-p.
+// The lecture notes' gamma_hat (Negrut, ME751; Haug 1989, section 9.6), with B(p, a_bar) of r-p.
 TEST(GammaInRP, IsTheLectureNotesClosedForm) {
   Random random(61);
   for (int n = 0; n < 200; ++n) {

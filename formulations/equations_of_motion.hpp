@@ -16,19 +16,23 @@ struct EquationsOfMotion {
   using Row = ConstraintRow<S, F::rotational_unknowns>;
   using Acceleration = BodyAcceleration<S, F::rotational_unknowns>;
 
-  S t{0};
+  S t{0};                                    ///< time [s]
   std::vector<typename F::Kinematics> body;  ///< kinematics; nb + 1 entries, the last is the ground
-  std::vector<S> mass;
+  std::vector<S> mass;                       ///< [kg]
+  /// Inertia in the rotational unknowns, n x n per body (EquationsAsPrinted).
   std::vector<Matrix<S, F::rotational_unknowns, F::rotational_unknowns>> mass_block;
-  std::vector<Vector3<S>> F_applied;     ///< applied forces F [N, global]
-  std::vector<typename F::Unknown> tau;  ///< applied + velocity force of the rotational equations
-  std::vector<BodyPair> pair;
-  std::vector<Row> row;
+  std::vector<Vector3<S>> F_applied;  ///< applied forces F [N, global]
+  /// Right side of the rotational equations: applied_force + velocity_force [N m] of the formulation.
+  std::vector<typename F::Unknown> tau;
+  std::vector<BodyPair> pair;  ///< the bodies of each row
+  std::vector<Row> row;        ///< Phi, nu, gamma and the Jacobian blocks of each row
 
   int nb() const { return static_cast<int>(mass.size()); }
   int nc() const { return static_cast<int>(row.size()); }
 };
 
+/// The terms at the state `bodies` (to_coordinates) and time t [s]. Throws a ModelError if an effect is not
+/// defined at this state.
 template <EquationsAsPrinted F, class Types>
 EquationsOfMotion<F> equations_of_motion(const Mechanism<typename F::Scalar, Types>& mechanism,
                                          const std::vector<BodyState<F>>& bodies,

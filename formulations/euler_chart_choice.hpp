@@ -1,11 +1,12 @@
 #pragma once
 /// The charts of r-epsilon: an Euler sequence and a constant rotation C per body, A = A(epsilon) C.
 ///
-/// The distance of a chart from its singularity is |sin theta| (sequences iji) or |cos theta| (ijk). C is
-/// the identity if the distance is then at least 0.3; otherwise C is the first quarter turn about x, y or z
-/// whose distance is at least 0.3. Such a C always exists: the distance is sqrt(1 - a^2), where a is one
-/// entry of A C^T, and the four choices of C bring each of the three entries of a row of A to this place. The
-/// smallest of the three is at most 1/sqrt(3), which gives a distance of at least sqrt(2/3).
+/// The distance of a chart from its singularity is |sin theta| (sequences iji) or |cos theta| (ijk). C is the
+/// identity if the distance is then at least 0.3; otherwise C is the first quarter turn about x, y or z whose
+/// distance is at least 0.3. Such a C always exists. The distance is sqrt(1 - a^2), where a is an entry in
+/// row i of A C^T and i the first axis of the sequence. A quarter turn exchanges two columns of A, up to
+/// signs. So the four choices of C give |a| the magnitudes of all three entries in row i of A, one of them
+/// twice. The smallest of these is at most 1/sqrt(3), which gives a distance of at least sqrt(2/3).
 
 #include <fmt/format.h>
 
@@ -30,9 +31,10 @@ struct Reframing {
 inline constexpr std::array<Reframing, 4> reframings{
     {{"I", -1}, {"Rx(90)", 0}, {"Ry(90)", 1}, {"Rz(90)", 2}}};
 /// Least distance of a chart from its singularity. The error of lambda grows as u / theta^3 (r_epsilon.hpp),
-/// so it stays below about 40 u; a larger value would change charts more often.
+/// so it stays below about 40 u; with a larger value a motion would change charts more often.
 inline constexpr double reframing_distance = 0.3;
 
+/// The chart of a body: an Euler sequence and the re-framing rotation C.
 template <class S>
 struct EulerChart {
   EulerSequence sequence;

@@ -17,8 +17,8 @@ TYPED_TEST(FormulationForces, EquationsAreEulersInDisguise) {
   using F = TypeParam;
   using S = typename F::Scalar;
   for_all_samples<F>([](const auto& s) {
-    // lift^T (mass_block q'' - velocity_force - applied_force) = Jbar omega_bar' +
-    // omega_bar x Jbar omega_bar - n_bar
+    // lift^T (mass_block q'' - velocity_force - applied_force) = J_bar omega_bar' +
+    // omega_bar x J_bar omega_bar - n_bar
     const Vector3<S> n_bar = s.a_bar;
     const typename F::Unknown q_ddot = test::unknown_of<F>(s.body, s.omega_bar_dot);
     const typename F::Unknown native = F::mass_block(s.body, s.J_bar) * q_ddot -

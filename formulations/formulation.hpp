@@ -17,6 +17,7 @@
 
 namespace trivium {
 
+/// A formulation with all three parts, which every solver and simulation accepts.
 template <class F>
 concept Formulation = EquationsAsPrinted<F> && ReducedEquations<F> && MovingCoordinates<F>;
 
@@ -42,8 +43,10 @@ struct TypesOf<F> {
 /// library's.
 template <class F>
 using MechanismTypesOf = typename detail::TypesOf<F>::type;
+/// The mechanisms that the solvers of F accept.
 template <class F>
 using MechanismOf = Mechanism<typename F::Scalar, MechanismTypesOf<F>>;
+/// The models that the solvers of F accept.
 template <class F>
 using ModelOf = Model<typename F::Scalar, MechanismTypesOf<F>>;
 

@@ -8,8 +8,8 @@
 
 namespace trivium {
 
-/// Force and moment of a joint on its body at `end`, in the global frame, about the centre of mass of this
-/// body (for the ground: about the origin).
+/// Force [N] and moment [N m] of a joint on its body at `end`, in the global frame, about the centre of mass
+/// of this body (for the ground: about the origin). `lambda` has one multiplier per row of the mechanism.
 template <EquationsAsPrinted F>
 Reaction<typename F::Scalar> joint_reaction(const EquationsOfMotion<F>& eom,
                                             const Joint<typename F::Scalar>& joint,

@@ -4,8 +4,8 @@
 /// (euler_chart_choice.hpp). Haug (1989), section 9.3 and problem 11.2, with omega_bar = D epsilon':
 ///
 ///     m r'' + Phi_r^T lambda = F
-///     D^T Jbar D epsilon'' + Phi_epsilon^T lambda
-///         = D^T (n_bar - omega_bar x Jbar omega_bar - Jbar D' epsilon')
+///     D^T J_bar D epsilon'' + Phi_epsilon^T lambda
+///         = D^T (n_bar - omega_bar x J_bar omega_bar - J_bar D' epsilon')
 ///
 /// These equations are solved for epsilon'' as printed. At an angle theta from the singularity of the
 /// sequence the relative error of lambda grows as u / theta^3; in r_epsilon_omega_first it grows as
@@ -18,6 +18,7 @@
 
 namespace trivium {
 
+/// The formulation r-epsilon; formulation.hpp lists the contract of its members.
 template <class S>
 struct REpsilon {
   using Scalar = S;
@@ -46,13 +47,13 @@ struct REpsilon {
     Matrix3<S> D;            ///< A^T g [3x3, -]: omega_bar = D epsilon'; singular where the sequence is
     Vector3<S> D_dot_rates;  ///< D' epsilon' = A^T g' epsilon' [rad/s^2, body frame]
 
-    /// a = A abar, its rate B(epsilon, abar) epsilon' = omega x a, and its bias B' epsilon': a'' at
+    /// a = A a_bar, its rate B(epsilon, a_bar) epsilon' = omega x a, and its bias B' epsilon': a'' at
     /// epsilon'' = 0.
     BodyVector<S> vector(const Vector3<S>& a_bar) const {
       const Vector3<S> a = this->A * a_bar, rate = omega.cross(a);
       return {a_bar, a, rate, g_dot_rates.cross(a) + omega.cross(rate)};
     }
-    /// B = [A_phi abar, A_theta abar, A_psi abar] = [g_1 x a, g_2 x a, g_3 x a] [3x3].
+    /// B = [A_phi a_bar, A_theta a_bar, A_psi a_bar] = [g_1 x a, g_2 x a, g_3 x a] [3x3].
     Matrix3<S> jacobian(const BodyVector<S>& v) const {
       Matrix3<S> B;
       for (int k = 0; k < 3; ++k) B.col(k) = g.col(k).cross(v.a);
@@ -70,12 +71,12 @@ struct REpsilon {
     });
   }
 
-  // mass block: J^epsilon = D^T Jbar D
+  // mass block: J^epsilon = D^T J_bar D
   static Matrix3<S> mass_block(const Kinematics& k, const Matrix3<S>& J_bar) {
     return k.D.transpose() * J_bar * k.D;
   }
 
-  // quadratic-velocity force: -D^T (tilde(omega_bar) Jbar omega_bar + Jbar D' epsilon')
+  // quadratic-velocity force: -D^T (tilde(omega_bar) J_bar omega_bar + J_bar D' epsilon')
   static Unknown velocity_force(const Kinematics& k, const Matrix3<S>& J_bar) {
     return -k.D.transpose() * (k.omega_bar.cross(J_bar * k.omega_bar) + J_bar * k.D_dot_rates);
   }

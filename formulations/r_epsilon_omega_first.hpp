@@ -15,6 +15,7 @@
 
 namespace trivium {
 
+/// The formulation r-epsilon-omega-first; formulation.hpp lists the contract of its members.
 template <class S>
 struct REpsilonOmegaFirst {
   using Scalar = S;
@@ -35,8 +36,8 @@ struct REpsilonOmegaFirst {
   // orientation: A = A(epsilon) C; a body vector has the rate and the Jacobian of r-omega, with omega_bar =
   // D epsilon'
   struct Kinematics : Rates::Kinematics {
-    Matrix3<S> D;
-    Vector3<S> D_dot_rates;
+    Matrix3<S> D;            ///< omega_bar = D epsilon' [3x3, -]
+    Vector3<S> D_dot_rates;  ///< D' epsilon' [rad/s^2, body frame]
 
     /// epsilon'' [rad/s^2] of an angular acceleration omega_bar' [rad/s^2, body frame].
     Vector3<S> epsilon_ddot(const Vector3<S>& omega_bar_dot) const {

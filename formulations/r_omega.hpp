@@ -3,7 +3,7 @@
 /// rotation matrix A is the coordinate of orientation. Newton-Euler equations; Haug (1989), section 11.2:
 ///
 ///     m r'' + Phi_r^T lambda = F
-///     Jbar omega_bar' + Phi_pi_bar^T lambda = n_bar - omega_bar x Jbar omega_bar
+///     J_bar omega_bar' + Phi_pi_bar^T lambda = n_bar - omega_bar x J_bar omega_bar
 
 #include "bodies/rigid_body.hpp"
 #include "bodies/rotations/so3.hpp"
@@ -12,6 +12,7 @@
 
 namespace trivium {
 
+/// The formulation r-omega; formulation.hpp lists the contract of its members.
 template <class S>
 struct ROmega {
   using Scalar = S;
@@ -39,13 +40,13 @@ struct ROmega {
 
     Vector3<S> omega;  ///< angular velocity A omega_bar [rad/s, global]
 
-    /// a = A abar, its rate A tilde(omega_bar) abar = omega x a, and its bias A tilde(omega_bar)^2 abar:
+    /// a = A a_bar, its rate A tilde(omega_bar) a_bar = omega x a, and its bias A tilde(omega_bar)^2 a_bar:
     /// a'' at omega_bar' = 0.
     BodyVector<S> vector(const Vector3<S>& a_bar) const {
       const Vector3<S> a = this->A * a_bar, rate = omega.cross(a);
       return {a_bar, a, rate, omega.cross(rate)};
     }
-    /// B = -A tilde(abar) [3x3]: (A abar)' = B omega_bar.
+    /// B = -A tilde(a_bar) [3x3]: (A a_bar)' = B omega_bar.
     Matrix3<S> jacobian(const BodyVector<S>& v) const { return -times_tilde<S>(this->A, v.a_bar); }
     /// w^T B [1x3].
     Matrix<S, 1, 3> jacobian_along(const BodyVector<S>& v, const Vector3<S>& w) const {
@@ -57,10 +58,10 @@ struct ROmega {
     return {BodyMotion<S>{r, r_dot, q.A, q.omega_bar}, q.A * q.omega_bar};
   }
 
-  // mass block: Jbar
+  // mass block: J_bar
   static Matrix3<S> mass_block(const Kinematics&, const Matrix3<S>& J_bar) { return J_bar; }
 
-  // quadratic-velocity force: -tilde(omega_bar) Jbar omega_bar
+  // quadratic-velocity force: -tilde(omega_bar) J_bar omega_bar
   static Unknown velocity_force(const Kinematics& k, const Matrix3<S>& J_bar) {
     return -k.omega_bar.cross(J_bar * k.omega_bar);
   }

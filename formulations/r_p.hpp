@@ -22,6 +22,7 @@
 
 namespace trivium {
 
+/// The formulation r-p; formulation.hpp lists the contract of its members.
 template <class S>
 struct RP {
   using Scalar = S;
@@ -41,8 +42,8 @@ struct RP {
     Vector4<S> p = Vector4<S>::Unit(0), p_dot = Vector4<S>::Zero();
   };
 
-  /// B(p, abar) = 2 [(e0 I + tilde e) abar, e abar^T - (e0 I + tilde e) tilde(abar)] [3x4], linear in p:
-  /// (A abar)' = B(p, abar) p'.
+  /// B(p, a_bar) = 2 [(e0 I + tilde e) a_bar, e a_bar^T - (e0 I + tilde e) tilde(a_bar)] [3x4], linear in p:
+  /// (A a_bar)' = B(p, a_bar) p'.
   static Matrix<S, 3, 4> B(const Vector4<S>& p, const Vector3<S>& a_bar) {
     const Matrix3<S> block = euler_parameter_block(p);
     Matrix<S, 3, 4> b;
@@ -55,15 +56,16 @@ struct RP {
   struct Kinematics : BodyMotion<S> {
     using Scalar = S;
     static constexpr int rotational_unknowns = 4;
-    Vector4<S> p, p_dot;
-    Matrix<S, 3, 4> G;
+    Vector4<S> p, p_dot;  ///< p [-] and p' [1/s]
+    Matrix<S, 3, 4> G;    ///< G(p): omega_bar = 2 G p'
 
-    /// a = A abar, its rate B(p, abar) p' = 2 E G'^T abar, and its bias B(p', abar) p' = 2 E' G'^T abar:
+    /// a = A a_bar, its rate B(p, a_bar) p' = 2 E G'^T a_bar, and its bias B(p', a_bar) p' = 2 E' G'^T a_bar:
     /// a'' at p'' = 0.
     BodyVector<S> vector(const Vector3<S>& a_bar) const {
       const Vector4<S> g = 2 * (G_matrix(p_dot).transpose() * a_bar);
       return {a_bar, this->A * a_bar, E_matrix(p) * g, E_matrix(p_dot) * g};
     }
+    /// B(p, a_bar) [3x4].
     Matrix<S, 3, 4> jacobian(const BodyVector<S>& v) const { return B(p, v.a_bar); }
     /// w^T B [1x4].
     Matrix<S, 1, 4> jacobian_along(const BodyVector<S>& v, const Vector3<S>& w) const {
@@ -80,12 +82,12 @@ struct RP {
     return {BodyMotion<S>{r, r_dot, E_matrix(q.p) * G.transpose(), 2 * G * q.p_dot}, q.p, q.p_dot, G};
   }
 
-  // mass block: J^p = 4 G^T Jbar G [4x4], of rank 3: J^p p = 0
+  // mass block: J^p = 4 G^T J_bar G [4x4], of rank 3: J^p p = 0
   static Matrix<S, 4, 4> mass_block(const Kinematics& k, const Matrix3<S>& J_bar) {
     return 4 * k.G.transpose() * J_bar * k.G;
   }
 
-  // quadratic-velocity force: 8 G'^T Jbar G' p
+  // quadratic-velocity force: 8 G'^T J_bar G' p
   static Unknown velocity_force(const Kinematics& k, const Matrix3<S>& J_bar) {
     const Matrix<S, 3, 4> G_dot = G_matrix(k.p_dot);
     return 8 * (G_dot.transpose() * (J_bar * (G_dot * k.p)));
@@ -99,18 +101,18 @@ struct RP {
   static Vector<S, 1> internal_gamma(const Kinematics& k) { return Vector<S, 1>(-k.p_dot.squaredNorm()); }
 
   // reduced equations (internal row eliminated): p'' = 1/2 G^T x - |p'|^2 p satisfies the internal row for
-  // every x, where p is taken as a unit vector. The reduced mass block is (1/2 G) J^p (1/2 G^T) = Jbar, so
+  // every x, where p is taken as a unit vector. The reduced mass block is (1/2 G) J^p (1/2 G^T) = J_bar, so
   // x is omega_bar'
   struct Reduced : Kinematics {
     static constexpr int rotational_unknowns = 3;
 
-    /// The bias is a'' at x = 0: B(p', abar) p' - |p'|^2 B(p, abar) p, where B(p, abar) p = 2 A abar.
+    /// The bias is a'' at x = 0: B(p', a_bar) p' - |p'|^2 B(p, a_bar) p, where B(p, a_bar) p = 2 A a_bar.
     BodyVector<S> vector(const Vector3<S>& a_bar) const {
       BodyVector<S> v = Kinematics::vector(a_bar);
       v.bias -= 2 * this->p_dot.squaredNorm() * v.a;
       return v;
     }
-    /// B(p, abar) 1/2 G^T = -A tilde(abar) for unit p.
+    /// B(p, a_bar) 1/2 G^T = -A tilde(a_bar) for unit p.
     Matrix3<S> jacobian(const BodyVector<S>& v) const { return -times_tilde<S>(this->A, v.a_bar); }
     Matrix<S, 1, 3> jacobian_along(const BodyVector<S>& v, const Vector3<S>& w) const {
       return v.a_bar.cross(Vector3<S>(this->A.transpose() * w)).transpose();
@@ -121,7 +123,7 @@ struct RP {
     return {k.A, k.A, k.A * k.omega_bar, Vector3<S>::Zero()};
   }
   static Matrix3<S> reduced_mass_block(const Kinematics&, const Matrix3<S>& J_bar) { return J_bar; }
-  /// 1/2 G tau_hat = n_bar - tilde(omega_bar) Jbar omega_bar.
+  /// 1/2 G tau_hat = n_bar - tilde(omega_bar) J_bar omega_bar.
   static Vector3<S> reduced_force(const Kinematics& k, const Matrix3<S>& J_bar, const Vector3<S>& n_bar) {
     return n_bar - k.omega_bar.cross(J_bar * k.omega_bar);
   }

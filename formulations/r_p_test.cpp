@@ -37,7 +37,7 @@ TEST(EulerParameterMass, HasRankThreeAndKernelP) {
     const Matrix<S, 4, 4> Jp = F::mass_block(body, J);
     EXPECT_LE(distance(Jp, 4 * body.G.transpose() * J * body.G), 1e-32);
     EXPECT_LE(distance(Jp * body.p, Vector4<S>::Zero()), 1e-32);
-    // J^p is regular on the complement of p: G J^p G^T = 4 Jbar
+    // J^p is regular on the complement of p: G J^p G^T = 4 J_bar
     EXPECT_LE(distance(body.G * Jp * body.G.transpose(), 4 * J), 1e-31);
   }
 }
@@ -70,7 +70,7 @@ TEST(NormalisationMultiplier, HasItsClosedForm) {
   for (int seed = 0; seed < 10; ++seed) {
     Solved s(seed);
     for (int b = 0; b < s.nb(); ++b) {
-      // lambda^p = 2 omega_bar^T Jbar omega_bar - (Phi_p p)^T lambda
+      // lambda^p = 2 omega_bar^T J_bar omega_bar - (Phi_p p)^T lambda
       const Vector3<S>& w = s.body(b).omega_bar;
       const VectorX<S> Phi_p_p = s.system.Phi_rot.middleCols<4>(4 * b) * s.body(b).p;
       const S expected = 2 * w.dot(s.mechanism.bodies[b].inertia * w) - Phi_p_p.dot(s.lambda());

@@ -47,6 +47,7 @@ struct Discrepancy {
   double lambda = 0, r_ddot = 0, omega_bar_dot = 0;
 };
 
+/// The solutions of all requested formulations at one state, and the row analysis that they share.
 template <class Scalar>
 struct SideBySide {
   RowAnalysis rows;

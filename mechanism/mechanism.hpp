@@ -44,10 +44,13 @@ struct MechanismTypes {
   using Constraints = C;
   using Effects = E;
 };
+/// The types of the library.
 using StandardTypes = MechanismTypes<StandardConstraints, StandardEffects>;
 
+/// Bodies, constraint rows and effects of one scene, over one Scalar.
 template <class Scalar, class Types = StandardTypes>
 struct Mechanism {
+  /// A constraint row: a basic constraint of any type of the list.
   using Row = BasicConstraint<Scalar, typename Types::Constraints>;
 
   std::string name;
@@ -69,7 +72,7 @@ struct Mechanism {
 
   int nb() const { return static_cast<int>(bodies.size()); }  ///< number of bodies, without the ground
   int nc() const { return static_cast<int>(rows.size()); }    ///< number of constraint rows
-  int ground() const { return nb(); }
+  int ground() const { return nb(); }                         ///< body index of the ground
 };
 
 }  // namespace trivium

@@ -6,6 +6,7 @@
 
 namespace trivium {
 
+/// A mechanism and its state at one time.
 template <class S, class Types = StandardTypes>
 struct Model {
   using Scalar = S;

@@ -9,16 +9,17 @@
 
 namespace trivium {
 
+/// The data of a run at its end that poses and twists do not contain.
 struct SavedRun {
   double t = 0;      ///< time of the state [s]
   double start = 0;  ///< start time of the first run [s]; given steps and output times are counted from it
-  std::string formulation, integrator;
-  std::vector<std::string> charts;  ///< chart of each body; empty in formulations without charts
-  std::vector<double> y;            ///< state vector of the integrator: positions, velocities and work
+  std::string formulation, integrator;  ///< names
+  std::vector<std::string> charts;      ///< chart of each body; empty in formulations without charts
+  std::vector<double> y;                ///< state vector of the integrator: positions, velocities and work
   std::vector<double> fastest;  ///< largest speeds so far, (m/s, rad/s) for each group of connected bodies
   std::vector<double> memory;   ///< data that the integrator keeps from step to step
   double phi = 0, phi_dot = 0;  ///< constraint violation |Phi|, |Phi'| of the state [m or rad, per second]
-  /// The first run began with nearly dependent rows. They count as independent along the whole motion.
+  /// The first run began with nearly dependent rows. These rows count as independent along the whole motion.
   bool began_singular = false;
   std::vector<double> angles;  ///< last counted joint angles [rad], in the order of the effects
   bool operator==(const SavedRun&) const = default;

@@ -1,6 +1,6 @@
 #pragma once
-/// Packs states of one mechanism into the lanes of a batch. All lanes are then solved together, at little
-/// more than the cost of one.
+/// Packs states of one mechanism into the lanes of a batch. All lanes are then solved together, in less time
+/// than one after the other (docs/cost.md).
 
 #include <span>
 

@@ -13,10 +13,11 @@ namespace trivium::scenes {
 /// singularity, since rows are scaled to unit size first. 0.2 is chosen by experiment.
 inline constexpr double far_from_singular = 0.2;
 
+/// The parts of a drawn basic constraint.
 struct RandomBasicRow {
-  Side i, j;  ///< vectors and points in global components; `body` is not set
-  Vector3 direction{};
-  double f = 0;  ///< value of the row's function f at time t for which the row is satisfied
+  Side i, j;            ///< vectors and points in global components; `body` is not set
+  Vector3 direction{};  ///< global vector of the constraint, if its type has one
+  double f = 0;         ///< value of the row's function f at time t for which the row is satisfied
 };
 
 /// A random basic constraint of this type at time t. Its points, if it has points, are P on body i and Q on

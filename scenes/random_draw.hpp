@@ -11,17 +11,22 @@
 
 namespace trivium::scenes {
 
+/// Draws random numbers, vectors and rotations; one sequence per seed.
 class RandomDraw {
  public:
   using V = trivium::Vector3<double>;
   using M = trivium::Matrix3<double>;
 
   explicit RandomDraw(std::uint64_t seed) : engine_(seed) {}
+  /// A number uniform between low and high.
   double uniform(double low, double high) {
     return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1.0p-53;
   }
+  /// An integer uniform between 0 and n - 1.
   int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
+  /// True with probability p.
   bool chance(double p) { return uniform(0, 1) < p; }
+  /// A vector whose components are uniform between -size and size.
   V vector(double size = 1) { return size * vector(-1, 1); }
   /// A vector whose components are uniform between low and high.
   V vector(double low, double high) {

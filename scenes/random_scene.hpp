@@ -10,16 +10,18 @@
 
 namespace trivium::scenes {
 
+/// A random scene and the time to which its positions belong.
 struct RandomScene {
   Scene scene;
   double t = 0;  ///< time at which the positions satisfy the constraints [s]
 };
 
+/// Limits of a random scene.
 struct RandomOptions {
-  int most_bodies = 8;
-  double mass_ratio = 1e6;
-  bool effects = true;
-  bool redundant = true;  ///< also add, at random, joints that repeat an existing joint
+  int most_bodies = 8;      ///< largest number of bodies, without the ground
+  double mass_ratio = 1e6;  ///< largest ratio of two masses [-]
+  bool effects = true;      ///< also add effects
+  bool redundant = true;    ///< also add, at random, joints that repeat an existing joint
 };
 
 /// The random scene of a seed. A seed gives the same scene on every platform, and in every version until a

@@ -35,6 +35,7 @@ class RangeCheckedCast {
   /// object.
   RangeCheckedCast(std::string_view kind, std::string_view name) : kind_(kind), name_(name) {}
 
+  /// A number whose magnitude matters, such as a mass: neither overflow nor underflow is accepted.
   Scalar number(double x, std::string_view key) const {
     if constexpr (!holds_every_double)
       if (overflows(x) || vanishes(x)) fail(x, key);

@@ -20,29 +20,35 @@ namespace trivium::scenes {
 
 using Matrix3 = std::array<Vector3, 3>;  ///< three rows
 
+/// Euler parameters of the rotation from body to global components.
 struct EulerParameters {
   std::array<double, 4> e{1, 0, 0, 0};  ///< e0, e1, e2, e3 [-]; normalised when used
   bool operator==(const EulerParameters&) const = default;
 };
+/// Angles of successive rotations about body-fixed axes.
 struct EulerAngles {
   Vector3 angles{};  ///< [rad], in the order of the sequence
   EulerSequence sequence;
   bool operator==(const EulerAngles&) const = default;
 };
+/// A rotation by an angle about an axis.
 struct AxisAngle {
   Vector3 axis{0, 0, 1};  ///< of any length; the same components in both frames
   double angle = 0;       ///< [rad]
   bool operator==(const AxisAngle&) const = default;
 };
+/// A rotation matrix.
 struct RotationMatrix {
   Matrix3 A{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< maps body components to global components
   bool operator==(const RotationMatrix&) const = default;
 };
+/// The orientation of a body, in any of four forms.
 using Orientation = std::variant<EulerParameters, EulerAngles, AxisAngle, RotationMatrix>;
 
+/// A body and its state.
 struct Body {
   std::string name;
-  double mass = 0;
+  double mass = 0;                         ///< [kg]
   std::variant<Vector3, Matrix3> inertia;  ///< diagonal or full [kg m^2], centre of mass, body frame
   bool unphysical_inertia = false;         ///< do not check the triangle inequality of the moments
   Vector3 position{};                      ///< r of the centre of mass [m], global frame
@@ -73,14 +79,16 @@ void visit_keys(Visitor&& visitor, AnEffect& effect) {
   std::visit([&](auto& one) { one.keys(visitor, one); }, effect);
 }
 
+/// The contents of a scene file.
 struct Scene {
-  std::string name, description, reference;
+  std::string name, description, reference;  ///< reference: the source of the model
   std::vector<Body> bodies;
   std::vector<Constraint> constraints;
   std::vector<Effect> effects;
   std::optional<SavedRun> saved;  ///< data to continue the run that ended in this state
   bool operator==(const Scene&) const = default;
 
+  /// The name of the body with this index, also of `ground`.
   const std::string& body_name(int body) const {
     static const std::string ground_name = "ground";
     return body == ground ? ground_name : bodies[static_cast<std::size_t>(body)].name;

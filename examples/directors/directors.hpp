@@ -6,7 +6,7 @@
 /// there are no velocity-dependent inertia forces. lambda is the same as in all other formulations. The
 /// multipliers lambda_internal of the six internal rows belong to this formulation alone.
 ///
-/// The rotational mass matrix is mass_block = E (x) I with E = tr(Jbar) / 2 I - Jbar, the second moments of
+/// The rotational mass matrix is mass_block = E (x) I with E = tr(J_bar) / 2 I - J_bar, the second moments of
 /// mass.
 
 #include <bodies/rigid_body.hpp>
@@ -42,7 +42,7 @@ struct Directors {
     static constexpr int rotational_unknowns = 9;
     Matrix3 A_dot;
 
-    /// a = A abar is linear in the directors: the bias, the last member, is zero.
+    /// a = A a_bar is linear in the directors: the bias, the last member, is zero.
     trivium::BodyVector<S> vector(const Vector3& a_bar) const {
       return {a_bar, this->A * a_bar, A_dot * a_bar, Vector3::Zero()};
     }

@@ -98,7 +98,7 @@ void close_gaps(const Mechanism<double>& mechanism, MechanismState<double>& stat
     // Redundant rows are dependent only where they hold. Elsewhere their gradients differ by about the
     // relative violation. This difference must not be taken for a direction of motion, so the rank threshold
     // grows with the violation. The factor 10 and the limit 0.03 are chosen by experiment: a smaller
-    // threshold takes the difference for a direction, a larger one drops rows that meet at small angles.
+    // threshold takes the difference for a direction, a larger one leaves out rows that meet at small angles.
     const double trusted = std::clamp(10 * last / length, rank_tolerance, 0.03);
     if (!improves(trusted) && !(trusted > rank_tolerance && improves(rank_tolerance))) return;
   }

@@ -31,9 +31,10 @@ struct Comparison {
   /// The relative error of the first solution if the second is exact.
   double error() const { return over(std::max(size_2, reference_size)); }
   /// Cancellation factor [-], at least 1, by which rounding errors grow: size_uncancelled relative to four
-  /// times the largest of size_1, size_2 and reference_size. size_uncancelled is a sum of magnitudes, which
-  /// is larger than the magnitude of the sum in every state. The four keeps the factor at 1 in ordinary
-  /// states. Where a symmetric body spins fast, the factor grows with |omega_bar|^2 relative to the load.
+  /// times the largest of size_1, size_2 and reference_size. A sum of magnitudes such as size_uncancelled
+  /// exceeds the magnitude of the sum in every state. The number 4 is chosen such that the factor is 1 in
+  /// ordinary states. Where a symmetric body spins fast, the factor grows with |omega_bar|^2 relative to the
+  /// load.
   double cancellation() const {
     const double scale = std::max({size_1, size_2, reference_size});
     return size_uncancelled > 0 && scale > 0 ? std::max(1.0, size_uncancelled / (4 * scale)) : 1.0;
@@ -43,9 +44,9 @@ struct Comparison {
   double over(double scale) const { return difference == 0 ? 0.0 : difference / scale; }
 };
 
-/// Compares lambda: difference |E (lambda_1 - lambda_2)| and sizes |E lambda| over the unique rows. The
-/// reference size |E^-1 b| is taken over all rows, so that a row without load is measured relative to the
-/// loads of the others.
+/// Compares lambda in the norms of `rows` (RowNorms): difference |E (lambda_1 - lambda_2)| and sizes |E
+/// lambda| over the unique rows. The reference size |E^-1 b|, with b = schur_rhs_bound, is taken over all
+/// rows, so that a row without load is measured relative to the loads of the others.
 template <class Scalar>
 Comparison compare_lambda(const RowAnalysis& rows, const VectorX<Scalar>& lambda_1,
                           const VectorX<Scalar>& lambda_2);
@@ -61,16 +62,18 @@ struct AccelerationComparison {
   Comparison all, r_ddot, omega_bar_dot;
 };
 
+/// Compares the accelerations of all bodies in the norms of `rows`.
 template <class Scalar>
 AccelerationComparison compare_accelerations(const RowAnalysis& rows, const PhysicalSolution<Scalar>& a,
                                              const PhysicalSolution<Scalar>& b);
 
-/// Differences of accelerations, relative to the largest of the two solutions and of the size that Q and
+/// Differences of accelerations [-], relative to the largest of the two solutions and of the size that Q and
 /// gamma could cause.
 struct AccelerationDistance {
   double all = 0, r_ddot = 0, omega_bar_dot = 0;
 };
 
+/// The relative differences of compare_accelerations().
 template <class Scalar>
 AccelerationDistance acceleration_distance(const RowAnalysis& rows, const PhysicalSolution<Scalar>& a,
                                            const PhysicalSolution<Scalar>& b);

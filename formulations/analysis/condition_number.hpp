@@ -7,9 +7,9 @@
 
 namespace trivium {
 
-/// kappa [-] from W = L^-1 Phi^T E^-1 [6 nb x nc], where the mass metric is L L^T: the largest over the
-/// rank-th largest eigenvalue of W^T W; 1 if the rank is 0. kappa is at most 1e16, since smaller eigenvalues
-/// are rounding errors of the largest.
+/// kappa [-] from `W` = L^-1 Phi^T E^-1 [6 nb x nc], where the mass metric is L L^T. (In row_norms.hpp, W
+/// does not contain E^-1.) kappa is the largest over the rank-th largest eigenvalue of W^T W; 1 if the rank
+/// is 0. kappa is at most 1e16, since smaller eigenvalues are rounding errors of the largest.
 double condition_number(const MatrixX<double>& W, int rank);
 
 }  // namespace trivium

@@ -110,10 +110,10 @@ Consistency check_consistency(const Mechanism<double>& mechanism, const Mechanis
   const auto eom = equations_of_motion<F>(mechanism, to_coordinates<F>(mechanism, state, {}), state.t);
   const Extent m = extent_of(mechanism, state);
   Consistency out;
-  // Relative to the lengths and speeds of the scene. Positions within 1e-8 leave redundant rows dependent up
-  // to rank_tolerance.
+  // Relative to the length and speed of the mechanism. Positions within 1e-8 leave redundant rows dependent
+  // up to rank_tolerance.
   constexpr double tolerance = 1e-8;
-  // [1/s], speed tolerance per length. A scene at rest has speed 0 and gives no scale for its velocities.
+  // [1/s], speed tolerance per length. A mechanism at rest has speed 0 and gives no scale for its velocities.
   // 1e-12 is far above their rounding errors (about 1e-16 per second) and far below the speed of a motion.
   constexpr double rate_of_rounding = 1e-12;
   const VectorX<double> velocity = velocity_residual(eom);

@@ -22,7 +22,7 @@ class MagnitudeBounds {
         t_(state.t),
         body_(body_kinematics(to_coordinates<ROmega<double>>(mechanism, state, {}))) {}
 
-  /// Bounds of |Q| [6 nb: N, N m]; the gyroscopic moment enters as |omega_bar|^2 |Jbar|.
+  /// Bounds of |Q| [6 nb: N, N m]; the gyroscopic moment enters as |omega_bar|^2 |J_bar|.
   VectorX<double> forces() const {
     VectorX<double> Q = VectorX<double>::Zero(6 * mechanism_.nb());
     const auto wrenches = applied_wrenches(mechanism_, body_, t_);

@@ -16,14 +16,16 @@ namespace trivium {
 
 // singular values and sines
 
-/// Singular values of the geometrically scaled Jacobian, relative to the largest, below which a row counts
-/// as dependent. The value lies between the defect that rounded or nearly consistent positions leave in a
-/// dependent row (1e-16 to 1e-9) and the smallest singular value of a real mechanism. See also
-/// direction_tolerance.
+/// Singular values of the geometrically scaled Jacobian, relative to the largest, below which a row counts as
+/// dependent. Geometric scaling divides the columns of rotations by a mean lever [m], the root mean square of
+/// |Phi_pi_bar| / |Phi_r| over connected bodies, and then each row by its norm. The value lies between the
+/// defect that rounded or nearly consistent positions leave in a dependent row (1e-16 to 1e-9) and the
+/// smallest singular value of a real mechanism. See also direction_tolerance.
 inline constexpr double rank_tolerance = 1e-8;
 
 /// The same for the structured solver: a row is dependent if the sine between its direction and the space of
-/// the other rows is at most this. In float rounding alone gives sines above rank_tolerance, hence 100 u.
+/// the other rows is at most this value. In float rounding alone gives sines above rank_tolerance, hence 100
+/// u.
 template <class S>
 S direction_tolerance() {
   return larger(S(100 * unit_roundoff<S>()), S(rank_tolerance));
@@ -34,47 +36,49 @@ S direction_tolerance() {
 /// both detect the same singular position.
 inline constexpr double vanishing_row_tolerance = 1e-5;
 
-/// Choice of the dependent rows from the end of the file: a row is taken if its row of the null basis, made
-/// orthogonal to those of the rows already taken, keeps at least this share of its norm. If too few rows are
-/// found, the search is repeated with a tenth of the share, down to the least share. A share s magnifies
-/// rounding errors of the multipliers by 1/s: the first share costs one digit, and the least one leaves about
-/// four digits of a double.
+/// Choice of the dependent rows of Phi, from the end of the file. Let z_k be row k of the null basis, which
+/// belongs to row k of Phi. The part of z_k that is orthogonal to the z of the rows chosen before must exceed
+/// this share of |z_k|; then row k of Phi is chosen. If too few rows are found, the search is repeated with a
+/// tenth of the share, down to the least share. A share s magnifies rounding errors of the multipliers by
+/// 1/s: the first share costs one digit, and the least one leaves about four digits of a double.
 inline constexpr double null_space_share = 0.1, least_null_space_share = 1e-12;
 
 // pivots of closing edges: squares of sines, weighted by inertia
 
-/// A row of a closing counts as dependent at first if its pivot is at most this share of the row's diagonal
-/// entry before other rows were eliminated. Its sine decides later (direction_tolerance). The value
+/// A row of a closing becomes a candidate for a dependent row if its pivot is at most this share of the row's
+/// diagonal entry before other rows were eliminated. Its sine decides later (direction_tolerance). The value
 /// corresponds to a sine of 1e-4 and is unrelated to rank_tolerance, which has the same digits. The relative
-/// rounding error of a larger pivot is at most u / 1e-8, which one step of iterative refinement corrects. A
-/// dependent row that looks independent only because its points are misplaced within their tolerance has a
-/// far smaller pivot, unless its motion has almost no inertia. In float, 1000 u is the larger value.
+/// rounding error of a larger pivot is at most u / 1e-8, which one step of iterative refinement corrects.
+/// Points that are misplaced within their tolerance make a dependent row look independent. The pivot of such
+/// a row is far smaller than this value, unless the bodies have almost no inertia against a force along the
+/// row. In float, 1000 u is the larger value.
 template <class S>
 S dependent_pivot() {
   return larger(S(1000 * unit_roundoff<S>()), S(1e-8));
 }
 
-/// The same for DependentRows::detect_near_singular, relative to the magnitude of the terms of the pivot. A
-/// motion passes a singular position without the rows whose sine is below the square root of this value. The
-/// relative rounding error of the smallest pivot in use is then u^0.4 (4e-7 in double). The exponent 0.6 is
-/// chosen by experiment: a smaller value omits rows for a longer part of the motion, a larger one keeps rows
-/// whose multipliers are rounding errors. See also vanishing_row_tolerance.
+/// The same for DependentRows::detect_near_singular, relative to the magnitude of the terms of the pivot.
+/// Where a motion passes a singular position, the rows whose sine is below the square root of this value are
+/// left out. The relative rounding error of the smallest pivot in use is then u^0.4 (4e-7 in double). The
+/// exponent 0.6 is chosen by experiment: a smaller value leaves rows out for a longer part of the motion, a
+/// larger one keeps rows whose multipliers are rounding errors. See also vanishing_row_tolerance.
 template <class S>
 S near_singular_pivot() {
   return static_cast<S>(std::pow(largest_lane(unit_roundoff<S>()), 0.6));
 }
 
 /// Relative to the magnitude of its terms, the size up to which a pivot is rounding error only. 30 is chosen
-/// by experiment: a smaller value takes rounding errors for pivots, a larger one drops rows without need.
+/// by experiment: a smaller value takes rounding errors for pivots, a larger one leaves rows out without
+/// need.
 template <class S>
 S pivot_rounding() {
   return S(30 * unit_roundoff<S>());
 }
 
-/// A dependent row is restored if the energy of its response (the motion under a unit force along the row)
-/// exceeds this many times the energy of the correction in one more refinement. A response that consists of
-/// rounding errors changes by its own size with every refinement. An energy is a square: 100 asks for a
-/// response ten times larger than its correction.
+/// A candidate of sufficient sine is put back if the energy of its response exceeds this many times the
+/// energy of the correction of the response in one more step of refinement. The response is the motion under
+/// a unit force along the row. If it consists of rounding errors, the correction is as large as the response.
+/// An energy is a square: 100 asks for a response ten times larger than its correction.
 inline constexpr double least_energy_above_rounding = 100;
 
 /// Relative to the magnitude of its terms, the size up to which a pivot of a body's block, in the motions
@@ -87,11 +91,11 @@ S inertia_rounding() {
 
 // pivots of the rows of one joint, sines
 
-/// A row of a tree joint counts as dependent at first if its largest entry, after the elimination of the rows
-/// before it, is at most this share of the magnitude of its terms. Its sine decides later
-/// (direction_tolerance). The inertia that a row passes on to the parent grows with the inverse square of the
-/// row's remainder, so at u^(1/4) the other motions of the parent keep half of their digits. The bound 1e-32
-/// applies in quad and wider Scalars, where it keeps the share from falling below rank_tolerance.
+/// A row of a tree joint becomes a candidate if its largest entry, after the elimination of the rows before
+/// it, is at most this share of the magnitude of its terms. Its sine decides later (direction_tolerance). The
+/// inertia that a row passes on to the parent grows with the inverse square of the row's remainder, so at
+/// u^(1/4) the other motions of the parent keep half of their digits. The lower limit 1e-32 of u, which
+/// applies in quad and wider Scalars, keeps the share from falling below rank_tolerance.
 template <class S>
 S joint_row_tolerance() {
   using std::sqrt;
@@ -128,8 +132,7 @@ inline constexpr double contradiction_floor = 1e-12;
 /// A fully refined solution violates a dependent row by at most this share of the row's terms. A row has up
 /// to 12 products and gamma: their rounding errors add up to 13 u at worst, and to about sqrt(13) u if they
 /// are independent. 8 lies between these factors. A larger violation is no error: it makes the solver examine
-/// the sines of the dependent rows. A smaller value causes this at more states, a larger one lets small
-/// contradictions pass.
+/// the candidates. A smaller value causes this at more states, a larger one lets small contradictions pass.
 template <class S>
 S row_rounding() {
   return S(8 * unit_roundoff<S>());

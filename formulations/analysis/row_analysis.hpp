@@ -22,8 +22,9 @@ struct RowAnalysis : RowNorms {
   /// orthonormal columns. lambda is determined up to N y. The multiplier of a row without a gradient has no
   /// effect and is 0.
   MatrixX<double> null_basis;
-  /// [rank x 6 nb] Maps a generalized force w to the coefficients c of the independent rows that minimise
-  /// |Phi_independent^T c - w| in the geometric scaling; empty if no row is dependent.
+  /// [rank x 6 nb] Maps a generalized force w to the coefficients c of the independent rows for which
+  /// |Phi_independent^T c - w| is smallest. This norm is in the geometric scaling (rank_tolerance.hpp):
+  /// moments are divided by the mean lever. Empty if no row is dependent.
   MatrixX<double> combination;
   /// Dependent rows whose right side contradicts the rows that they are a combination of: no acceleration
   /// satisfies them all.
@@ -31,6 +32,8 @@ struct RowAnalysis : RowNorms {
   double kappa = 1;  ///< condition number of E^-1 S E^-1 over its nonzero singular values [-]
 };
 
+/// The row analysis of a tangent system. Contradictory rows are reported in the result and are no error here.
+/// Throws a ModelError if the metric is singular (MassMetric) or the dependent rows cannot be chosen.
 RowAnalysis analyse_rows(const TangentSystem& system);
 
 /// Largest number of unknowns (6 nb + nc) for the dense row analysis and the printed form. Larger problems

@@ -6,12 +6,16 @@
 
 namespace trivium {
 
+/// Weights and magnitudes at one state; nc rows, nb bodies. M stands for the metric of MassMetric.
 struct RowNorms {
   /// diag(S)^(1/2), S = Phi M^-1 Phi^T: |E lambda| does not depend on units or on the scale of a row.
   VectorX<double> E;
   VectorX<double> mu;  ///< weights of the rows in a metric for singular M (MassMetric)
 
-  VectorX<double> schur_rhs_bound;  ///< b = |Phi| M^-1 |Q| + |gamma|, a bound of the right side of S lambda
+  /// b = |Phi| |M^-1 |Q|| + |gamma|, with absolute values of every component: the size of the right side Phi
+  /// M^-1 Q - gamma of S lambda if the terms do not cancel. At least cancellation_floor times
+  /// schur_rhs_bound_uncancelled, if that is known.
+  VectorX<double> schur_rhs_bound;
   /// b with every term of Q, gamma and Phi by magnitude (magnitude_bounds.hpp); empty if not known.
   VectorX<double> schur_rhs_bound_uncancelled;
   VectorX<double> acceleration_scale;  ///< square root of the metric's diagonal [6 nb]

@@ -23,13 +23,13 @@ struct Magnitudes {
   std::vector<Row> rows;
 };
 
-/// Mass, forces, Jacobian and gamma in double.
+/// Mass [kg], inertia J_bar [kg m^2], forces, Jacobian and gamma in double.
 struct TangentSystem {
   std::vector<std::string> body_names;
   std::vector<double> mass;
   std::vector<Matrix3<double>> inertia;
   MatrixX<double> Phi;  ///< [nc x 6 nb]; columns of a body: r (3), then body-frame rotation (3)
-  VectorX<double> Q;    ///< [6 nb]: F; n_bar - tilde(omega_bar) Jbar omega_bar
+  VectorX<double> Q;    ///< [6 nb]: F; n_bar - tilde(omega_bar) J_bar omega_bar
   VectorX<double> gamma;
   Magnitudes magnitudes;  ///< empty if not computed
 };

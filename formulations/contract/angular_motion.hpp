@@ -6,9 +6,10 @@
 
 namespace trivium {
 
-/// Rotation A, angular velocity omega and angular acceleration omega' = axes x + drift, all in the global
-/// frame. A body vector a has the rate omega x a and the second derivative (axes x + drift) x a + omega x
-/// (omega x a). A moment in the global frame acts on x with the generalized force axes^T times the moment.
+/// Rotation A, angular velocity omega [rad/s] and angular acceleration omega' = axes x + drift [rad/s^2], all
+/// in the global frame; axes_T is the transpose of `axes` [3x3]. A body vector a has the rate omega x a and
+/// the second derivative (axes x + drift) x a + omega x (omega x a). A moment in the global frame acts on x
+/// with the generalized force axes^T times the moment.
 template <class S>
 struct AngularMotion {
   PaddedColumns<S, 3> A, axes_T;

@@ -2,13 +2,14 @@
 /// The first part of a formulation: the equations of motion of one body as the textbooks print them. The
 /// augmented system needs nothing else.
 ///
-/// Per body, with n = rotational_unknowns and m = internal_constraints, the number of internal rows:
-/// constraints between the coordinates of one body (0; in r-p 1, the normalisation row):
-///
 ///     mass r''       + Phi_r^T lambda                        = F
 ///     mass_block q'' + Phi_rot^T lambda + P^T lambda_internal = applied_force(n_bar) + velocity_force
 ///     Phi_r r'' + Phi_rot q''                                = gamma
 ///     P q''                                                  = internal_gamma
+///
+/// q'' has n = rotational_unknowns components. P has m = internal_constraints rows, the internal rows of the
+/// body: constraints between the coordinates of one body. m is 1 in r-p, where the internal row normalises p,
+/// and 0 in the other formulations of the library. F is in N, global, the moment n_bar in N m, body frame.
 
 #include <concepts>
 #include <string_view>
@@ -19,6 +20,7 @@
 
 namespace trivium {
 
+/// What a formulation F must have to be solved as printed.
 template <class F>
 concept EquationsAsPrinted = BodyKinematics<typename F::Kinematics> &&
     std::derived_from<typename F::Kinematics, BodyMotion<typename F::Scalar>> &&
@@ -41,14 +43,15 @@ concept EquationsAsPrinted = BodyKinematics<typename F::Kinematics> &&
   { F::to_euler_parameters(chart, q) } -> std::convertible_to<Vector4<typename F::Scalar>>;
   // orientation, and the value, Jacobian, rate and bias of body vectors (BodyKinematics)
   { F::kinematics(chart, v, v, q) } -> std::same_as<typename F::Kinematics>;
-  // mass block, quadratic-velocity force, generalized force of a moment in the body frame
+  // mass block [n x n], quadratic-velocity force [n], generalized force [n] of a moment in the body frame
   {F::mass_block(body, J_bar)};
   {F::velocity_force(body, J_bar)};
   {F::applied_force(body, v)};
-  // internal row
+  // internal rows: P [m x n] and the right side [m]
   {F::internal_jacobian(body)};
   {F::internal_gamma(body)};
-  // rotational unknown and omega_bar': q'' = lift omega_bar' + (terms of q and q'), and omega_bar' from q''
+  // rotational unknown and omega_bar': q'' = lift omega_bar' + (terms of q and q'), lift [n x 3], and
+  // omega_bar' from q''
   {F::lift(body)};
   { F::to_angular_acceleration(body, q_ddot) } -> std::convertible_to<Vector3<typename F::Scalar>>;
 };

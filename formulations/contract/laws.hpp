@@ -225,10 +225,10 @@ class FormulationLaws {
     equal("retract satisfies the internal rows", same, retracted_there);
   }
 
-  /// Central differences with the step h = u^(1/3), where u is the machine epsilon: there truncation and
-  /// rounding errors balance, both near u^(2/3). The bound is 1000 times as large, far below the error of
-  /// wrong formulas. The first two laws compare rotations, not coordinates, because an angle may jump by 2 pi
-  /// between the two points.
+  /// Central differences with the step h = epsilon^(1/3), where epsilon is the machine epsilon, the local
+  /// `u`: there truncation and rounding errors balance, both near epsilon^(2/3). The bound is 1000 times as
+  /// large, far below the error of wrong formulas. The first two laws compare rotations, not coordinates,
+  /// because an angle may jump by 2 pi between the two points.
   template <class Orientation>
   void paths(const Sample& s, const Orientation& at, const Unknown& v, const Orientation& there,
              const Unknown& by) {
@@ -302,6 +302,8 @@ class FormulationLaws {
 
 }  // namespace detail
 
+/// The laws that the formulation F breaks, each with its measured error; empty if none. Laws of the reduced
+/// equations and of the moving coordinates are tested if F has these parts.
 template <EquationsAsPrinted F>
 std::vector<BrokenLaw> broken_laws() {
   return detail::FormulationLaws<F>().broken();

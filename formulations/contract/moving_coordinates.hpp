@@ -9,6 +9,7 @@
 
 namespace trivium {
 
+/// What a formulation F must have for simulations, in addition to the other two parts.
 template <class F>
 concept MovingCoordinates = requires(const typename F::Scalar& s, const typename F::Chart& chart,
                                      const Vector4<typename F::Scalar>& p, const typename F::Coordinates& q,
@@ -27,10 +28,10 @@ concept MovingCoordinates = requires(const typename F::Scalar& s, const typename
   // Steps of implicit methods are displacements with as many numbers as the velocity. step: the orientation
   // after a displacement, which may violate the internal row. displacement: the displacement from the first
   // to the second orientation. displacement_rate: time derivative of a displacement (first argument) at a
-  // velocity (second argument). normalise_step adds to the unknown moved_x the change c for which `moved`,
-  // displaced by s c, satisfies the internal row; normalise_step_velocity adds the change c for which the
-  // velocity x + s c satisfies the time derivative of the row. inertia_is_constant: whether mass_block is
-  // independent of q
+  // velocity (second argument). normalise_step changes the orientation `moved` by the displacement s c onto
+  // the internal row and adds c to the unknown moved_x. normalise_step_velocity adds to moved_x the change c
+  // for which the velocity x + s c satisfies the time derivative of the internal row at `orientation`.
+  // inertia_is_constant: whether mass_block is independent of q
   { F::step(chart, orientation, x) } -> std::convertible_to<typename F::Orientation>;
   { F::displacement(chart, orientation, orientation) } -> std::convertible_to<typename F::Unknown>;
   { F::displacement_rate(x, x) } -> std::convertible_to<typename F::Unknown>;

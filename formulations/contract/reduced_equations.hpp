@@ -11,12 +11,14 @@
 
 namespace trivium {
 
+/// What a formulation F must have for the structured solver, in addition to the printed equations.
 template <class F>
 concept ReducedEquations = BodyKinematics<typename F::Reduced> && F::Reduced::rotational_unknowns == 3 &&
                            requires(const Vector3<typename F::Scalar>& v,
                                     const Matrix3<typename F::Scalar>& J_bar,
                                     const typename F::Kinematics& body, const typename F::Reduced& reduced,
                                     const typename F::Unknown& force) {
+  // rotation and angular velocity as functions of x
   { F::angular_motion(reduced) } -> std::same_as<AngularMotion<typename F::Scalar>>;
   // whether reduced_mass_block is independent of the state
   { F::reduced_mass_is_constant } -> std::convertible_to<bool>;

@@ -108,7 +108,7 @@ TYPED_TEST(Solutions, BalanceTheMomentumOfEveryBody) {
           const auto& [mass, J] = s.mechanism.bodies[b];
           const Vector3<double>& w = s.state.twist[b].omega_bar;
           const double scale = force_scale(s);
-          // Newton: m r'' = sum of forces. Euler: Jbar omega_bar' + omega_bar x Jbar omega_bar = sum of
+          // Newton: m r'' = sum of forces. Euler: J_bar omega_bar' + omega_bar x J_bar omega_bar = sum of
           // torques.
           RC_ASSERT(distance(mass * physical.r_ddot[b], force) <= 1e-12 * scale);
           RC_ASSERT(distance(J * physical.omega_bar_dot[b] + w.cross(J * w),

@@ -17,8 +17,8 @@ namespace trivium {
 ///     [      P                         ] [ lambda^p ]   [ gamma_internal ]
 ///     [ Phi_r  Phi_rot                 ] [ lambda   ]   [ gamma          ]
 ///
-/// In the literature J, Phi_rot, tau, gamma are J^p, Phi_p, tau_hat, gamma_hat in r-p; Jbar, Phi_pi_bar,
-/// n_bar - tilde(omega_bar) Jbar omega_bar, gamma in r-omega; and J^epsilon, Phi_epsilon, tau, gamma in
+/// In the literature J, Phi_rot, tau, gamma are J^p, Phi_p, tau_hat, gamma_hat in r-p; J_bar, Phi_pi_bar,
+/// n_bar - tilde(omega_bar) J_bar omega_bar, gamma in r-omega; and J^epsilon, Phi_epsilon, tau, gamma in
 /// r-epsilon.
 template <EquationsAsPrinted F>
 struct AugmentedSystem {

@@ -4,8 +4,10 @@
 /// graph of bodies and joints (graph_solver.hpp). One object serves one mechanism. Its plan is made once, and
 /// a solution at another state allocates nothing.
 ///
-/// The elimination drops rows that it takes for dependent: they get the multiplier 0. A dropped row may still
-/// be independent, by a small sine. A test finds such rows and restores them.
+/// The elimination leaves out the rows whose pivots are small, the candidates: their multiplier is 0. A
+/// candidate may still be independent, by a small sine. If there is a reason, the candidates are examined,
+/// and the independent ones are put back. The other candidates are the dependent rows
+/// (docs/linear_time_solver.md).
 ///
 /// The library has every formulation in double and Quad (instances/). For another Scalar include
 /// acceleration_solver_impl.hpp and graph_solver_impl.hpp.
@@ -37,6 +39,7 @@ struct Corrections {
 /// for example if a light body carries a heavy one.
 enum class Refinement { none, as_needed };
 
+/// Solves the equations of one mechanism in the formulation F, at one state after the other.
 template <Formulation F>
 class AccelerationSolver {
  public:
@@ -48,12 +51,13 @@ class AccelerationSolver {
   explicit AccelerationSolver(const MechanismOf<F>&&) = delete;
   AccelerationSolver(const AccelerationSolver&) = delete;  // solver_ keeps a pointer to the matrix
 
-  /// Solves at a state. Throws a ModelError that names the body if a link is singular, and the row if a
-  /// dependent row contradicts the others. After an error all results are NaN.
+  /// Solves at a state: one BodyState per body (to_coordinates) at time t [s]. `how` decides which rows are
+  /// dependent. Throws a ModelError that names the body if a link is singular, and the row if a dependent row
+  /// contradicts the others or if too many candidates are independent. After an error all results are NaN.
   void solve(std::span<const BodyState<F>> state, const S& t, Refinement refinement = Refinement::as_needed,
              DependentRows how = DependentRows::detect);
 
-  /// Replaces the rows Phi'' = 0 by the stabilised ones in all solutions from now on.
+  /// Imposes Phi'' + 2 alpha Phi' + beta^2 Phi = 0 in place of Phi'' = 0 in all solutions from now on.
   void stabilise(const Baumgarte& baumgarte);
 
   /// One step of iterative refinement.
@@ -61,22 +65,25 @@ class AccelerationSolver {
 
   const MechanismOf<F>& mechanism() const { return mechanism_; }
   const EliminationPlan& plan() const { return solver_.plan(); }
-  /// The factors of the last state, to solve for other right sides. If they are used to factor another
-  /// matrix, the accelerations of this object become invalid.
+  /// The factors of the last state, to solve for other right sides. If another matrix is factored with this
+  /// object, the accelerations become invalid.
   GraphSolver<S>& factors() { return solver_; }
+  /// The matrix and the bodies of the last state.
   GraphAssembly<F>& assembly() { return assembly_; }
   const GraphAssembly<F>& assembly() const { return assembly_; }
   /// The error of a singular link with the name of its body. If the state is not finite, throws the error of
-  /// the state instead, since this is the cause.
+  /// the state instead, since the state is the cause.
   ModelError named(const SingularLink& link, const S& t) const;
   /// The corrections by the last step of refinement.
   const Corrections& corrections() const { return corrections_; }
 
+  /// Acceleration of the centre of mass of body b [m/s^2, global].
   Vector3<S> r_ddot(int b) const { return unpadded<S>(solution_.body[b].r); }
   /// The formulation's own rotational unknown, such as omega_bar' (r-omega) or p'' (r-p).
   typename F::Unknown q_ddot(int b) const {
     return F::from_reduced(assembly_.body()[b], unpadded<S>(solution_.body[b].x));
   }
+  /// Angular acceleration of body b [rad/s^2, body frame].
   Vector3<S> omega_bar_dot(int b) const { return F::to_angular_acceleration(assembly_.body()[b], q_ddot(b)); }
   /// One multiplier per row of the mechanism; 0 in dependent rows.
   VectorX<S> lambda() const {
@@ -88,10 +95,11 @@ class AccelerationSolver {
   void copy_lambda(VectorX<S>& all) const {
     for_each_row([&](int edge, int k, int row) { all[row] = solution_.edge[edge][k]; });
   }
-  /// The indices of the dependent rows, ascending. If solve() had no reason to test the dropped rows, they
-  /// are tested here. The rows restored by this test get a multiplier in place of 0, and the state is solved
+  /// The indices of the dependent rows, ascending. If solve() had no reason to examine the candidates, they
+  /// are examined here. A candidate that is put back gets a multiplier in place of 0, and the state is solved
   /// again.
   std::vector<int> dependent_rows();
+  /// The number of independent rows.
   int rank() { return mechanism_.nc() - static_cast<int>(dependent_rows().size()); }
 
   // on demand: these cost one solution per dependent row and allocate memory
@@ -123,8 +131,8 @@ class AccelerationSolver {
   // dependent rows (dependent_rows_check_impl.hpp)
 
   /// Checks the right sides of the dependent rows. If a row is a combination of other rows, its gamma must be
-  /// the same combination of the gammas of these rows. If the solution violates dropped rows, they are tested
-  /// and the independent ones restored. Throws a ModelError if a dependent row contradicts the others.
+  /// the same combination of the gammas of these rows. If the solution violates candidates, they are examined
+  /// and the independent ones put back. Throws a ModelError if a dependent row contradicts the others.
   void check_dependent_rows();
   template <class SizeOfBody>
   std::optional<EdgeRow> find_violated_row(const GraphVector<S>& solution, const S& tolerance, const S& least,
@@ -138,7 +146,7 @@ class AccelerationSolver {
   AccelerationSize<S> size_of_turning(int b) const {
     return {S(0), assembly_.angular_motion()[b].omega.squaredNorm()};
   }
-  /// Tests the dropped rows, once per state. Restores the independent ones and, if there are any, solves
+  /// Examines the candidates, once per state. Puts the independent ones back and, if there are any, solves
   /// again.
   void decide_dependent_rows();
   Place place_of(const EdgeRow& row) const;
@@ -175,7 +183,7 @@ class AccelerationSolver {
   // of the last solution
   S t_{0};
   Refinement refinement_ = Refinement::as_needed;
-  bool rows_are_decided_ = false;  ///< the dropped rows have been tested, or are not to be tested
+  bool rows_are_decided_ = false;  ///< the candidates have been examined, or are not to be
   Corrections corrections_;
   // for Baumgarte's stabilisation only
   std::optional<Baumgarte> baumgarte_;

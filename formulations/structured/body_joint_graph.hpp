@@ -28,6 +28,7 @@ struct GraphEdge : BodyPair {
   int size() const { return static_cast<int>(rows.size()); }
 };
 
+/// Bodies as nodes and groups of rows as edges.
 struct BodyJointGraph {
   int bodies = 0;  ///< the ground is node `bodies`
   std::vector<GraphEdge> edges;
@@ -46,6 +47,7 @@ struct GraphJoint : BodyPair {
 /// joint between these bodies joins that edge if both together have at most six rows.
 BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joints);
 
+/// The graph of a mechanism.
 template <class Scalar, class Types>
 BodyJointGraph body_joint_graph(const Mechanism<Scalar, Types>& mechanism) {
   std::vector<GraphJoint> joints;

@@ -91,8 +91,8 @@ template <class S>
 void GraphSolver<S>::choose_rows(int c) {
   // keep_count chooses as many rows as were independent before, but not necessarily the same ones.
   // detect_near_singular excludes rows that are marked already, and rows whose relative pivot is at most
-  // near_singular_pivot_. The pivots
-  // of the rows not yet chosen change with every choice, because the chosen row is eliminated from them.
+  // near_singular_pivot_. The pivots of the rows not yet chosen change with every choice, because the chosen
+  // row is eliminated from them.
   const ClosingFactor& f = closing_[c];
   Matrix6<S> block = coupling_[plan_.diagonal_slot[c]];
   const int n = rows_of_closing(c);

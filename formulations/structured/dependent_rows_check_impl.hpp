@@ -1,6 +1,6 @@
 #pragma once
-/// AccelerationSolver: the check of the dependent rows. A row that the solution violates is independent and
-/// is restored, or it contradicts the others, which is an error. A part of acceleration_solver_impl.hpp.
+/// AccelerationSolver: the check of the dependent rows. A candidate that the solution violates is independent
+/// and is put back, or it contradicts the others, which is an error. A part of acceleration_solver_impl.hpp.
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// GraphSolver: finds the rows that the elimination takes for dependent although they are independent, and
-/// borders them to the factors. A part of graph_solver_impl.hpp.
+/// GraphSolver: finds the candidates that are independent and borders them to the factors. A part of
+/// graph_solver_impl.hpp.
 ///
 /// A pivot is the square of the sine between a row and the rows before it, so its rounding error hides sines
 /// below sqrt(u). The row's remainder, the part outside the span of the other rows, is not squared and can be

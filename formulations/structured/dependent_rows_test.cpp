@@ -26,7 +26,7 @@ TEST(DependentRows, DriversThatAgreeShareTheTorque) {
   test::expect_agreement<F>(scene, "two drivers of one motion");
 }
 
-/// Motions use DependentRows::detect_near_singular, where dropped rows are not tested and no levers are
+/// Motions use DependentRows::detect_near_singular, where candidates are not examined and no levers are
 /// measured. unique() must be right even so.
 TEST(DependentRows, UniqueMultipliersAreToldHoweverTheRowsWereFound) {
   scenes::Scene scene = pendulum();

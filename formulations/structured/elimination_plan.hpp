@@ -15,6 +15,7 @@
 
 namespace trivium {
 
+/// The order of the elimination, with the storage slot of every block.
 struct EliminationPlan {
   // a slot is an index into the solver's storage for blocks of one kind
 
@@ -30,6 +31,7 @@ struct EliminationPlan {
         second;  ///< indices into the link's columns, in the order of elimination; equal on the diagonal
     int slot;    ///< slot of the block, whose rows are those of the closing `first`
   };
+  /// A body and the joint to its parent.
   struct Link {
     int body;
     int parent;  ///< the parent body; graph.bodies stands for the ground
@@ -53,6 +55,7 @@ struct EliminationPlan {
   struct Fill {
     int first, second, slot;  ///< two indices into `later`, slot of their coupling
   };
+  /// An edge outside the tree.
   struct Closing {
     int edge;
     int body;            ///< the body where the closing is eliminated; graph.bodies stands for the ground
@@ -67,6 +70,7 @@ struct EliminationPlan {
     std::vector<int> closings;  ///< in the order of elimination
   };
 
+  /// Whether the joint of the link is a point joint.
   bool is_point_link(const Link& link) const { return link.edge >= 0 && graph.edges[link.edge].is_point; }
 
   BodyJointGraph graph;

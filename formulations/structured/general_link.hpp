@@ -15,6 +15,7 @@
 
 namespace trivium {
 
+/// The factors of one link and its part of the current right side. PointLink states what the functions do.
 template <class S>
 class GeneralLink {
  public:

@@ -3,12 +3,17 @@
 /// is done per entry of the elimination plan, without allocation and without search. Cost and memory are
 /// linear in the number of bodies for trees and for mechanisms with short loops.
 ///
-/// To drop a row means to treat it as dependent: its multiplier is 0 and its right side is ignored. A dropped
-/// row that turns out to be independent is restored.
+/// A point joint holds a point by three rows and has up to three orientation rows, which depend on
+/// orientations only (body_joint_graph.hpp). All other joints are general. The tree is the spanning tree of
+/// the plan.
+///
+/// A row whose pivot is small is a candidate and is left out: its multiplier is 0 and its right side is
+/// ignored. A candidate that turns out to be independent is put back; the other candidates are dependent.
+/// DependentRows (graph_system.hpp) selects how this is decided.
 ///
 /// Parts: elimination_impl.hpp (the pass along the plan), point_link.hpp and general_link.hpp (one link),
 /// closing_elimination_impl.hpp (one closing), correction_impl.hpp (iterative refinement) and
-/// dependent_rows_impl.hpp (independent rows that the pivots take for dependent).
+/// dependent_rows_impl.hpp (candidates that are independent).
 
 #include <algorithm>
 #include <array>
@@ -27,23 +32,24 @@
 
 namespace trivium {
 
-/// A link cannot be eliminated: its joint leaves a motion of the body without inertia free, or orientation
-/// rows of its point joint depend on each other. The whole system may still be regular.
+/// A link cannot be eliminated. Either its joint leaves a motion free in which the body, with the bodies that
+/// it carries, has no inertia, or orientation rows of its point joint depend on each other. The whole system
+/// may still be regular.
 class SingularLink : public ModelError {
  public:
   SingularLink(int body, const std::string& why) : ModelError(why), body_(body) {}
-  int body() const { return body_; }
+  int body() const { return body_; }  ///< index of the body
 
  private:
   int body_;
 };
 
-/// Row k (0 to 5) of an edge.
+/// Row k (0 to 5) of an edge of the graph.
 struct EdgeRow {
   int edge, k;
 };
 
-/// More than GraphSolver::most_restored rows are nearly dependent on others.
+/// More than GraphSolver::most_restored candidates are independent.
 class NearlyDependentRows : public ModelError {
  public:
   explicit NearlyDependentRows(const EdgeRow& first)
@@ -51,6 +57,7 @@ class NearlyDependentRows : public ModelError {
   const EdgeRow first_too_many;
 };
 
+/// Factors and solver of one graph. One object serves many matrices, one after the other.
 template <class S>
 class GraphSolver {
  public:
@@ -60,21 +67,21 @@ class GraphSolver {
 
   const EliminationPlan& plan() const { return plan_; }
 
+  /// Number of calls of eliminate() for one matrix.
   int steps() const { return static_cast<int>(plan_.steps.size()); }
 
   /// Factors the matrix, which must outlive the factors. With DependentRows::detect it calls
-  /// restore_independent_rows() if a dependent row may be independent. This is the case if the row's pivot
-  /// exceeds rounding. It is also the case in a general joint of the tree, whose dependent rows may still
-  /// constrain the parent. Throws SingularLink and NearlyDependentRows.
+  /// restore_independent_rows() if a candidate may be independent. This is the case if the pivot of a
+  /// candidate exceeds rounding. It is also the case in a general joint of the tree, whose candidates may
+  /// still constrain the parent. Throws SingularLink and NearlyDependentRows.
   void factor(const GraphMatrix<S>& matrix);
 
   /// Solves for a right side. Dependent rows have the multiplier 0, and their right sides are ignored.
   void solve(const GraphVector<S>& right_side, GraphVector<S>& solution);
 
   // start(), eliminate() for each step in order, and substitute() together factor and solve in one pass. They
-  // do not restore independent rows. The caller may assemble the rows of a link just before its step. Each
-  // step has to wait for the results of the step before, and the processor does the assembly during this
-  // wait.
+  // do not put candidates back. The caller may assemble the rows of a link just before its step. Each step
+  // has to wait for the results of the step before, and the processor does the assembly during this wait.
   void start(const GraphMatrix<S>& matrix, const GraphVector<S>& right_side);
   /// Throws SingularLink.
   void eliminate(int step, const GraphVector<S>& right_side);
@@ -116,26 +123,26 @@ class GraphSolver {
     const auto& rows = is_dependent_[edge];
     return std::find(rows.begin(), rows.end(), true) != rows.end();
   }
-  /// Restores the rows that the last factorisation dropped although they are independent. Returns whether
-  /// there are any. A pivot is the square of a sine and loses the digits of a small sine in rounding, so the
-  /// elimination drops all rows of small sine. Here the dropped rows are tested by their sines. A bisection
-  /// discards sets of rows that depend on the others, and the sine of each remaining row is computed. The
-  /// angle is the one between the row's gradient and the span of all other rows, with rotations converted to
-  /// lengths by lever2(). If the sine exceeds direction_tolerance, the row is bordered to the factors: the
-  /// factored system gets one more row and column. Throws NearlyDependentRows beyond most_restored.
+  /// Puts the candidates back that are independent. Returns whether there are any. A pivot is the square of a
+  /// sine and loses the digits of a small sine in rounding, so the elimination leaves out all rows of small
+  /// sine. Here these candidates are examined by their sines. A bisection discards sets of rows that depend
+  /// on the others, and the sine of each remaining row is computed. The angle is the one between the row's
+  /// gradient and the span of all other rows, with rotations converted to lengths by lever2(). If the sine
+  /// exceeds direction_tolerance, the row is bordered to the factors: the factored system gets one more row
+  /// and column. Throws NearlyDependentRows beyond most_restored.
   ///
-  /// Cost: one factorisation and a few solutions, and for each restored row a number of solutions that grows
-  /// with the logarithm of the number of dropped rows. Memory is allocated at the first call and when more
-  /// rows are restored than ever before.
+  /// Cost: one factorisation and a few solutions, and for each row put back a number of solutions that grows
+  /// with the logarithm of the number of candidates. Memory is allocated at the first call and when more rows
+  /// are put back than ever before.
   bool restore_independent_rows();
   /// Computes lever2() for the matrix of the last factorisation, at the cost of about one factorisation.
   void measure_levers();
-  /// Square of the lever [m^2]: the length by which rotations of this body are converted to translations.
-  /// The value is that of the last measure_levers() or restore_independent_rows().
+  /// Square of the lever [m^2], the length by which rotations of this body are converted to translations,
+  /// from the last measure_levers() or restore_independent_rows().
   S lever2(int body) const;
   /// Whether the last factorisation has dependent rows whose pivot exceeds its rounding error.
   bool has_nearly_dependent_rows() const { return has_nearly_dependent_rows_; }
-  /// Each restored row stores a response of the size of the whole system and makes every solution slower.
+  /// Each row put back stores a response of the size of the whole system and makes every solution slower.
   /// More than 100 come from positions that violate their constraints: redundant rows then look independent.
   static constexpr int most_restored = 100;
   /// Adds multiplier * Phi_k^T of a row to the forces on its two bodies. Not for point joints of the tree.
@@ -162,9 +169,10 @@ class GraphSolver {
     int first_column;  ///< index of the link's first column in link_column_
     int rows;
   };
-  /// A restored row, bordered to the factors. Its response is the motion a, with its multipliers, that a unit
-  /// force along the row causes if all other forces and all right sides of rows are 0. The motion satisfies
-  /// the rows in the factors and the rows of earlier borders. The row's own multiplier is -1 in the response.
+  /// A row that was put back, bordered to the factors. Its response is the motion a, with its multipliers,
+  /// that a unit force along the row causes if all other forces and all right sides of rows are 0. The motion
+  /// satisfies the rows in the factors and the rows of earlier borders. The multiplier of the bordered row
+  /// itself is -1 in the response.
   struct Border {
     EdgeRow row;
     S stiffness;  ///< Phi_k a, the rate of the row in its own response a; equal to a^T H a
@@ -193,7 +201,7 @@ class GraphSolver {
   int rows_of_closing(int c) const { return closing_[c].rows; }
   bool has_parent(const EliminationPlan::Link& link) const { return link.parent != plan_.graph.bodies; }
 
-  /// Factors without restoring independent rows.
+  /// Factors without putting candidates back.
   void factor_once(const GraphMatrix<S>& matrix);
   void start_factors(const GraphMatrix<S>& matrix);
   void start_solution(const GraphVector<S>& right_side);
@@ -245,7 +253,7 @@ class GraphSolver {
   std::vector<BodyPart<S>> force_sum_;
   std::vector<std::array<bool, 6>> is_dependent_, is_marked_;  ///< marked: dependent, whatever the pivot is
   DependentRows how_ = DependentRows::detect;
-  // restored rows
+  // rows put back
   std::vector<Border> borders_;  ///< storage; the first bordered_ of them are in use
   int bordered_ = 0;
   std::vector<EdgeRow> candidates_;

@@ -130,7 +130,7 @@ struct LinkRows {
 enum class DependentRows {
   detect,  ///< rows whose gradient is, up to the tolerance, a linear combination of the others
   /// The rows of `detect`, and nearly dependent rows, which the pivots alone cannot distinguish from
-  /// dependent ones. No dropped row is restored and no right side is checked. For motions through singular
+  /// dependent ones. No candidate is put back and no right side is checked. For motions through singular
   /// positions.
   detect_near_singular,
   /// The rows of the last decision. At a state that violates its constraints a little, as the stages of an
@@ -141,8 +141,8 @@ enum class DependentRows {
   keep_count
 };
 
-/// The result of eliminating a link: `no_inertia` if the joint leaves a motion without inertia free,
-/// `dependent_rows` if orientation rows of a point joint depend on each other.
+/// The result of eliminating a link: `no_inertia` if the joint leaves a motion free in which the body has no
+/// inertia, `dependent_rows` if orientation rows of a point joint depend on each other.
 enum class Elimination { done, no_inertia, dependent_rows };
 
 /// Sizes of the columns of a closing, row by row, as if no terms cancelled on the way from body to body. They

@@ -17,8 +17,8 @@
 namespace trivium {
 
 /// Three CD rows along the global axes between a point of i and a point of j, then at most three orientation
-/// rows. Most orientation rows are plain DP1 rows a . b = 0, whose moment is a x b. L^T is the Jacobian of a
-/// body's point with respect to the rotational unknowns x:
+/// rows. Most orientation rows are plain DP1 rows a . b = 0, whose moment is a x b. With the rotational
+/// unknown x of a body, L^T x is the part of the point's acceleration that is linear in x:
 ///
 ///     r_j'' + L_j^T x_j - r_i'' - L_i^T x_i = gamma      W_i^T x_i + W_j^T x_j = gamma_w
 template <class S, class Types>

@@ -19,7 +19,7 @@
 /// Precondition: the orientation rows depend on relative rotation only, that is, W_p is -W_c in the parent's
 /// axes. Otherwise the rows on the child (W_c) could be nearly dependent on each other while the rows on the
 /// parent are not, and digits would be lost with the square of the sine. No point joint has such rows. A
-/// GeneralLink may have them: it drops them, and they are tested later.
+/// GeneralLink may have them: there they become candidates, which are left out and examined later.
 
 #include <array>
 
@@ -102,8 +102,8 @@ bool invert_positive(const Matrix<S, n, n>& D, const S& least, Matrix<S, n, n>& 
   }
 }
 
-/// Functions are flattened, because calls of the small block operations would pass their blocks through
-/// memory.
+/// The factors of one link and its part of the current right side. Functions are flattened, because calls of
+/// the small block operations would pass their blocks through memory.
 template <class S, int m>
 class PointLink {
  public:

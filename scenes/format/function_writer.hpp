@@ -7,6 +7,7 @@
 
 namespace trivium::scenes {
 
+/// The JSON value of a function of time.
 Json to_json(const TimeFunction& f);
 
 }  // namespace trivium::scenes

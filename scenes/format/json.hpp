@@ -22,6 +22,7 @@ inline constexpr std::size_t most_values = 10'000'000;  ///< number of values of
 inline constexpr int deepest_nesting = 64;              ///< levels of objects and arrays
 
 struct Member;
+/// A JSON value of any kind, with its parts.
 struct Json {
   using Array = std::vector<Json>;
   using Object = std::vector<Member>;
@@ -31,11 +32,13 @@ struct Json {
   template <class T>
   requires(!std::is_same_v<std::remove_cvref_t<T>, Json>) Json(T&& v);  // NOLINT: a value is a document
 
+  // each returns null if the value is of another kind
   const double* number() const { return std::get_if<double>(&value); }
   const std::string* text() const { return std::get_if<std::string>(&value); }
   const Array* array() const { return std::get_if<Array>(&value); }
   const Object* object() const { return std::get_if<Object>(&value); }
 };
+/// A member of an object.
 struct Member {
   std::string key;
   Json value;

@@ -16,6 +16,7 @@
 
 namespace trivium::scenes {
 
+/// Throws the SceneError for a value of a wrong kind.
 [[noreturn]] void fail_type(const Json& json, const Path& at, std::string accepted);
 
 /// Reads the members of an object. An unknown, repeated or missing key throws a SceneError.
@@ -23,6 +24,7 @@ class ObjectReader {
  public:
   ObjectReader(const Json& json, const Path& at, const Shape& shape);
 
+  /// The value of a key; null if the object does not have the key.
   const Json* find(std::string_view key) const;
 
   /// Reads the value of a key. If the key is absent, `out` stays unchanged.
@@ -45,6 +47,7 @@ std::size_t read_choice(const Json& json, const Path& at, std::string_view noun,
 std::size_t read_tag(const Json& json, const Path& at, std::string_view tag, std::string_view noun,
                      const std::vector<std::string_view>& names);
 
+// read_value: reads the value into `out`, which determines the kind that is accepted
 void read_value(const Json& json, const Path& at, bool& out);
 void read_value(const Json& json, const Path& at, double& out);
 void read_value(const Json& json, const Path& at, std::string& out);

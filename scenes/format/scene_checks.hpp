@@ -18,9 +18,9 @@
 
 namespace trivium::scenes {
 
-inline constexpr double largest_magnitude = 1e100;
-inline constexpr double smallest_divisor = 1e-100;
-inline constexpr double rotation_tolerance = 1e-9;
+inline constexpr double largest_magnitude = 1e100;   ///< of every number
+inline constexpr double smallest_divisor = 1e-100;   ///< of masses, lengths and norms that are divided by
+inline constexpr double rotation_tolerance = 1e-9;   ///< of A A^T = I, and of the sine between x and axis
 inline constexpr std::size_t most_bodies = 100'000;  ///< protects against hostile files, see json.hpp
 
 /// All checks of a scene except the magnitudes.
@@ -30,7 +30,10 @@ void check_scene(const Scene& scene, const Path& root);
 /// path.
 void check_magnitudes(const Json& json, const Path& at);
 
+/// Checks mass, inertia and orientation of a body.
 void check_body(const Body& body, const Path& at);
+/// Checks that a constraint has the vectors and parameters that its type uses and no others, and that their
+/// values are possible.
 void check_constraint(const Constraint& constraint, const Path& at);
 /// Checks that all parts of f are present, and that f, f' and f'' are finite at t = 0.
 void check_function(const TimeFunction& f, const Path& at);
@@ -40,6 +43,7 @@ void check_functions(const Scene& scene, double t, const Path& root);
 /// Checks that the vector is long enough to have a direction.
 void check_direction(const Vector3& vector, const Path& at);
 
+/// The length of the vector, without overflow or underflow of the squares.
 double norm(const Vector3& v);
 
 }  // namespace trivium::scenes

@@ -19,10 +19,10 @@ class SceneError : public Error {
   SceneError(std::string file, std::string path, std::string found, std::string accepted,
              std::string suggestion = {});
 
-  const std::string& file() const { return file_; }
-  const std::string& path() const { return path_; }
-  const std::string& found() const { return found_; }
-  const std::string& accepted() const { return accepted_; }
+  const std::string& file() const { return file_; }              ///< path of the file, or source of the scene
+  const std::string& path() const { return path_; }              ///< JSON pointer
+  const std::string& found() const { return found_; }            ///< what was found, in words
+  const std::string& accepted() const { return accepted_; }      ///< what is accepted, in words
   const std::string& suggestion() const { return suggestion_; }  ///< nearest accepted word; may be empty
 
  private:
@@ -30,7 +30,7 @@ class SceneError : public Error {
 };
 
 /// A place in a document: a chain of keys and indices on the stack. No text is made until an error needs it.
-/// A path points to its parent, which must outlive it. Temporary paths therefore cannot have children
+/// A path points to its parent, which must outlive the path. Temporary paths therefore cannot have children
 /// (deleted overloads).
 class Path {
  public:
@@ -43,8 +43,10 @@ class Path {
   Path operator/(const char*) const&& = delete;
   Path operator/(std::size_t) const&& = delete;
 
+  /// The file at the root of the path.
   std::string file() const;
   std::string pointer() const;  ///< JSON pointer (RFC 6901)
+  /// Number of keys and indices.
   int depth() const { return depth_; }
 
  private:
@@ -57,6 +59,7 @@ class Path {
   int depth_ = 0;
 };
 
+/// Throws the SceneError for the place `at`.
 [[noreturn]] void fail(const Path& at, std::string found, std::string accepted, std::string suggestion = {});
 
 /// Text from outside made safe to print: escaped as in JSON, and shortened to `longest` characters.

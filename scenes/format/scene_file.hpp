@@ -17,6 +17,8 @@ namespace trivium::scenes {
 /// Reads a scene. Throws a SceneError, and no other exception, if the file is not a valid scene. Functions of
 /// time must be finite at t = 0 and at the time of the state (time_of).
 Scene read_scene_file(const std::filesystem::path& path, std::optional<double> t = {});
+/// Reads a scene from the text of a file. `file_name` is the name for messages. Functions of time are checked
+/// at t = 0 only, and not for jumps (check_functions in scene_checks.hpp). Throws a SceneError.
 Scene parse_scene(std::string_view text, std::string_view file_name);
 
 /// The text of the scene's file: keys in the order of the format, defaults omitted. Throws a SceneError if

@@ -18,12 +18,15 @@
 
 namespace trivium::scenes {
 
+/// A key of an object and whether the object must have it.
 struct Key {
   std::string_view name;
   bool required = false;
 };
+/// A key that the object must have.
 constexpr Key need(std::string_view name) { return {name, true}; }
 inline constexpr std::size_t most_keys = 16;  ///< largest number of keys of one object
+/// A key that the object may have.
 constexpr Key may(std::string_view name) { return {name, false}; }
 
 /// The keys of one kind of object, in the order in which they are written.
@@ -37,6 +40,7 @@ class Shape {
   constexpr void add(const Key& key) { keys_.at(size_++) = key; }
   constexpr std::string_view name() const { return name_; }
   constexpr std::span<const Key> keys() const { return {keys_.data(), size_}; }
+  /// The key with this name; null if the shape does not have the key.
   constexpr const Key* find(std::string_view key) const {
     for (const Key& known : keys())
       if (known.name == key) return &known;
@@ -87,11 +91,12 @@ inline constexpr Shape joint_side{"joint_side", {need("body"), may("point"), may
 inline constexpr Shape axis_side{"axis_side", {need("body"), may("point"), need("axis"), may("x")}};
 inline constexpr Shape frame_side{"frame_side", {need("body"), may("point"), need("axis"), need("x")}};
 
+/// The keys of a constraint type and of its two sides.
 struct ConstraintShape {
   ConstraintType type;
   Shape shape;
   const Shape *i, *j;
-  bool needs_positive_f = false;
+  bool needs_positive_f = false;  ///< f must be positive (basic_constraint.hpp)
 
   std::string_view name() const { return shape.name(); }
 };

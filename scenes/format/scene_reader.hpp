@@ -7,6 +7,7 @@
 
 namespace trivium::scenes {
 
+/// The scene of a document. Throws a SceneError.
 Scene read_scene(const Json& json, const Path& root);
 
 }  // namespace trivium::scenes
