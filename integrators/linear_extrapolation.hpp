@@ -10,14 +10,17 @@ namespace trivium::integrators {
 template <class S>
 class LinearExtrapolation {
  public:
+  /// Sets the two values at the start: `value`, and `value` less h times its rate.
   void begin(const StateVector<S>& value, const StateVector<S>& rate, const S& h) {
     now_ = value;
     before_ = value - h * rate;
   }
   const StateVector<S>& now() const { return now_; }
-  /// The extrapolated value at a time ahead, given in lengths of the last step [-].
+  /// Sets `value` to the extrapolated one at a time ahead of now; `steps` is this time divided by the length
+  /// of the last step [-].
   void ahead(const S& steps, StateVector<S>& value) const { value = now_ + steps * (now_ - before_); }
   void show_memory(auto&& show) { show(now_, before_); }
+  /// Adds the value at the end of a step.
   void push(const StateVector<S>& value) {
     before_.swap(now_);
     now_ = value;

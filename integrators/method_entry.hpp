@@ -13,15 +13,16 @@
 
 namespace trivium::integrators {
 
+/// The properties of a method. Programs, checks and tests decide by them.
 struct MethodInfo {
   std::string_view name, summary;
   int order = 0;  ///< order of positions, velocities and lambda at given steps; 0: it varies
-  bool takes_given_steps = false, chooses_steps = false;
-  bool meets_constraints = false;           ///< meets Phi = 0 itself; integrate does not project it
+  bool takes_given_steps = false, chooses_steps = false;  ///< the kinds of steps that the method supports
+  bool meets_constraints = false;           ///< satisfies Phi = 0 by its own equations; is not projected
   bool needs_constant_inertia = false;      ///< needs a mass matrix M that does not depend on q
   bool has_raw_lambda = meets_constraints;  ///< computes multipliers together with its step
   int raw_lambda_order = order;             ///< order of these multipliers at given steps
-  // the MethodParameters that the method accepts
+  // whether the method accepts each of the MethodParameters
   bool takes_order = false, takes_rho = false, takes_alpha = false, takes_full_newton = false;
 };
 
@@ -31,10 +32,11 @@ struct MethodRequest {
   MethodParameters given;
 };
 
+/// A method of the list, in the scalar S.
 template <class S>
 struct MethodEntry {
   MethodInfo info;
-  /// Throws a UsageError if a parameter is out of its range.
+  /// Makes the method. Throws a UsageError if a parameter is out of its range.
   std::unique_ptr<AnyMethod<S>> (*make)(const MethodRequest&);
 };
 

@@ -17,17 +17,20 @@ enum class Steps { given, chosen };
 
 /// All methods, in the order of the printed list.
 const std::vector<MethodInfo>& methods();
+/// Their names, in the same order.
 std::vector<std::string> method_names();
 
-/// Null if there is no method of this name.
+/// The properties of the method with this name. Null if there is no method of this name.
 const MethodInfo* find_method(std::string_view name);
 
-/// The entry of this name. Throws a UsageError if there is none, or none for the scalar S.
+/// The entry of this name. Throws a UsageError if there is none, or if the method does not compute in the
+/// scalar S.
 template <class S>
 const MethodEntry<S>& method_entry(std::string_view name);
 
-/// Makes a method. Throws a UsageError if the method does not take such steps or such a parameter, if a
-/// parameter is out of its range, or if both tolerances are below the rounding of S.
+/// Makes a method, from its entry or from its name. The tolerances are used if the steps are chosen. Throws a
+/// UsageError if the method does not take such steps or such a parameter, if a parameter is out of its range,
+/// or if both tolerances are below the rounding of S. With a name, throws as method_entry does.
 template <class S>
 std::unique_ptr<AnyMethod<S>> make_method(const MethodEntry<S>& method, Steps steps,
                                           const Tolerances& tolerances,

@@ -5,7 +5,7 @@
 /// velocities.
 ///
 /// This file decides when a projection has converged, when a matrix is factored again, and when a row cannot
-/// be met. integrate.hpp asks the system whether a projection went too far.
+/// be satisfied. Whether a projection went too far is decided by the system, which integrate.cpp asks.
 
 #include <fmt/format.h>
 
@@ -18,8 +18,9 @@
 
 namespace trivium::integrators {
 
-/// Moves y onto the constraints. Returns the row with the largest remaining violation of velocities. Throws
-/// an IntegrationError that names the row if a row cannot be met.
+/// Moves y onto the constraints. Returns the number of the row with the largest remaining violation of
+/// velocities, relative to the numbers that the row is computed from. Throws an IntegrationError that names
+/// the row if a row cannot be satisfied.
 template <FirstOrderSystem System>
 class ProjectionIteration {
  public:

@@ -4,7 +4,8 @@
 
 namespace trivium::integrators {
 
-/// The largest violations before and after (`_left`) projections, and the number of corrections.
+/// The largest violations of a row before and after (`_left`) projections [m or rad, m/s or rad/s], and the
+/// number of Newton corrections of all projections.
 template <class S>
 struct ProjectionReport {
   S position{0}, velocity{0};

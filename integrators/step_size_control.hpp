@@ -19,9 +19,9 @@
 
 namespace trivium::integrators {
 
-/// The first step size for a method of this order: an explicit Euler step of that size moves y by about a
-/// hundredth of its own size, and f hardly changes over the step. Hairer, Norsett, Wanner (1993), II.4, with
-/// the constants of that algorithm.
+/// The first step size for a method of this order [s]. An explicit Euler step of this size moves y by about a
+/// hundredth of the size of y, and y' hardly changes over the step. The algorithm and its constants are those
+/// of Hairer, Norsett, Wanner (1993), II.4. Adds the evaluations of y' to `right_sides`.
 template <FirstOrderSystem System>
 typename System::Scalar first_step(System& system, const typename System::Scalar& t,
                                    const StateVector<typename System::Scalar>& y, int order,
@@ -76,6 +76,7 @@ class StepSizeControl {
     // 8 is the largest growth of a step in radau.hpp: a limit that grows faster would not limit any more
     limit_growth_ = std::min(S(8), S(limit_growth_ * limit_growth_));
   }
+  /// The step was too inaccurate; `next` is the size to try next.
   void reject(const S& next) { proposed_ = next; }
   /// The step could not be solved. A quarter is tried next, and later steps grow slowly at first: by 1.1,
   /// then by its powers 1.1^2, 1.1^4 and so on. The factors are chosen by experiment: with faster growth the
@@ -89,7 +90,9 @@ class StepSizeControl {
   void shorten() { proposed_ = tried_ / 4; }
 
   bool has_begun() const { return proposed_ > S(0); }
+  /// Sets the size of the first step.
   void begin(const S& h) { proposed_ = h; }
+  /// Forgets all sizes.
   void restart() { *this = {}; }
   /// Whether the proposed step size is within the rounding of the times. A step of 4 epsilon contains only a
   /// few representable times, too few for its stages.

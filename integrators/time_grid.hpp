@@ -65,6 +65,7 @@ class TimeGrid {
 
   /// The time at which the run begins: the start, or a later time if the run continues an earlier one.
   double begin() const { return begin_; }
+  /// Whether the run continues an earlier one, so that it begins after the start of the grid.
   bool goes_on() const { return begin_ != start_; }
   /// The same grid for a run that continues at time t. Throws a UsageError if t is not in [start, end).
   TimeGrid from(double t) const {
@@ -91,6 +92,7 @@ class TimeGrid {
     }
 
     bool is_done() const { return done_; }
+    /// The next stop; none after the end of the run.
     std::optional<Stop<S>> next() {
       if (done_) return {};
       return next_of_all();

@@ -12,7 +12,7 @@ namespace trivium::integrators {
 template <class S>
 class WorkQuadrature {
  public:
-  void begin(const S& rate) { rate_ = rate; }
+  void begin(const S& rate) { rate_ = rate; }  ///< `rate`: that of the work at the start [W]
   void show_memory(auto&& show) { show(rate_); }
   /// Adds the work of a step of size h that ends at the evaluation `at`, with these multipliers.
   template <HasResidual System>

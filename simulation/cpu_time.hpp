@@ -1,5 +1,5 @@
 #pragma once
-/// The CPU time of the calling thread, to compare runs. Other threads and processes do not count.
+/// The CPU time of the calling thread, for the comparison of runs. Other threads and processes do not count.
 
 #include <ctime>
 

@@ -28,12 +28,14 @@ struct ColumnAgainst {
   bool holds() const { return !not_judged.empty() || difference <= bound; }
 };
 
+/// The result of compare_against.
 struct MotionAgainst {
   std::vector<ColumnAgainst> columns;
   std::vector<ComparedRun> runs;
-  double neighbour_distance = 0;  ///< relative distance of the neighbouring starts [-]; 0 if there are none
+  double neighbour_distance = 0;  ///< largest relative distance of a neighbouring start [-]; 0: there is none
   double judged_from = 0;         ///< first time of the other motion [s]
-  std::optional<double> judged_until;  ///< time from which neighbouring motions have diverged: no bound holds
+  /// Time [s] from which neighbouring motions have diverged, so that no bound holds; none if they never do.
+  std::optional<double> judged_until;
 
   bool complete() const { return are_complete(runs); }
   /// False if neighbouring motions have diverged from the first time on.

@@ -10,8 +10,11 @@
 ///
 /// Runs from neighbouring starts measure the amplification. Once the bound or the difference of a neighbour
 /// exceeds small_difference (0.1, neighbouring_start.hpp), lambda is not judged any more. If steps are given,
-/// every formulation also runs with half the step, and the bound is twice the sum of the two largest changes.
-/// At one state, where every formulation is solved at the states of all others, the bound is 100 u kappa.
+/// every formulation also runs with half the step. The bound is then 2 (c_1 + c_2), where c_1 and c_2 are the
+/// largest and the second largest relative change of lambda by half the step that any formulation shows; each
+/// 2 c counts as at least 1e-12. Lambda is not judged any more once 2 c_1 exceeds small_difference.
+///
+/// At one state, every formulation is solved at the states of all runs, and the bound is 100 u kappa.
 
 #include <functional>
 #include <optional>
@@ -23,7 +26,7 @@
 
 namespace trivium {
 
-/// A formulation to compare, as functions: one of the library's, or any other.
+/// A formulation to compare, given by its functions: one of the library's, or a user's own.
 struct ComparedFormulation {
   std::string name;
   std::function<SimulationReport(const Model<double>&, const SimulationOptions&, SimulationObserver&)>
@@ -37,14 +40,17 @@ struct ComparedFormulation {
 std::vector<ComparedFormulation> compared_formulations(const std::vector<std::string>& names,
                                                        const integrators::MethodInfo& method);
 
+/// The options of a comparison.
 struct ComparisonOptions {
   SimulationOptions run;  ///< settings of all runs; the formulation is ignored
   int outputs = 100;      ///< number of output intervals if the run has no output step
-  int states = 10;  ///< outputs, evenly spread, that are also compared at one state; fewer above 500 unknowns
+  /// Number of outputs, evenly spread, that are also compared at one state. Above 500 unknowns (6 nb + nc)
+  /// fewer are compared, above most_dense_unknowns none.
+  int states = 10;
   std::function<void(double)> progress;  ///< receives the finished share of the work, 0 to 1
 };
 
-/// All formulations at one output. Every difference is the largest between any two of them.
+/// All formulations at one output. Every difference is the largest between any two formulations.
 struct ComparedInstant {
   double t = 0;                         ///< [s]
   double lambda = 0, lambda_bound = 0;  ///< relative difference in |E lambda| between runs [-]; its bound
@@ -65,6 +71,7 @@ struct ComparedInstant {
   std::optional<OneState> one_state;
 };
 
+/// The run of one formulation.
 struct ComparedRun {
   std::string formulation;
   SimulationReport report;
@@ -79,12 +86,13 @@ bool are_complete(const std::vector<ComparedRun>& runs);
 Model<double> model_at(const Model<double>& model, const MechanismState<double>& state,
                        const std::vector<double>& angles);
 
+/// The result of compare_motion.
 struct MotionComparison {
   std::vector<ComparedRun> runs;
-  std::vector<ComparedInstant> instants;
-  bool has_unique_lambda = true;  ///< false: no multiplier is unique, so no lambda can be compared
-  double neighbour_distance = 0;  ///< relative distance of the neighbouring starts [-]; 0 if there are none
-  /// Time from which lambda is not judged: neighbouring motions have diverged, or the bound is too large.
+  std::vector<ComparedInstant> instants;  ///< one per output; empty unless all runs are complete
+  bool has_unique_lambda = true;          ///< false: no multiplier is unique, so no lambda can be compared
+  double neighbour_distance = 0;  ///< largest relative distance of a neighbouring start [-]; 0: there is none
+  /// Time [s] from which lambda is not judged: neighbouring motions have diverged, or the bound is too large.
   std::optional<double> judged_until;
   std::vector<std::vector<MotionSample>> samples;  ///< per run: its outputs
 
@@ -93,7 +101,8 @@ struct MotionComparison {
   bool is_judged(const ComparedInstant& now) const;
   /// Whether all runs are complete and lambda is within its bound at every judged output.
   bool holds_along() const;
-  /// The same at every compared state, for lambda and accelerations.
+  /// Whether all runs are complete, and lambda and accelerations are within their bounds at every compared
+  /// state that is not near a singular position.
   bool holds_at_states() const;
 };
 

@@ -1,3 +1,6 @@
+/// Turns samples into lines of numbers. The lines go to a temporary file that replaces the named file at the
+/// end, so that a run that fails does not destroy an earlier result.
+
 #include "simulation/motion_csv.hpp"
 
 #include "base/csv.hpp"

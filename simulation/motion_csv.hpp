@@ -1,7 +1,8 @@
 #pragma once
 /// A motion as a CSV file, one line per output: t; per body r, p, r' and omega_bar (13 columns); per joint
 /// the force and torque on body j; lambda; energy and the largest violations; then the method's raw lambda,
-/// if it has one. Numbers are written with 17 digits, so that a reader gets the same double.
+/// if it has one. Units and frames are those of MotionSample. Numbers are written with 17 digits, so that a
+/// program that reads the file gets the same double.
 
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@ std::vector<std::string> motion_columns(const Mechanism<double>& mechanism, bool
 /// The numbers of one line, in the same order.
 std::vector<double> motion_numbers(const MotionSample& sample, bool has_raw_lambda);
 
+/// Writes a motion to a CSV file, line by line.
 class MotionCsv {
  public:
   /// Opens a temporary file; `keep` replaces `file` by it. Throws std::filesystem::filesystem_error if `file`

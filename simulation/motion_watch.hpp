@@ -1,7 +1,7 @@
 #pragma once
-/// Observation of a run. `watch` is called at every accepted state; it enters constraint violations and
-/// energy into the report. `show` is called at every output; it also computes lambda and the joint reactions,
-/// and passes a sample to the observer.
+/// Observation of a run. `watch` is called at every accepted state and enters constraint violations and
+/// energy into the report. `show` is called at every output: it does the same as `watch`, computes lambda and
+/// the joint reactions, and passes a sample to the observer.
 ///
 /// If rows are dependent, lambda is the one with the least |E lambda|. Near a singular position such a lambda
 /// may not exist; the lambda of the acceleration solver is taken then, which is 0 in dependent rows.

@@ -8,6 +8,7 @@
 
 namespace trivium {
 
+/// The numbers of another code's motion, in the units and frames of motion_csv.hpp.
 struct OtherMotion {
   struct Column {
     std::string theirs, ours;   ///< the name in the file, and the library's name

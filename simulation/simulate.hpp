@@ -14,20 +14,27 @@
 
 namespace trivium {
 
+/// The options of a run. The names are those of formulation_names() and integrators::method_names().
 struct SimulationOptions {
   std::string formulation = "r-omega", integrator = "dopri5";
   /// A method provided by the caller, instead of the one named by `integrator`; in double only.
   std::optional<integrators::MethodEntry<double>> own_method = {};
-  double end = 10;                    ///< end time [s]
-  std::optional<double> step;         ///< constant step size [s]; none: the method controls its step size
-  std::optional<double> output_step;  ///< time between outputs [s]; none: outputs at start and end
-  integrators::Tolerances tolerances;
+  double end = 10;                     ///< end time [s]
+  std::optional<double> step;          ///< constant step size [s]; none: the method controls its step size
+  std::optional<double> output_step;   ///< time between outputs [s]; none: outputs at start and end
+  integrators::Tolerances tolerances;  ///< of chosen steps; not used with `step`
   integrators::MethodParameters parameters;
-  bool projects = true;  ///< project after every step, if the method does not satisfy the constraints itself
-  /// Evaluate drift and energy after every step, and lambda and reactions at outputs. Timed runs do not.
+  /// Whether states are projected onto the constraints after every step. False is a UsageError with methods
+  /// that satisfy Phi = 0 by their own equations (MethodInfo::meets_constraints): they have no projection to
+  /// switch off.
+  bool projects = true;
+  /// Whether constraint violations and energy are evaluated after every step, and lambda and reactions at
+  /// outputs. False in runs whose time is measured: samples then contain the state only.
   bool watches = true;
-  std::optional<Baumgarte> baumgarte;  ///< stabilisation of the accelerations, instead of projection
-  ChartOptions charts;
+  /// Stabilisation of the accelerations. It does not switch the projection off: set `projects` to false as
+  /// well. Methods that satisfy constraints by multipliers of their own refuse it with a UsageError.
+  std::optional<Baumgarte> baumgarte;
+  ChartOptions charts;  ///< sequence of the Euler angles of r-epsilon, and whether charts are changed
   /// The saved run that ended at the model's state, to continue with its numbers. One-step methods with given
   /// steps then give the same bits as without interruption. A saved run in another formulation is ignored.
   std::optional<SavedRun> from;

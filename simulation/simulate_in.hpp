@@ -8,6 +8,8 @@
 
 namespace trivium {
 
+/// Simulates as simulate() does (simulation/simulate.hpp), in the formulation F. `options.formulation` is
+/// ignored.
 template <Formulation F>
 SimulationReport simulate_in(const ModelOf<F>& model, const SimulationOptions& options,
                              SimulationObserver& observer);

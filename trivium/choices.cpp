@@ -1,3 +1,5 @@
+/// Words the messages about unknown names, with the nearest accepted name as a proposal.
+
 #include "trivium/choices.hpp"
 
 #include <fmt/format.h>

@@ -1,10 +1,15 @@
 #pragma once
 /// Comparison of one motion in several formulations, as in the program `trivium compare`. Every formulation
-/// is integrated separately. Two questions are answered. Along the motion: do the multipliers lambda of the
-/// separate runs agree within steps . (rtol + atol) . amplification? (With given steps, the bound is twice
-/// the sum of the two largest changes that half the step makes.) At one state: do all formulations give the
-/// same lambda and accelerations at the same positions and velocities, within 100 u kappa? Here u is the unit
-/// roundoff of double and kappa the condition number of Check::condition (trivium/solve.hpp).
+/// is integrated separately. Two questions are answered.
+///
+/// Along the motion: do the multipliers lambda of the separate runs agree within steps . (rtol + atol) .
+/// amplification? With given steps, every formulation also runs with half the step, and the bound is 2 (c_1 +
+/// c_2). Here c_1 and c_2 are the largest and the second largest relative change of lambda by half the step
+/// that any formulation shows.
+///
+/// At one state: do all formulations give the same lambda and accelerations at the same positions and
+/// velocities, within 100 u kappa? Here u is the unit roundoff of double and kappa the condition number of
+/// Check::condition (trivium/solve.hpp).
 
 #include <optional>
 #include <string>
@@ -19,16 +24,19 @@ namespace trivium {
 struct CompareSettings {
   std::vector<std::string> formulations = {};  ///< at least two names; empty: all that the integrator accepts
   SimulateSettings run = {};                   ///< settings that all runs share
-  int states = 10;  ///< number of outputs, evenly spread, that are also compared at one state; at least 1
+  /// Number of outputs, evenly spread, that are also compared at one state; at least 1. Above 500 unknowns (6
+  /// nb + nc) fewer outputs are compared, above 6000 none.
+  int states = 10;
 };
 
 /// The run of one formulation: its counters and warnings.
 struct ComparedMotion {
   std::string formulation, error;   ///< error: why the run stopped before its end; empty if it did not
   std::vector<std::string> charts;  ///< names of all charts that bodies used at outputs, each once
+  /// Counters, as in Motion.
   long steps = 0, rejected_steps = 0, right_sides = 0, newton_iterations = 0, factorisations = 0;
   int chart_changes = 0;
-  double seconds = 0;                 ///< processor time of the run [s]
+  double seconds = 0;                 ///< CPU time of the thread for the run [s]
   std::vector<std::string> warnings;  ///< warnings about this run, as in Motion::warnings
 };
 
@@ -43,16 +51,18 @@ struct ComparedOutput {
   double amplification = 1;
   double position_difference = 0;  ///< distance of centres of mass [m]
   double rotation_difference = 0;  ///< 4 sin(theta / 4) [rad], nearly theta, the angle between orientations
-  /// Whether lambda_difference is compared with its bound. No comparison is made near a singular position,
-  /// where lambda is not unique, and from the time on at which a neighbouring motion has diverged or the
-  /// bound exceeds 0.1.
+  /// Whether lambda_difference is compared with its bound. False near a singular position, where lambda is
+  /// not unique. Also false at the first output with one of the following properties, and at all later
+  /// outputs: lambda of a neighbouring motion differs by more than 0.1, or the bound exceeds 0.1 (with given
+  /// steps: 2 c_1 exceeds 0.1).
   bool is_judged = true;
-  /// Every formulation solved at the states that all the separate runs have at this output.
+  /// The comparison at one state. The runs of n formulations have n slightly different states at this output.
+  /// At each of these states all n formulations are solved.
   struct OneState {
     /// lambda_difference, lambda_bound [-]: the relative difference of lambda and its bound 100 u kappa, at
     /// the state where their ratio is the largest. acceleration_difference [-]: the largest relative
-    /// difference of accelerations at any of the states; it must not exceed lambda_bound either. condition
-    /// [-]: the largest kappa of the states.
+    /// difference of accelerations at any of the states. It must not exceed lambda_bound either, unless the
+    /// mechanism has no constraint rows. condition [-]: the largest kappa of the states.
     double lambda_difference = 0, lambda_bound = 0, acceleration_difference = 0, condition = 1;
   };
   std::optional<OneState> one_state;  ///< only at the outputs that CompareSettings::states selects
@@ -63,14 +73,15 @@ struct ComparedMotions {
   std::vector<ComparedMotion> motions;  ///< one per formulation
   std::vector<ComparedOutput> outputs;  ///< in time order; empty unless all runs are complete
   bool has_unique_lambda = true;        ///< false: no multiplier is unique, so no lambda can be compared
-  bool complete = false;                ///< every formulation reached the end
+  bool complete = false;                ///< every formulation reached the end time
   bool holds_along = false;             ///< complete, and lambda is within its bound at every judged output
-  bool holds_at_states = false;         ///< complete, and the one-state differences are within their bounds
+  /// Complete, and the one-state differences are within their bounds, except near singular positions.
+  bool holds_at_states = false;
 };
 
-/// Runs and compares. Throws an Error of kind input if the state violates its constraints or if settings
-/// contradict each other. An error that stops the run of one formulation is stored in its
-/// ComparedMotion::error. An error of a run that only measures a bound is thrown.
+/// Runs all formulations and compares their motions. Throws an Error of kind input if the state violates its
+/// constraints or if settings contradict each other. An error that stops the run of one formulation is stored
+/// in its ComparedMotion::error. An error of a run that only measures a bound is thrown.
 ComparedMotions compare(const Scene& scene, const CompareSettings& settings = {});
 
 }  // namespace trivium

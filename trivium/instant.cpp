@@ -1,3 +1,5 @@
+/// Finds numbers by the names of bodies, joints and rows, and computes the motion of body-fixed points.
+
 #include "trivium/instant.hpp"
 
 #include "bodies/rotations/so3.hpp"

@@ -44,17 +44,18 @@ struct PointMotion {
 struct Instant {
   std::shared_ptr<const Names> names;  ///< shared by all outputs of a motion
   double t = 0;                        ///< time [s]
-  std::vector<BodyInstant> bodies;     ///< per body
+  std::vector<BodyInstant> bodies;     ///< per body: its pose, velocities and accelerations
   /// Multiplier of every row in M q'' + Phi_q^T lambda = Q. Its unit is J divided by the unit of the row Phi:
   /// N for rows in m (cd, dp2 of a unit vector), N m for dp1 of unit vectors, N/m for rows in m^2 (d). If a
   /// scene multiplies a row by a factor, such as the length of its vector, lambda is divided by this factor.
   ///
   /// Where rows are dependent, lambda is the solution with the least |E lambda|, E^2 = diag(Phi_q M^-1
-  /// Phi_q^T). The structured solver (all outputs of simulate; solve above 6000 unknowns) does not know E if
-  /// an inertia is singular; lambda is then 0 in dependent rows.
+  /// Phi_q^T). In two cases lambda is 0 in dependent rows instead. First, the structured solver (all outputs
+  /// of simulate; solve above 6000 unknowns) does not know E if an inertia is singular. Second, near a
+  /// singular position that a simulation passes, the solution with the least |E lambda| may not exist.
   std::vector<double> lambda;
   std::vector<bool> lambda_is_unique;  ///< per row: false if dependent rows leave its multiplier undetermined
-  std::vector<JointReaction> reactions;  ///< per joint
+  std::vector<JointReaction> reactions;  ///< per joint: its force and torque on body j
   std::vector<std::string> charts;  ///< per body, its chart of Euler angles; no elements in r-omega and r-p
   double lambda_error = 0, acceleration_error = 0;  ///< estimated relative errors of the solution at t [-]
 

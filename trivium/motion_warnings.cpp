@@ -1,3 +1,6 @@
+/// Decides from the report of a run which warnings it deserves. The thresholds are here and in
+/// simulation/system/energy_account.hpp.
+
 #include "trivium/motion_warnings.hpp"
 
 #include <fmt/format.h>

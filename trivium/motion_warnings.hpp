@@ -9,7 +9,7 @@
 
 namespace trivium {
 
-/// One sentence per warning; empty if the run gives no reason for one.
+/// One sentence per warning; empty if there is nothing to warn about.
 std::vector<std::string> warnings_of(const SimulationReport& report);
 
 }  // namespace trivium

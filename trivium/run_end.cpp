@@ -1,3 +1,6 @@
+/// Writes the end of a run into a scene. The counted turns of springs need care: the run lists them by the
+/// type of the effect, the scene in its own order.
+
 #include "trivium/run_end.hpp"
 
 #include "scenes/scene_state.hpp"

@@ -66,8 +66,13 @@ struct Body {
   bool unphysical_inertia = false;  ///< true: accept principal moments that violate the triangle inequality
 };
 
-/// One side of a constraint: the name of a body, or "ground", and the geometry that the type of constraint
-/// needs, all in the frame of that body. The joint's second axis u is `x` made orthonormal to `axis`.
+/// One side of a constraint: the name of a body, or "ground", and geometry in the frame of that body. Every
+/// type accepts `point`, whose default is the origin of the frame. dp1 needs `vector` on both sides, dp2 on
+/// side i. Joints need or accept `axis` and `x` (docs/scene_format.md).
+///
+/// The joint frame (u, v, z) has z along `axis`, u along the part of `x` normal to z, and v = z x u. The
+/// default of `x` is the coordinate axis that is most nearly normal to z; if there are several, the first
+/// one.
 struct Side {
   std::string body;
   Value point = {}, vector = {}, axis = {}, x = {};  ///< point [m]; the others are directions [-]
@@ -76,7 +81,7 @@ struct Side {
 /// A scene. Copies are cheap: they share their parts until one of them changes.
 class Scene {
  public:
-  /// An empty scene. The positions and velocities of its bodies are those at time t [s].
+  /// An empty scene. The bodies that are added to it have their positions and velocities at time t [s].
   explicit Scene(std::string name, double t = 0);
 
   // Functions that add a part return the scene, for further calls. Parts are checked at the first use of the
@@ -113,12 +118,13 @@ class Scene {
 
 /// Reads a scene file, or a scene of the catalogue by name. Its state is taken as the state at time t [s];
 /// the default is the time of the saved run that the file holds, else 0. Throws an Error of kind input that
-/// names the file, the place in it, the value found and the accepted ones. An installed catalogue is found
-/// from the place of this header.
+/// names the file, the place in it, the value found and the accepted ones. `header` is meant to be left at
+/// its default: from the place of this header an installed catalogue is found.
 Scene read_scene(const std::string& path_or_name, std::optional<double> t = {},
                  const std::filesystem::path& header = __FILE__);
 
 /// The names of the scenes that are delivered with the library. Throws an Error if their folder is not there.
+/// `header` is as in read_scene.
 std::vector<std::string> catalogue_scenes(const std::filesystem::path& header = __FILE__);
 
 }  // namespace trivium

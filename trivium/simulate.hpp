@@ -13,8 +13,8 @@
 
 namespace trivium {
 
-/// Settings of a run. With `step` the tolerances are not used. Not every integrator supports both kinds of
-/// steps.
+/// Settings of a run. With `step` the method takes given steps, and the tolerances are not used; without it,
+/// the method chooses its steps. Not every integrator supports both kinds of steps.
 struct SimulateSettings {
   std::string formulation = "r-omega";  ///< one of formulation_names()
   std::string integrator = "dopri5";    ///< one of integrators::method_names()
@@ -24,27 +24,38 @@ struct SimulateSettings {
   /// Tolerances of chosen steps: a step may change every number x of the state vector (positions, rotational
   /// coordinates and velocities of the formulation, in SI units) by an error of atol + rtol |x|.
   double rtol = 1e-8, atol = 1e-10;
-  std::optional<int> order = {};               ///< order of bdf, arkode-erk or arkode-dirk
-  std::optional<double> rho = {}, alpha = {};  ///< of generalized-alpha (0 to 1); of hht (-1/3 to 0)
-  bool full_newton = false;  ///< implicit methods: a new Newton matrix in every iteration, not every step
-  /// Project onto the constraints after every step. With an implicit method, which satisfies the constraints
-  /// by its own equations, and with `baumgarte`, which replaces the projection, there is no projection to
-  /// switch off: the setting must then be true.
+  /// Order: bdf 1 to 5, default 2; arkode-erk 2 to 6 or 8, default 5; arkode-dirk 2 to 5, default 5.
+  std::optional<int> order = {};
+  /// rho: spectral radius at infinity of generalized-alpha and generalized-alpha-gl2, 0 to 1, default 0.8.
+  /// alpha: parameter of hht, -1/3 to 0, default -0.2 [-].
+  std::optional<double> rho = {}, alpha = {};
+  /// Implicit methods except those of SUNDIALS: factor Newton's matrix in every iteration, instead of about
+  /// once per step.
+  bool full_newton = false;
+  /// Whether states are projected onto the constraints after every step. False switches the projection off,
+  /// so that constraint violations grow. False is an Error of kind input with methods that satisfy the
+  /// position constraints by their own equations (generalized-alpha, hht, radau, bdf, rattle, ida), and with
+  /// `baumgarte`: there is no projection to switch off.
   bool projects = true;
-  std::optional<std::array<double, 2>> baumgarte = {};  ///< alpha, beta [1/s]; replaces the projection
-  std::string sequence = "313";                         ///< sequence of the Euler angles of r-epsilon
+  /// alpha, beta [1/s], not negative: the accelerations satisfy Phi'' + 2 alpha Phi' + beta^2 Phi = 0, and no
+  /// state is projected. Not for the methods named above, nor for hedop5 and hem4.
+  std::optional<std::array<double, 2>> baumgarte = {};
+  std::string sequence = "313";                ///< sequence of the Euler angles of r-epsilon
   bool reframe = true;                         ///< change a chart of Euler angles near its singularity
   std::function<bool(double t)> at_step = {};  ///< called after every step; false stops the run
 };
 
 /// The state at an output time, with energy and constraint violations.
 struct Output : Instant {
-  /// Multipliers that the method itself computes, an approximation of `lambda` in the same units; empty if
-  /// the method has none. `lambda_is_unique` holds for them too: where it is false, they need not equal
-  /// `lambda`.
+  /// Multipliers that the method itself computes, an approximation of `lambda` in the same units. Empty if
+  /// the method has none, and where it has computed none yet: at the start, and after a restart (at a kink of
+  /// a function of time, or when a chart is changed). In rows whose `lambda_is_unique` is false they need not
+  /// equal `lambda`.
   std::vector<double> raw_lambda;
-  double energy = 0;            ///< kinetic plus potential energy [J]; for its zero see Check
-  double phi = 0, phi_dot = 0;  ///< largest violation of a row [m or rad, m/s or rad/s]
+  double energy = 0;  ///< kinetic plus potential energy [J]; for its zero see Check
+  /// Largest |Phi| and |Phi'| of a row, divided by the scale of the row, such as the length of its vector [m
+  /// or rad, m/s or rad/s].
+  double phi = 0, phi_dot = 0;
 };
 
 /// Called at every output; false stops the run.
@@ -57,12 +68,14 @@ struct Jump {
   std::vector<double> impulse;  ///< per row: integral of lambda over the jump [unit of lambda times s]
 };
 
-/// The result of a run. Counters are those of the integrator.
+/// The result of a run.
 struct Motion {
   std::string formulation, integrator;
   double reached = 0;           ///< time reached [s]
   bool complete = false;        ///< the end was reached; false if the observer or at_step stopped the run
   std::vector<Output> outputs;  ///< all outputs; empty if an observer was given
+  /// Counters of the integrator: `right_sides` are evaluations of the equations of motion; `factorisations`
+  /// are those of all matrices. `chart_changes` are changes of the Euler angles of a body.
   long steps = 0, rejected_steps = 0, right_sides = 0, newton_iterations = 0, factorisations = 0;
   int chart_changes = 0;
   /// Largest values after any step: violation of a row [m or rad, m/s or rad/s]; in r-p | p . p - 1 | [-].
@@ -71,9 +84,9 @@ struct Motion {
   double work = 0;                          ///< work of drivers and of non-conservative effects [J]
   double unaccounted_energy = 0;            ///< largest |change of energy - work| after any step [J]
   std::vector<double> singular_positions;   ///< times of the singular positions that the motion passed [s]
-  std::vector<Jump> jumps;
-  double seconds = 0;                 ///< processor time of the run [s]
-  std::vector<std::string> warnings;  ///< singular positions passed, energy lost, constraint drift
+  std::vector<Jump> jumps;                  ///< in time order
+  double seconds = 0;                       ///< CPU time of the thread for the run [s]
+  std::vector<std::string> warnings;        ///< singular positions passed, energy lost, constraint drift
   /// The scene at the end of the motion. It can be written to a file, and simulate() continues from it.
   /// solve() needs velocities that satisfy their rows: after a method that does not enforce them (index 3),
   /// call assemble() first.
@@ -90,7 +103,7 @@ struct Motion {
 Motion simulate(const Scene& scene, const SimulateSettings& settings = {}, const Observer& observer = {});
 
 namespace integrators {
-/// The names of the integrators.
+/// The names of the integrators, as SimulateSettings::integrator accepts them.
 std::vector<std::string> method_names();
 }  // namespace integrators
 

@@ -9,9 +9,9 @@
 
 namespace trivium {
 
-/// The options of a run. Throws an Error of kind input for an unknown name, a number out of its range, or
-/// Baumgarte's stabilisation with `projects` false: the stabilisation replaces a projection that was asked
-/// for.
+/// The options of a run. Throws an Error of kind input for an unknown name or a number out of its range. Also
+/// throws if `projects` is false together with `baumgarte`: the stabilisation replaces the projection, so
+/// that there is none to switch off.
 SimulationOptions simulation_options(const SimulateSettings& settings);
 
 /// The formulations among `names` (empty: among all) that the integrator can be used with. Throws an Error of

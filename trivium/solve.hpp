@@ -16,8 +16,11 @@ struct RowCheck {
   /// Phi [unit of the row: m for cd and dp2 of a unit vector, m^2 for d, - for dp1] and Phi_q q' - nu [the
   /// same per s]. If a scene multiplies the row by a factor, both contain this factor.
   double position_residual = 0, velocity_residual = 0;
-  /// The magnitudes of the residuals, divided by the norm of the gradient of the row [m or rad, m/s or
-  /// rad/s]. A factor of the row does not change them, since the gradient contains it too.
+  /// The magnitudes of the residuals, divided by the norm of the row's gradient [m or rad, m/s or rad/s]. For
+  /// a row of lengths, the rotational part of the gradient is divided by the length of the mechanism
+  /// (Check::is_consistent), so that all parts of the norm have one unit. For a row of angles (dp1,
+  /// rotation_driver), the norm contains the rotational part only. A factor of the row does not change the
+  /// violations, since the gradient contains it too.
   double position_violation = 0, velocity_violation = 0;
   bool is_unique = true;      ///< its multiplier is unique
   bool is_dependent = false;  ///< the row is dependent at this state: it follows from the other rows
@@ -28,7 +31,7 @@ struct Check {
   std::string scene, solver;  ///< solver: "printed" (dense), or "structured" above 6000 unknowns (6 nb + nc)
   Names names;
   double t = 0;                ///< time of the state [s]
-  std::vector<RowCheck> rows;  ///< per row
+  std::vector<RowCheck> rows;  ///< in the order of names.rows
   /// Rank of Phi_q and 6 nb - rank. None if the structured solver cannot decide: the state violates its rows.
   std::optional<int> rank, degrees_of_freedom;
   /// kappa [-], condition number of E^-1 Phi_q M^-1 Phi_q^T E^-1 over its nonzero singular values, where E^2
@@ -43,15 +46,21 @@ struct Check {
   std::vector<std::string> contradictory;       ///< dependent rows that contradict those on which they depend
   std::vector<std::string> wrong_branches;      ///< joints on a wrong branch (antiparallel axes), and why
   std::vector<std::string> unphysical_inertia;  ///< bodies that declare an unphysical inertia
-  bool is_consistent = false;                   ///< positions, velocities and branches hold
+  /// Whether the state satisfies its constraints. Every position_violation must be at most 1e-8 times the
+  /// length of the mechanism; for rows of angles, 1e-8 rad. Every velocity_violation must be at most 1e-8
+  /// times the speed of the mechanism plus 1e-12 1/s times its length; for rows of angles, both divided by
+  /// this length. No joint may be on a wrong branch. The length is the largest distance of a centre of mass
+  /// from the global origin or of a joint point from the origin of its body. The speed is the largest
+  /// velocity, or angular velocity times length.
+  bool is_consistent = false;
   std::string inconsistency;  ///< the violated rows and branches, one per line; empty if none
   /// Energies [J] and the power of all effects on the bodies [W]. The potential energy of gravity is 0 for a
   /// body whose centre of mass is at the global origin, that of a spring is 0 at its free length or angle.
   double kinetic_energy = 0, potential_energy = 0, effect_power = 0;
 };
 
-/// Analyses a state, consistent or not. Rows hold within 1e-8 of the scene's own lengths and speeds. Throws
-/// an Error if the scene is wrong or if its rows cannot be analysed at this state.
+/// Analyses a state, whether it satisfies its constraints or not. Throws an Error if the scene is wrong or if
+/// its rows cannot be analysed at this state.
 Check check(const Scene& scene);
 
 /// A copy of the scene whose state satisfies its constraints: positions, then velocities, are projected by
@@ -80,7 +89,7 @@ Solution solve(const Scene& scene, const SolveSettings& settings = {});
 
 /// A state solved in every formulation.
 struct Solutions {
-  std::vector<Solution> solved;
+  std::vector<Solution> solved;     ///< one per formulation that has a solution
   std::vector<std::string> failed;  ///< "formulation: reason", one per formulation that has no solution
   /// Largest relative differences between two formulations: lambda in the norm |E lambda|, accelerations in
   /// the metric of the mass matrix [-]. NaN if these norms are not known.
@@ -88,10 +97,11 @@ struct Solutions {
   std::optional<double> lambda_bound;  ///< of lambda_difference: 100 u kappa; none if kappa is not known
 };
 
-/// Solves in every formulation. Throws as solve() does, but `failed` lists formulations without solution.
+/// Solves in every formulation. Throws as solve() does, except for a formulation without solution: `failed`
+/// lists it.
 Solutions solve_in_all(const Scene& scene, const SolveSettings& settings = {});
 
-/// The names of the formulations.
+/// The names of the formulations, as SolveSettings::formulation accepts them.
 std::vector<std::string> formulation_names();
 
 }  // namespace trivium

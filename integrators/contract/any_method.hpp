@@ -12,8 +12,9 @@
 
 namespace trivium::integrators {
 
-/// Any Method on AnySystem. A method that `interpolates` steps over output times. At such a time
-/// `interpolate` sets y to the state within the last step, with the accuracy of the method.
+/// Any Method on AnySystem. `step`, `restart`, `shorten` and `counters` are those of a Method. If
+/// interpolates() is true, output times do not limit the steps of the method. A step may then contain output
+/// times, at which `interpolate` gives the state with the accuracy of the method.
 template <class S>
 class AnyMethod {
  public:
@@ -23,8 +24,9 @@ class AnyMethod {
   virtual bool shorten() = 0;
   virtual const Counters& counters() const = 0;
   /// The raw lambda: the multipliers that the method computes together with its step. Null if the method has
-  /// none, or has taken no step since it began.
+  /// none. May be null before the first step after the start or a restart.
   virtual const StateVector<S>* lambda() const = 0;
+  /// Whether the method can compute the state within its last step.
   virtual bool interpolates() const { return false; }
   /// Sets y, and the method's lambda(), to their values at a time t within the last step.
   virtual void interpolate(const S& /*t*/, StateVector<S>& /*y*/) {}
@@ -37,6 +39,7 @@ class AnyMethod {
                       const S& /*stop*/, const std::vector<double>& /*memory*/) {}
 };
 
+/// AnyMethod for a given Method. The optional functions that M does not have return their default.
 template <class S, Method<AnySystem<S>> M>
 class MethodAdapter final : public AnyMethod<S> {
  public:
@@ -86,6 +89,7 @@ class MethodAdapter final : public AnyMethod<S> {
   M method_;
 };
 
+/// Puts a method behind the interface AnyMethod.
 template <class S, Method<AnySystem<S>> M>
 std::unique_ptr<AnyMethod<S>> adapt(M method) {
   return std::make_unique<MethodAdapter<S, M>>(std::move(method));

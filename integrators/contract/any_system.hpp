@@ -14,7 +14,9 @@
 
 namespace trivium::integrators {
 
-/// Any FirstOrderSystem. A function of another group works if the system behind the interface has this group.
+/// Any FirstOrderSystem. The functions are those of the concepts that the comments below name. A function of
+/// another concept than FirstOrderSystem throws a UsageError if the system behind the interface does not
+/// satisfy it.
 template <class S>
 class AnySystem {
  public:
@@ -23,7 +25,7 @@ class AnySystem {
   using Factors = AnyFactors;
 
   virtual ~AnySystem() = default;
-  // of a FirstOrderSystem
+  // FirstOrderSystem
   virtual int size() const = 0;
   virtual StateVector<S> start() const = 0;
   virtual void derivative(const S& t, const StateVector<S>& y, StateVector<S>& y_dot) = 0;

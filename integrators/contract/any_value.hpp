@@ -7,6 +7,7 @@
 
 namespace trivium::integrators {
 
+/// A box that holds a value of any default-constructible type.
 class AnyValue {
  public:
   /// The value of type T; makes a new one if the box is empty or holds another type.
@@ -44,6 +45,7 @@ class AnyValue {
   std::unique_ptr<KeptBase> kept_;
 };
 
+/// The Evaluation and the Factors of any system, as two types, so that they cannot be confused.
 class AnyEvaluation : public AnyValue {};
 class AnyFactors : public AnyValue {};
 

@@ -8,13 +8,14 @@
 ///   internal_rows.hpp    HasInternalRows: rows that a model handles itself, such as |p| = 1
 ///   springs.hpp          HasSprings: stiffness and damping, for methods of several stages
 ///
-/// integrators/contract/spherical_pendulum.hpp is a one-page model that has all of them.
+/// integrators/contract/spherical_pendulum.hpp is a one-page model that has all of these functions.
 
 #include "integrators/contract/internal_rows.hpp"
 #include "integrators/contract/springs.hpp"
 
 namespace trivium::integrators {
 
+/// A system with all groups of functions.
 template <class System>
 concept ConstrainedSystem = HasSprings<System> && HasInternalRows<System>;
 

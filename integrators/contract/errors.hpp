@@ -1,6 +1,6 @@
 #pragma once
-/// The errors of an integration: a method fails (exit code 3), or the request cannot be fulfilled (exit code
-/// 2). A message says when, why, and which change may help.
+/// The errors of an integration. Either a method fails (exit code 3), or the request cannot be fulfilled
+/// (exit code 2).
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace trivium::integrators {
 
-/// A method failed. The message says when, why, and which change may help.
+/// A method failed. The message says when, why, and which change may help, such as smaller steps.
 class IntegrationError : public Error {
  public:
   explicit IntegrationError(const std::string& what, ErrorKind kind = ErrorKind::integration)

@@ -31,19 +31,19 @@ void raise(Violation<S>& largest, const Violation<S>& next) {
 /// The equations:
 ///
 ///   size, start          the number of elements of y, and y at the start
-///   derivative           y' at (t, y). Throws a std::runtime_error if y is not a possible state; the method
-///                        then tries a smaller step
-///   longest_step         the longest step from (t, y) that the model allows
+///   derivative           from (t, y, y'): computes y' at (t, y). Throws a std::runtime_error if y is not a
+///                        possible state; the method then tries a smaller step
+///   longest_step         the longest step from (t, y) that the model allows [s]
 ///
 /// The constraints:
 ///
 ///   position_violation   the Violation of the position constraints at (t, y)
 ///   velocity_violation   the Violation of the velocity constraints at (t, y)
-///   row_name             the name of a row, from its number
+///   row_name             the name of a row, for its number
 ///   correct_positions    from (t, y, factor): one Newton correction of the positions. If `factor`, the
 ///                        matrix is factored at y; otherwise the factors of an earlier call are used
 ///   correct_velocities   the same for the velocities
-///   normalise            satisfies the internal rows, such as |p| = 1
+///   normalise            changes y so that it satisfies the internal rows, such as |p| = 1
 ///
 /// Decisions of the system that integrate.hpp asks for and acts on:
 ///

@@ -11,7 +11,7 @@
 
 namespace trivium::integrators {
 
-/// Appends the parts to a list of numbers; the length of a vector stands before its elements.
+/// Appends the parts to a list of numbers. The length of a vector is written before its elements.
 template <class S>
 class MemorySaver {
  public:
@@ -44,7 +44,7 @@ class MemoryReader {
     if (next_ == numbers_.size()) refuse();
     number = S(numbers_[next_++]);
   }
-  /// The vector keeps its length, which the list must confirm.
+  /// The vector keeps its length, which must be equal to the length in the list.
   void read(StateVector<S>& vector) {
     S size(0);
     read(size);

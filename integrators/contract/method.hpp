@@ -10,14 +10,16 @@ namespace trivium::integrators {
 
 /// The work of a method so far.
 struct Counters {
+  /// Steps accepted and rejected; evaluations of the model; restarts after discontinuities and chart changes.
   long steps = 0, rejected_steps = 0, right_sides = 0, restarts = 0;
   long iterations = 0;  ///< Newton iterations
 };
 
 /// A method takes one accepted step at a time. `step` moves t and y by one step, at most to `stop`. A step
-/// that ends near `stop` ends on it exactly. `step` throws an IntegrationError if the method fails. `restart`
-/// forgets the solution so far, as is needed where the solution is not smooth. After `shorten` the next step
-/// starts where the last one started, and is shorter. `shorten` returns false if the method cannot do this.
+/// that would end within rounding of `stop` ends on it exactly. `step` throws an IntegrationError if the
+/// method fails. `restart` forgets the solution so far, which is necessary where the solution is not smooth.
+/// `shorten` is called if the last step is taken back: the caller restores t and y, and the next step is
+/// shorter. It returns false if the method cannot shorten its steps.
 ///
 /// Optional functions, which AnyMethod asks for:
 ///
@@ -25,7 +27,7 @@ struct Counters {
 ///   interpolates, interpolate(t, y)
 ///                        the state at a time within the last step
 ///   begin(system, t, y, stop), has_begun, show_memory(show)
-///                        the memory (memory.hpp), with which a saved run of given steps continues exactly
+///                        the memory (memory.hpp). With it a saved run of given steps continues exactly
 template <class M, class System>
 concept Method = requires(M& method, const M& constant, System& system, typename System::Scalar& t,
                           StateVector<typename System::Scalar>& y, const typename System::Scalar& stop) {

@@ -25,10 +25,13 @@ struct Shares {
 ///   factor               from (at, shares, factors): factors the matrix at an evaluation; with shares of 0
 ///                        only M and Phi_q. An evaluation can be factored once; afterwards it gives no
 ///                        residual, because the factors may take over its contents
-///   solve                from (factors, at, left, rows, x, mu): adds the solution to x and mu; x is in the
-///                        velocity coordinates at `at`, which may be another state than that of the factors
-///   reduce               from (factors, force, left): makes the `left` of `solve` from a generalised force;
-///                        reduced at the state of the factors
+///   solve                from (factors, at, left, rows, x, mu): solves with the matrix that was factored, at
+///                        the state of the factors, and adds the solution to x and mu. `at` may be the
+///                        evaluation of another state, such as a later iterate. x is in the velocity
+///                        coordinates of that state
+///   reduce               from (factors, force, left): eliminates the multipliers of internal rows from a
+///                        generalised force, at the state of the factors. The result is a right side `left`
+///                        of `solve`
 ///   inertia_force        from (factors, x, force): M x with M at the state of the factors
 template <class System>
 concept HasNewtonMatrix = HasResidual<System> && std::default_initializable<typename System::Factors> &&

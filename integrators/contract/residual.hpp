@@ -16,7 +16,8 @@ namespace trivium::integrators {
 ///   Evaluation           empty at first; the next `evaluate` uses its storage again
 ///   evaluate             from (t, y, at): makes `at` the model at (t, y)
 ///   multipliers          the number of elements of lambda
-///   accelerations        from (t, y, v', lambda): v' and lambda solved at index 1
+///   accelerations        from (t, y, v', lambda): solves the equations of index 1 (constraints
+///                        differentiated twice) for v' and lambda
 ///
 /// Generalised forces, with as many elements as v:
 ///
@@ -24,15 +25,18 @@ namespace trivium::integrators {
 ///   inertia_force        from (at, x, force): M x
 ///   applied_force        from (at, force): the forces of the effects, without gyroscopic terms
 ///
-/// Residuals of the equations and of the rows. The returned measures mean the same in all coordinates:
+/// Residuals of the equations and of the rows. The returned measures do not depend on the coordinates:
 ///
 ///   residual             from (at, force, lambda, left): Q - force - Phi_q^T lambda, where `force` stands
 ///                        for M v'. Returns the largest imbalance relative to the forces at work [-]. `left`
-///                        has the length of v but is reduced: the part that the multipliers of internal rows
-///                        balance is eliminated. The elements that become free are 0 (internal_rows.hpp)
+///                        is the reduced residual, from which the multipliers of the internal rows have been
+///                        eliminated. It has fewer numbers than v, one less for each internal row. The vector
+///                        keeps the length of v, and its unused elements are 0; internal_residual fills them
+///                        (internal_rows.hpp)
 ///   position_rows, velocity_rows
 ///                        from (at, rows): Phi, and Phi_q v - nu. Each returns its Violation
-///   work_rate            from (at, lambda): the rate of the work, which is the element of y after q and v
+///   work_rate            from (at, lambda): the rate [W] of the work, which is the element of y after q and
+///                        v
 template <class System>
 concept HasResidual = HasDisplacements<System> && std::default_initializable<typename System::Evaluation> &&
     std::movable<typename System::Evaluation> &&

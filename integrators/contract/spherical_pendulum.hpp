@@ -16,6 +16,7 @@
 
 namespace trivium::integrators {
 
+/// The pendulum and its start. The numbers are in SI units.
 template <class S>
 class SphericalPendulum {
  public:

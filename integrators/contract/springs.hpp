@@ -1,8 +1,8 @@
 #pragma once
 /// Springs and dampers, each by its stiffness and damping, for methods of several stages. In the Newton
 /// matrix of a stage a spring resists the motion of this stage alone. The method solves for the coupling of
-/// the stages, with one unknown per spring. A model may leave its springs out of Newton's matrix: the
-/// iteration then finds their forces, and springs() is 0.
+/// the stages, with one unknown per spring and stage. A model may leave its springs out of Newton's matrix:
+/// the iteration then finds their forces, and springs() is 0.
 
 #include <concepts>
 
@@ -11,10 +11,11 @@
 namespace trivium::integrators {
 
 ///   springs              the number of springs in Newton's matrix
-///   spring_constants     their stiffness [N/m, N m] and damping [N s/m, N m s]
+///   spring_constants     per spring the stiffness [N/m, N m/rad] and the damping [N s/m, N m s/rad]
 ///   solve                from (factors, at, left, rows, slack, x, mu, stretch): the `solve` of
-///                        HasNewtonMatrix for springs with slack. The force of a spring is its resistance
-///                        times (stretch by x - slack). Also returns the stretch of every spring by x
+///                        HasNewtonMatrix for springs with slack. The stretch of a spring by x is its
+///                        gradient times x. Its force is (gamma' damping + beta' stiffness) (stretch -
+///                        slack). Sets `stretch` to the stretch of every spring by x
 template <class System>
 concept HasSprings = HasNewtonMatrix<System> &&
     requires(System& system, const typename System::Evaluation& at, const typename System::Factors& factors,

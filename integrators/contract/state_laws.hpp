@@ -34,9 +34,9 @@ class StateLaws {
   }
 
  protected:
-  /// a and b may differ by rounding, relative to 1 + |a| + |b|. `digits_lost` is the number of machine
-  /// epsilons (1e4: four digits). The default leaves room for sums of many terms of different size. A larger
-  /// one hides the loss of a small term.
+  /// Enters a broken law if a and b differ by more than rounding. The bound, relative to 1 + |a| + |b|, is
+  /// `digits_lost` machine epsilons (1e4: four digits are lost). The default leaves room for sums of many
+  /// terms of different size. A larger bound hides the loss of a small term.
   void equal(const char* law, const Y& a, const Y& b, double digits_lost = 1e4) {
     const bool same_size = a.size() == b.size();
     const double size = 1 + (same_size ? static_cast<double>(S(a.norm() + b.norm())) : 0.0);
@@ -83,9 +83,9 @@ class StateLaws {
     system_.normalise(kept);
     equal("normalise does not change a normalised state", kept, y_);
   }
-  /// One correction from a nearby state reduces the violation at least tenfold, as a Newton step must: its
-  /// error is quadratic. A violation below 1e-11 need not fall any more: this is far above the rounding of a
-  /// row in double.
+  /// One correction from a nearby state must reduce the violation at least tenfold, because the error of a
+  /// Newton step is quadratic. A violation below 1e-11, which is far above the rounding of a row in double,
+  /// need not fall any further.
   void corrections() {
     Y off = nearby(7);
     const auto falls = [&](const char* law, const auto& violation, const auto& correct) {

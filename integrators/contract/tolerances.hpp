@@ -8,12 +8,13 @@
 
 namespace trivium::integrators {
 
-/// The error of each element of y may be up to atol + rtol |element| per step.
+/// The error of each element of y may be up to atol + rtol |element| per step; atol has the unit of the
+/// element.
 struct Tolerances {
   double rtol = 1e-8, atol = 1e-10;
 };
 
-/// Bound [-] of a relative measure (relative to the model's own numbers) that rounding alone may leave: one
+/// The bound [-] up to which a violation, relative to the numbers of the model, may be rounding alone: one
 /// epsilon for each of the about 16 roundings in the terms of a row.
 template <class S>
 S rounding() {

@@ -1,3 +1,5 @@
+/// Makes the methods of Odeint and the half-explicit methods from a request, and lists their properties.
+
 #include "integrators/explicit/methods.hpp"
 
 #include <type_traits>

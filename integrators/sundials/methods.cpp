@@ -1,3 +1,5 @@
+/// Lists the integrators of SUNDIALS with their properties, and checks the order of ARKODE.
+
 #include "integrators/sundials/methods.hpp"
 
 #include <fmt/format.h>

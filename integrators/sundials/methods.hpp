@@ -20,15 +20,17 @@ std::vector<MethodEntry<double>> sundials_methods();
 /// Adams methods of orders 1 to 12, solved by fixed-point iteration.
 DoubleMethod make_cvode_adams(const Tolerances& tolerances);
 
-/// BDF of orders 1 to 5. If it `projects`, a state is projected before its step is accepted (Eich, 1993).
+/// BDF of orders 1 to 5. If `projects`, a state is also projected before its step is accepted (Eich, 1993).
 DoubleMethod make_cvode_bdf(const Tolerances& tolerances, bool projects);
 
 /// Runge-Kutta methods: explicit of order 2, 3, 4, 5, 6 or 8, implicit of order 2 to 5. Without tolerances
 /// they take given steps.
 DoubleMethod make_arkode(bool is_implicit, int order, const std::optional<Tolerances>& tolerances);
 
-/// BDF of orders 1 to 5 for the equations of Gear, Gupta and Leimkuhler (1985); states are projected after
-/// each step.
+/// BDF of orders 1 to 5 for the equations of Gear, Gupta and Leimkuhler (1985). The method itself projects
+/// the state at the end of each step, which removes the small violations that the iteration leaves. This
+/// projection is part of the method: SimulationOptions::projects, which concerns the projection by integrate,
+/// does not switch it off.
 DoubleMethod make_ida(const Tolerances& tolerances);
 
 }  // namespace trivium::integrators

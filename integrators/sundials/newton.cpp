@@ -21,8 +21,8 @@ class AcceleratedNewton {
   SUNNonlinSolLSolveFn solve_linear = nullptr;
   SUNNonlinSolConvTestFn test = nullptr;
   void* test_data = nullptr;
-  int most_iterations = 3, iteration = 0;
-  long iterations = 0, failures = 0;  ///< in the last solve
+  int most_iterations = 3, iteration = 0;  ///< 3: the default of Newton's method in SUNDIALS
+  long iterations = 0, failures = 0;       ///< in the last solve
 
   /// Iterates for the correction y of the predicted state, from the given y. If the iteration fails with an
   /// old matrix, it starts once more with a new one. Returns the library's code.
@@ -64,8 +64,8 @@ class AcceleratedNewton {
       // matrix leaves out, and these changes are accelerated.
       if (iteration > 0) flat(left_.get()) = anderson_.step(change_, change_.size()).cwiseQuotient(w);
       flat(y) += flat(left_.get());
-      // The test reports divergence where a change grows. The first two changes may, because the acceleration
-      // acts on later ones.
+      // The test reports divergence if the changes grow. Such a report is ignored at the first two changes,
+      // because only from the third change on are changes accelerated.
       const int code = test(solver, y, left_.get(), tolerance, weights, test_data);
       if (code != SUN_NLS_CONTINUE && !(code == SUN_NLS_CONV_RECVR && iteration < 2)) return code;
     }

@@ -1,3 +1,5 @@
+/// Lists RATTLE of order 2 and its composition of order 4 with their properties.
+
 #include "integrators/symplectic/methods.hpp"
 
 #include "integrators/quad.hpp"

@@ -110,9 +110,9 @@ class Rattle {
           theta_ += change_;
           known_ += momentum_of(system, change_) - left_;  // adds the constraint forces
         });
-    // The error of mu_n is proportional to the length of the step before t_n, that of lambda_n to the length
-    // of the step after t_n, with the opposite sign. Their difference, 2 / h^2 mu_, thus gives the error of
-    // mu_n+1.
+    // The error of mu_n is c last_h_ with an unknown factor c, where last_h_ is the length of the step before
+    // t_n. The error of lambda_n is -c h. The iteration above has found 2 / h^2 mu_ = lambda_n - mu_n, which
+    // is therefore -c (h + last_h_). Hence off_ = -c h, and lambda_ = mu_n+1 + off_ has no error of order h.
     off_ = h / (h + last_h_) * 2 / (h * h) * mu_;
     system.inertia_force(at_, theta_, momentum_);
     y.segment(nq, nv) = theta_ / h;

@@ -1,3 +1,5 @@
+/// Writes the pgfplots source of a figure with logarithmic axes.
+
 #include "paper/generator/figure.hpp"
 
 #include <fmt/format.h>

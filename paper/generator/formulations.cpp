@@ -1,3 +1,5 @@
+/// Finds the formulations of a results file, and the LaTeX command that prints the name of each.
+
 #include "paper/generator/formulations.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+/// Reads each results file once, checks it against its schema, and makes all tables of the paper.
+
 #include "paper/generator/table.hpp"
 
 #include <fmt/format.h>

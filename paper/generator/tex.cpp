@@ -1,3 +1,5 @@
+/// Formats numbers, and escapes or refuses characters that LaTeX would not print as they are.
+
 #include "paper/generator/tex.hpp"
 
 #include <fmt/format.h>

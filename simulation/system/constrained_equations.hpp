@@ -202,7 +202,7 @@ class ConstrainedEquations {
   }
   // springs (spring_rows.hpp)
   int springs() const { return springs_.count(); }
-  /// Stiffness and damping per spring [N/m, N s/m]; of torsional springs [N m, N m s].
+  /// Stiffness and damping per spring [N/m, N s/m]; of torsional springs [N m/rad, N m s/rad].
   void spring_constants(StateVector& stiffness, StateVector& damping) const {
     springs_.constants(stiffness, damping);
   }

@@ -61,7 +61,7 @@ class SpringRows {
   }
 
   int count() const { return static_cast<int>(soft_.size()); }
-  /// Stiffness and damping per spring [N/m, N s/m]; of torsional springs [N m, N m s].
+  /// Stiffness and damping per spring [N/m, N s/m]; of torsional springs [N m/rad, N m s/rad].
   void constants(StateVector& stiffness, StateVector& damping) const {
     stiffness.resize(soft_.size());
     damping.resize(soft_.size());

@@ -2,7 +2,7 @@
 /// The order of the numbers in the state vector of an integrator, y = (q, v, work):
 ///
 ///     q     per body: r [m], then the orientation in the coordinates of the formulation
-///     v     per body: r' [m/s], then the rotational velocity of the formulation, such as omega-bar or p'
+///     v     per body: r' [m/s], then the rotational velocity of the formulation, such as omega_bar or p'
 ///           (its time derivative is the rotational unknown of the equations of motion)
 ///     work  the work done on the mechanism [J]; absent if no driver or effect does any
 ///

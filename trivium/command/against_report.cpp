@@ -1,3 +1,5 @@
+/// Prints a verdict and the largest difference for every column; decides no bound itself.
+
 #include "trivium/command/against_report.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+/// Prints the analysis of a scene's state. A rank or condition number that the structured solver does not
+/// compute is left out of the JSON and reported as "not determined" in the text.
+
 #include "trivium/command/check_report.hpp"
 
 #include <fmt/format.h>

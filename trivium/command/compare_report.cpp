@@ -1,3 +1,6 @@
+/// Prints the comparison of a motion in several formulations. The verdict names the output at which the ratio
+/// of difference and bound is the largest.
+
 #include "trivium/command/compare_report.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+/// The first signal only sets a variable, which the run reads after every step. A signal two or more seconds
+/// later restores the default action and is raised again, which ends the program.
+
 #include "trivium/command/interrupt.hpp"
 
 #include <csignal>

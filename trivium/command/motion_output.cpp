@@ -1,3 +1,6 @@
+/// Passes every output of a run to the CSV file and to the figure, every step to the progress bar. Files are
+/// put in place after the run, by `keep`.
+
 #include "trivium/command/motion_output.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+/// Collects the numbers of a figure as text, one line per output, and writes the script with which gnuplot
+/// draws them.
+
 #include "trivium/command/motion_plot.hpp"
 
 #include <fmt/format.h>

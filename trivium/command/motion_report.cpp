@@ -1,3 +1,6 @@
+/// Prints the summary of a run of `trivium simulate`. Lines that do not apply to the method are left out of
+/// the text.
+
 #include "trivium/command/motion_report.hpp"
 
 #include <fmt/format.h>

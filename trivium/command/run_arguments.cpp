@@ -1,3 +1,5 @@
+/// Declares the options that `simulate` and `compare` share, with their help texts, checks and defaults.
+
 #include "trivium/command/run_arguments.hpp"
 
 #include <fmt/format.h>

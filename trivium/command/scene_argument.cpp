@@ -1,3 +1,5 @@
+/// Declares the options that name a scene, and loads the scene with its model.
+
 #include "trivium/command/scene_argument.hpp"
 
 #include "base/command_line.hpp"

@@ -1,3 +1,6 @@
+/// Prints the solutions of one state: lambda and accelerations of every formulation, and the reactions of the
+/// first one.
+
 #include "trivium/command/solve_report.hpp"
 
 #include <fmt/format.h>

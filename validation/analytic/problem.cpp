@@ -1,3 +1,5 @@
+/// Simulates the scene of a problem by Fehlberg's method at tolerances far below the bounds of its errors.
+
 #include "validation/analytic/problem.hpp"
 
 #include "scenes/catalogue.hpp"

@@ -1,3 +1,6 @@
+/// Puts the problems of all source files into one list. Problems with several scenes have one entry for each
+/// scene.
+
 #include "validation/analytic/problems.hpp"
 
 #include <tuple>

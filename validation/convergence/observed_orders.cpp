@@ -1,3 +1,6 @@
+/// Runs a method at successively halved steps, in double or quad, and computes its errors at half time and at
+/// the end.
+
 #include "validation/convergence/observed_orders.hpp"
 
 #include <algorithm>

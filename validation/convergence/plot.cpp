@@ -1,3 +1,5 @@
+/// Writes the script and the data of a figure for gnuplot, with one panel for each of the four quantities.
+
 #include "validation/convergence/plot.hpp"
 
 #include <fmt/format.h>

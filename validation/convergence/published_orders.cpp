@@ -1,3 +1,5 @@
+/// The runs that show the order of each method: parameters, numbers of steps, and floors of the errors.
+
 #include "validation/convergence/published_orders.hpp"
 
 #include <fmt/format.h>

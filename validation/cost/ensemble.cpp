@@ -1,3 +1,6 @@
+/// Draws random states of an arm in portions that fit the clock's resolution. Every engine solves the same
+/// portions, in random order.
+
 #include "validation/cost/ensemble.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+/// Evaluates every engine once to check its answer, and times those whose answer is accepted.
+
 #include "validation/cost/measurement.hpp"
 
 #include <fmt/format.h>

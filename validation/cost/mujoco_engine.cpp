@@ -1,3 +1,5 @@
+/// Passes a scene to MuJoCo as text in memory, and reads accelerations after its forward dynamics.
+
 #include "validation/cost/mujoco_engine.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+/// Writes bodies depth first, the order in which MuJoCo numbers them, and splits deep trees into several
+/// files.
+
 #include "validation/cost/mujoco_text.hpp"
 
 #include <fmt/format.h>

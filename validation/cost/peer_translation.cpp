@@ -1,3 +1,6 @@
+/// Builds the spanning tree of a scene, with relative coordinates that are 0 at its state, from the plain
+/// data of the translation for Simbody.
+
 #include "validation/cost/peer_translation.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -1,3 +1,5 @@
+/// Lists the engines of other projects that this build contains, and those that it lacks.
+
 #include "validation/cost/mujoco_engine.hpp"
 
 namespace trivium::cost {

@@ -1,3 +1,6 @@
+/// Solves by the structured solver in quad. Where this solver fails, the printed system is solved in quad
+/// instead.
+
 #include "validation/cost/quad_solution.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+/// Assembles the augmented matrix as triplets, and solves it by the solvers of Eigen and SuiteSparse.
+
 #include "validation/cost/sparse.hpp"
 
 #include <Eigen/SparseCholesky>

@@ -1,3 +1,5 @@
+/// Packs as many states as a Scalar has lanes, solves them together, and unpacks the accelerations.
+
 #include "validation/cost/state_sweep.hpp"
 
 #include <memory>

@@ -1,3 +1,6 @@
+/// Turns names such as "chain_100" into generated scenes; every other name is a scene of the catalogue or a
+/// file.
+
 #include "validation/cost/timed_scenes.hpp"
 
 #include <charconv>

@@ -1,3 +1,6 @@
+/// Lets Google Benchmark repeat the pieces of work in random order, without its own output, and takes
+/// medians.
+
 #include "validation/cost/timing.hpp"
 
 #include <benchmark/benchmark.h>

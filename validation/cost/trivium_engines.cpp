@@ -1,3 +1,5 @@
+/// Turns the name of a formulation into its engine, in double.
+
 #include "validation/cost/trivium_engines.hpp"
 
 #include "formulations/formulation_list.hpp"

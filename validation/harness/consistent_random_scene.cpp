@@ -1,3 +1,5 @@
+/// Tries random mechanisms until one has velocities and accelerations that satisfy its constraints.
+
 #include "validation/harness/consistent_random_scene.hpp"
 
 #include <fmt/format.h>

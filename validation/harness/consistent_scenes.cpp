@@ -1,3 +1,5 @@
+/// Loads all scenes before it throws, so that one error lists the problems of all scenes.
+
 #include "validation/harness/consistent_scenes.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+/// Compares pairs of formulations at the state of every scene, and writes the differences as a table, JSON
+/// and CSV.
+
 #include "validation/harness/lambda_invariance.hpp"
 
 #include <fmt/format.h>

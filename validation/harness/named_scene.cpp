@@ -1,3 +1,5 @@
+/// Makes the model of a scene once. If that fails, the error is thrown where the model is requested.
+
 #include "validation/harness/named_scene.hpp"
 
 #include <utility>

@@ -1,3 +1,5 @@
+/// The options that all validation programs have: scenes, --json and --csv.
+
 #include "validation/harness/program.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+/// Finds the folder of the reference tables: $TRIVIUM_REFERENCE, then the installation of the catalogue, then
+/// the source tree.
+
 #include "validation/harness/trusted_numbers.hpp"
 
 #include <cstdlib>

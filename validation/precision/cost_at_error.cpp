@@ -1,3 +1,5 @@
+/// Finds the cheapest run of each method that reaches a target error, and prints them as a table.
+
 #include "validation/precision/cost_at_error.hpp"
 
 #include <fmt/format.h>

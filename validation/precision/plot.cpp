@@ -1,3 +1,6 @@
+/// Writes the script and the data of a figure for gnuplot: curves of the runs that succeeded, crosses for
+/// those that failed.
+
 #include "validation/precision/plot.hpp"
 
 #include <fmt/format.h>

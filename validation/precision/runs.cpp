@@ -1,3 +1,6 @@
+/// Measures errors first, in one run per setting, then CPU times, in repeated runs that compute neither
+/// lambda nor reactions.
+
 #include "validation/precision/runs.hpp"
 
 #include <fmt/format.h>

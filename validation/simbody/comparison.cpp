@@ -1,3 +1,6 @@
+/// Solves a scene in every formulation and, in one of the ways of rebuilding it, by Simbody, and computes the
+/// relative differences.
+
 #include "validation/simbody/comparison.hpp"
 
 #include <fmt/format.h>

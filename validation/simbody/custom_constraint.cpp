@@ -1,3 +1,6 @@
+/// Computes Phi, its first and second time derivative and the forces of a multiplier from the motions of two
+/// bodies. Every row is the scalar product of two moving vectors, minus f(t).
+
 #include "validation/simbody/custom_constraint.hpp"
 
 #include <cmath>

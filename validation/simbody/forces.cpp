@@ -1,3 +1,6 @@
+/// Makes a force of Simbody for every effect. Angles of torsional springs are taken from the mobilizer if the
+/// joint is a pin or a cylinder, else from the orientations of both bodies.
+
 #include "validation/simbody/forces.hpp"
 
 #include <algorithm>

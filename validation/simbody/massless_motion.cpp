@@ -1,3 +1,6 @@
+/// Looks for combinations of massless rotations that the joints with mobilizers do not resist: vectors that
+/// the rows of these joints map to nearly 0.
+
 #include "validation/simbody/massless_motion.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -1,3 +1,5 @@
+/// Chooses Simbody's mobilizer for every joint of the tree, and its frames on both bodies.
+
 #include "validation/simbody/mobilizer_tree.hpp"
 
 #include "validation/simbody/way.hpp"

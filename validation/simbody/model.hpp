@@ -25,7 +25,7 @@ struct TimeFunction {
 struct Body {
   std::string name;
   double mass = 0;
-  Matrix3 inertia{};  ///< inertia matrix Jbar [kg m^2], body frame, about the centre of mass
+  Matrix3 inertia{};  ///< inertia matrix J_bar [kg m^2], body frame, about the centre of mass
   Vector3 position{};
   std::array<double, 4> euler_parameters{1, 0, 0, 0};
   Vector3 velocity{}, angular_velocity{};  ///< r_dot [m/s], global; omega_bar [rad/s], body frame

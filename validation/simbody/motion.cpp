@@ -1,3 +1,5 @@
+/// Makes Simbody's integrators, and records poses and velocities at the output times.
+
 #include "validation/simbody/motion.hpp"
 
 #include <fcntl.h>

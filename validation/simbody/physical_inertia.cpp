@@ -1,3 +1,6 @@
+/// Increases the inertia of every body that other codes would refuse, and leaves all other bodies as they
+/// are.
+
 #include "validation/simbody/physical_inertia.hpp"
 
 #include <algorithm>

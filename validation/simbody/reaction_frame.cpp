@@ -1,3 +1,6 @@
+/// Converts reactions to wrenches about the centre of mass, in the body frame, divided by the scale of
+/// accelerations. Multipliers of a joint are solved from its wrench by least squares.
+
 #include "validation/simbody/reaction_frame.hpp"
 
 #include <Eigen/QR>

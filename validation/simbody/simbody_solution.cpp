@@ -1,3 +1,6 @@
+/// Copies accelerations, multipliers and reactions. A joint that is a mobilizer has no multipliers in
+/// Simbody; they are computed from its reaction.
+
 #include "validation/simbody/simbody_solution.hpp"
 
 namespace trivium {

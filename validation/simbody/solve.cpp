@@ -1,3 +1,6 @@
+/// Reads accelerations, multipliers and reactions from a realised Simbody state. An exception of Simbody, or
+/// an answer that is not finite, becomes Refused.
+
 #include "validation/simbody/solve.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+/// Builds the Simbody model: mobilizers first, then the constraints of the remaining joints, forces, and the
+/// state that fits the mobilizers to the poses and velocities of the scene.
+
 #include "validation/simbody/system.hpp"
 
 #include <cctype>

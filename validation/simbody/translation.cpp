@@ -1,3 +1,6 @@
+/// Translates functions of time, joints, rows and effects type by type. A type that the Simbody model does
+/// not have is an error.
+
 #include "validation/simbody/translation.hpp"
 
 #include <fmt/format.h>
