@@ -21,6 +21,15 @@ TEST(Compare, SaysHowFarLambdaIsApartAlongAMotionAndAtItsStates) {
         << formulation;
 }
 
+TEST(Compare, ShowsNoDifferenceOfLambdaWhereNoMultiplierIsUnique) {
+  const Outcome r = run("trivium compare door --t-end 0.1");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const std::size_t first = r.out.find("\n0 ");
+  ASSERT_NE(first, std::string::npos) << r.out;
+  const std::string line = r.out.substr(first + 1, r.out.find('\n', first + 1) - first - 1);
+  EXPECT_NE(line.find("none"), std::string::npos) << line;
+}
+
 TEST(Compare, SaysTheSameInJson) {
   const Outcome r = run("trivium compare heavy_top --t-end 0.5 --formulations r-omega,r-p --json");
   ASSERT_EQ(r.exit_code, 0) << r.err;

@@ -68,8 +68,11 @@ std::string CompareReport::verdict_at_states() const {
     return worst->one_state->is_constrained
                ? fmt::format("none: no multiplier is unique; accelerations: {}", verdict)
                : std::string("none: there are no constraints");
-  return fmt::format("{}; difference {}, bound {} at t = {:.6g}", verdict, brief(worst->one_state->lambda),
-                     brief(worst->one_state->bound), worst->t);
+  const auto& at = *worst->one_state;
+  const bool by_acceleration = at.is_constrained && at.acceleration > at.lambda;
+  return fmt::format("{}; difference{} {}, bound {} at t = {:.6g}", verdict,
+                     by_acceleration ? " of accelerations" : "",
+                     brief(by_acceleration ? at.acceleration : at.lambda), brief(at.bound), worst->t);
 }
 
 std::string CompareReport::runs_table() const {
@@ -96,10 +99,12 @@ std::string CompareReport::instants_table() const {
     const auto& at = now.one_state;
     const bool is_shown = at.has_value() || &now == &comparison.instants.back();
     if (!is_shown) continue;
-    table.add({fmt::format("{:.6g}", now.t), brief(now.lambda), brief(now.lambda_bound),
-               brief(now.amplification), brief(now.position), brief(now.rotation),
-               at ? brief(at->lambda) : "-", at ? brief(at->bound) : "-", at ? brief(at->acceleration) : "-",
-               at ? brief(at->kappa) : "-", note_of(comparison, now)});
+    // zeros would look like agreement where no multiplier is unique
+    const auto of_lambda = [&](double x) { return comparison.has_unique_lambda ? brief(x) : "none"; };
+    table.add({fmt::format("{:.6g}", now.t), of_lambda(now.lambda), of_lambda(now.lambda_bound),
+               of_lambda(now.amplification), brief(now.position), brief(now.rotation),
+               at ? of_lambda(at->lambda) : "-", at ? brief(at->bound) : "-",
+               at ? brief(at->acceleration) : "-", at ? brief(at->kappa) : "-", note_of(comparison, now)});
   }
   return table.text();
 }
