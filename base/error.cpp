@@ -25,10 +25,7 @@ std::string name_source(const std::string& source, std::string_view message) {
 
 Error::Error(const std::string& source, const Error& inner)
     : Error(inner.kind(), name_source(source, inner.what()),
-            Place{inner.where().empty()               ? source
-                  : inner.where().starts_with(source) ? inner.where()
-                                                      : source + ": " + inner.where(),
-                  inner.when()}) {}
+            Place{inner.where().empty() ? source : name_source(source, inner.where()), inner.when()}) {}
 
 Error::Error(ErrorKind kind, const Place& place, const std::string& why)
     : Error(kind, message(place, why.c_str()), place) {}

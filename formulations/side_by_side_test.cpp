@@ -90,6 +90,21 @@ TEST(BalancedRotor, HasADiscrepancyWithinWhatCancels) {
   }
 }
 
+// gamma of every row is rounding of terms that cancel; the second bearing makes rows dependent
+TEST(BalancedRotor, OnTwoBearingsHasNoRowsThatContradictEachOther) {
+  for (const double spin : {100.0, 3000.0, 1e5}) {
+    scenes::Scene scene = rotor(spin);
+    scene.constraints.push_back(scene.constraints[0]);
+    auto& second = scene.constraints[1];
+    second.name = "second";
+    const auto& z = *second.i.axis;
+    second.i.point = scenes::Vector3{0.7 * z[0], 0.7 * z[1], 0.7 * z[2]};
+    second.j.point = scenes::Vector3{0, 0, 0.7};
+    const Model<double> model = make_model<double>(scene);
+    EXPECT_TRUE(analyse_rows(model).contradictory.empty()) << spin;
+  }
+}
+
 TEST(BalancedRotor, IsNotTouchedByASpringWithoutLength) {
   scenes::Scene scene = rotor(100);
   const double before = test::solve_scene<double>(scene).cancellation();

@@ -19,8 +19,9 @@
 
 namespace trivium::integrators {
 
-/// The first step size for a method of this order [s]. An explicit Euler step of this size moves y by about a
-/// hundredth of the size of y, and y' hardly changes over the step. The algorithm and its constants are those
+/// The first step size for a method of this order [s]. It is the step whose error would be about a hundredth
+/// of the tolerance, judged by y' and by the change of y' over a trial Euler step, which moves y by a
+/// hundredth of its size. It is at most a hundred such trial steps. The algorithm and its constants are those
 /// of Hairer, Norsett, Wanner (1993), II.4. Adds the evaluations of y' to `right_sides`.
 template <FirstOrderSystem System>
 typename System::Scalar first_step(System& system, const typename System::Scalar& t,

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -95,7 +96,8 @@ std::string reason_not_to_judge(const std::string& column, const Model<double>& 
   };
   if (column.starts_with("lambda[")) return is_open(std::stoi(column.substr(7)), 1) ? "not unique" : "";
   for (const Joint<double>& joint : model.mechanism.joints)
-    if (column.starts_with(joint.name + ".") && column.size() == joint.name.size() + 3)
+    if (std::ranges::any_of(std::array{"fx", "fy", "fz", "tx", "ty", "tz"},
+                            [&](const char* part) { return column == joint.name + "." + part; }))
       return is_open(joint.first_row, joint.rows) ? "not unique" : "";
   return "";
 }

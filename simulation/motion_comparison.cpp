@@ -237,18 +237,16 @@ class Comparer {
       side.formulations.push_back(formulation.solve(model, rows, run_.charts));
     const Discrepancy apart = side.discrepancy();
     const double bound = side.lambda_bound();
+    double acceleration = 0;
     for (std::size_t a = 0; a < side.formulations.size(); ++a)
       for (std::size_t b = a + 1; b < side.formulations.size(); ++b)
-        raise(worst.acceleration,
+        raise(acceleration,
               acceleration_distance(rows, side.formulations[a].solution, side.formulations[b].solution).all);
-    raise(worst.kappa, rows.kappa);
-    worst.is_constrained = model.mechanism.nc() > 0;
+    const ComparedInstant::OneState here{apart.lambda, bound, acceleration, model.mechanism.nc() > 0,
+                                         rows.kappa};
     // written so that a NaN is taken, and then kept
-    const double ratio = apart.lambda / bound, before = worst.lambda / worst.bound;
-    if (worst.bound == 0 || (!(ratio <= before) && before == before)) {
-      worst.lambda = apart.lambda;
-      worst.bound = bound;
-    }
+    const double ratio = here.ratio(), before = worst.ratio();
+    if (worst.bound == 0 || (!(ratio <= before) && before == before)) worst = here;
   }
 
   /// The dense solver's cost grows as the cube of the unknowns. Beyond 500 unknowns the number of compared

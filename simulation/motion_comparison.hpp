@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "base/raise.hpp"
 #include "formulations/side_by_side.hpp"
 #include "simulation/simulate.hpp"
 
@@ -62,11 +63,17 @@ struct ComparedInstant {
   bool is_singular = false;  ///< near a singular position, where lambda is not unique: not judged
   /// The comparison at one state.
   struct OneState {
-    double lambda = 0, bound = 0;  ///< difference and bound at the state where their ratio is largest
-    double acceleration = 0;       ///< largest relative difference of accelerations, in the mass metric
+    double lambda = 0, bound = 0;  ///< difference and bound at the state where `ratio` is largest
+    double acceleration = 0;       ///< relative difference of accelerations there, in the mass metric
     bool is_constrained = true;    ///< the mechanism has rows; otherwise accelerations are not judged
-    bool holds() const { return lambda <= bound && (!is_constrained || acceleration <= bound); }
-    double kappa = 1;  ///< largest condition number of these states
+    double kappa = 1;              ///< condition number there
+    /// The larger of the differences that are judged, divided by the bound; NaN if one of them is NaN.
+    double ratio() const {
+      double largest = lambda;
+      if (is_constrained) raise(largest, acceleration);
+      return largest / bound;
+    }
+    bool holds() const { return ratio() <= 1; }
   };
   std::optional<OneState> one_state;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "formulations/analysis/consistency.hpp"
+#include "formulations/analysis/magnitude_bounds.hpp"
 #include "formulations/analysis/tangent_system.hpp"
 #include "formulations/body_state.hpp"
 #include "formulations/r_omega.hpp"
@@ -41,7 +42,13 @@ Check check_state(const scenes::Scene& scene, const Model<double>& model) {
   out.solver = is_dense ? "printed" : "structured";
   RowAnalysis rows;
   if (is_dense || consistency.holds()) {
-    rows = is_dense ? analyse_rows(tangent_system(mechanism, state)) : structured_row_analysis(model);
+    if (is_dense) {
+      TangentSystem system = tangent_system(mechanism, state);
+      add_magnitude_bounds(mechanism, state, system);
+      rows = analyse_rows(system);
+    } else {
+      rows = structured_row_analysis(model);
+    }
     out.rank = rows.rank;
     out.degrees_of_freedom = 6 * mechanism.nb() - rows.rank;
   } else {

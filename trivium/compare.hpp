@@ -5,7 +5,7 @@
 /// Along the motion: do the multipliers lambda of the separate runs agree within steps . (rtol + atol) .
 /// amplification? With given steps, every formulation also runs with half the step, and the bound is 2 (c_1 +
 /// c_2). Here c_1 and c_2 are the largest and the second largest relative change of lambda by half the step
-/// that any formulation shows.
+/// that any formulation shows; each counts as at least 5e-13, half of the rounding of lambda.
 ///
 /// At one state: do all formulations give the same lambda and accelerations at the same positions and
 /// velocities, within 100 u kappa? Here u is the unit roundoff of double and kappa the condition number of
@@ -19,8 +19,9 @@
 
 namespace trivium {
 
-/// What to compare. `run` holds the integrator, end time, tolerances and output step; its fields
-/// `formulation` and `at_step` are ignored, and without `output_step` the run has 100 output intervals.
+/// What to compare. `run` holds the integrator, end time, tolerances and output step; its field
+/// `at_step` is ignored, its `formulation` is checked and then ignored, and without `output_step` the run has
+/// 100 output intervals.
 struct CompareSettings {
   std::vector<std::string> formulations = {};  ///< at least two names; empty: all that the integrator accepts
   SimulateSettings run = {};                   ///< settings that all runs share
@@ -59,10 +60,11 @@ struct ComparedOutput {
   /// The comparison at one state. The runs of n formulations have n slightly different states at this output.
   /// At each of these states all n formulations are solved.
   struct OneState {
-    /// lambda_difference, lambda_bound [-]: the relative difference of lambda and its bound 100 u kappa, at
-    /// the state where their ratio is the largest. acceleration_difference [-]: the largest relative
-    /// difference of accelerations at any of the states. It must not exceed lambda_bound either, unless the
-    /// mechanism has no constraint rows. condition [-]: the largest kappa of the states.
+    /// All four are those of one state: of the states compared at this output, the one whose larger
+    /// difference is the closest to its bound. lambda_difference [-]: the relative difference of lambda.
+    /// lambda_bound [-]: its bound 100 u kappa. acceleration_difference [-]: the relative difference of
+    /// accelerations, which must not exceed lambda_bound either, unless the mechanism has no constraint rows.
+    /// condition [-]: kappa.
     double lambda_difference = 0, lambda_bound = 0, acceleration_difference = 0, condition = 1;
   };
   std::optional<OneState> one_state;  ///< only at the outputs that CompareSettings::states selects

@@ -105,6 +105,9 @@ TEST(FrontDoor, ASceneThatWasReadTakesMoreParts) {
   scene.add_effect("torque", {{"body", "top"}, {"torque", {0, 0, 1}}});
   EXPECT_EQ(scene.contents().scene.effects.size(), before.contents().scene.effects.size() + 1);
   EXPECT_EQ(scene.contents().scene.bodies, before.contents().scene.bodies);
+  EXPECT_EQ(scene.contents().scene.description, before.contents().scene.description);
+  EXPECT_EQ(scene.contents().scene.reference, before.contents().scene.reference);
+  EXPECT_NE(scene.contents().scene.reference, "");
 }
 
 TEST(FrontDoor, SolvesAsTheRoomsBehindItDo) {

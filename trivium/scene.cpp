@@ -92,7 +92,7 @@ Value list(std::initializer_list<Value> values) {
 
 /// A scene under construction: the JSON text of every part.
 struct Scene::Parts {
-  std::string name;
+  std::string name, description, reference;
   double t = 0;
   std::vector<std::string> bodies, constraints, effects;
 
@@ -103,8 +103,12 @@ struct Scene::Parts {
     const auto array = [](const std::vector<std::string>& parts) {
       return fmt::format("[\n{}\n]", fmt::join(parts, ",\n"));
     };
-    return fmt::format(R"({{"trivium": 1, "name": {}, "bodies": {}, "constraints": {}, "effects": {}}})",
-                       json_text(name), array(bodies), array(constraints), array(effects));
+    const auto text = [](const char* key, const std::string& value) {
+      return value.empty() ? std::string() : fmt::format(R"("{}": {}, )", key, json_text(value));
+    };
+    return fmt::format(R"({{"trivium": 1, "name": {}, {}{}"bodies": {}, "constraints": {}, "effects": {}}})",
+                       json_text(name), text("description", description), text("reference", reference),
+                       array(bodies), array(constraints), array(effects));
   }
 
  private:
@@ -126,6 +130,8 @@ Scene::Parts& Scene::parts() {
   auto own = std::make_shared<Parts>();
   if (parts_) {
     own->name = parts_->name;
+    own->description = parts_->description;
+    own->reference = parts_->reference;
     own->t = parts_->t;
     own->bodies = parts_->bodies;
     own->constraints = parts_->constraints;
@@ -133,6 +139,8 @@ Scene::Parts& Scene::parts() {
   } else {
     const scenes::Json all = scenes::parse_json(scenes::write_scene(contents_->scene), scenes::Path("scene"));
     own->name = contents_->scene.name;
+    own->description = contents_->scene.description;
+    own->reference = contents_->scene.reference;
     own->t = contents_->t;
     for (const auto& [key, value] : *all.object()) {
       if (!value.array()) continue;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <exception>
 
 #include "integrators/methods.hpp"
 #include "scenes/make_mechanism.hpp"
@@ -91,15 +92,29 @@ class PlainObserver : public SimulationObserver {
     out.energy = s.energy;
     out.phi = s.phi;
     out.phi_dot = s.phi_dot;
-    if (observer_) return observer_(out);
+    if (observer_) return guarded([&] { return observer_(out); });
     kept.push_back(std::move(out));
     return true;
   }
-  bool step(double t) override { return !settings_.at_step || settings_.at_step(t); }
+  bool step(double t) override {
+    return guarded([&] { return !settings_.at_step || settings_.at_step(t); });
+  }
 
   std::vector<Output> kept;
+  std::exception_ptr thrown;  ///< by the user's functions
 
  private:
+  /// An exception of the user ends the run and is kept, so that it is not taken for an error of the run.
+  template <class Work>
+  bool guarded(const Work& work) {
+    try {
+      return work();
+    } catch (...) {
+      thrown = std::current_exception();
+      return false;
+    }
+  }
+
   const std::shared_ptr<const Names> names_;
   const SimulateSettings& settings_;
   const Observer& observer_;
@@ -109,13 +124,15 @@ class PlainObserver : public SimulationObserver {
 
 Motion simulate(const Scene& scene, const SimulateSettings& settings, const Observer& observer) {
   const Scene::Contents& of = scene.contents();
-  return naming_errors(of.source, [&] {
+  std::exception_ptr thrown;
+  Motion motion = naming_errors(of.source, [&] {
     const Model<double> model = make_model<double>(of.scene, of.t);
     SimulationOptions options = simulation_options(settings);
     options.from = of.scene.saved;
     require_consistent(of.source, model, options.from, options.formulation);
     PlainObserver plain_observer(model.mechanism, settings, observer);
     const SimulationReport r = simulate(model, options, plain_observer);
+    thrown = plain_observer.thrown;
     auto end = std::make_shared<Scene::Contents>(of);
     set_end(end->scene, r.end);
     end->t = r.end.run.t;
@@ -145,6 +162,8 @@ Motion simulate(const Scene& scene, const SimulateSettings& settings, const Obse
     out.warnings = warnings_of(r);
     return out;
   });
+  if (thrown) std::rethrow_exception(thrown);
+  return motion;
 }
 
 }  // namespace trivium

@@ -22,6 +22,7 @@ struct RowCheck {
   /// rotation_driver), the norm contains the rotational part only. A factor of the row does not change the
   /// violations, since the gradient contains it too.
   double position_violation = 0, velocity_violation = 0;
+  // not determined if Check::rank is empty
   bool is_unique = true;      ///< its multiplier is unique
   bool is_dependent = false;  ///< the row is dependent at this state: it follows from the other rows
 };

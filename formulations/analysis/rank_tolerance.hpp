@@ -31,9 +31,9 @@ S direction_tolerance() {
   return larger(S(100 * unit_roundoff<S>()), S(rank_tolerance));
 }
 
-/// Sine between the two vectors of a dp1 row below which the row counts as vanishing, for example where a
-/// driven angle reverses. It is close to the square root of near_singular_pivot in double (1.6e-5), so that
-/// both detect the same singular position.
+/// A dp1 row has no gradient where its two vectors are parallel, as at the angles 0 and pi of a driver. Below
+/// this sine between the vectors the row counts as vanishing. It is close to the square root of
+/// near_singular_pivot in double (1.6e-5), so that both detect the same singular position.
 inline constexpr double vanishing_row_tolerance = 1e-5;
 
 /// Choice of the dependent rows of Phi, from the end of the file. Let z_k be row k of the null basis, which
@@ -112,8 +112,9 @@ S joint_row_rounding() {
 // right sides of dependent rows
 
 /// A dependent row contradicts the others if its right side differs from the value that the others imply by
-/// more than this, relative to the terms of gamma. The value is far above the difference that inconsistent
-/// positions within their tolerance (1e-8) can cause.
+/// more than this, relative to the terms of gamma. (The dense analysis takes the largest gamma instead and
+/// adds the rounding of the terms.) The value is far above the difference that inconsistent positions within
+/// their tolerance (1e-8) can cause.
 inline constexpr double contradiction_tolerance = 1e-6;
 
 /// The same for the structured solver, whose positions are consistent to its direction_tolerance. The factor
@@ -124,7 +125,8 @@ S contradiction_tolerance_in() {
   return larger(S(contradiction_tolerance), S(30 * direction_tolerance<S>()));
 }
 
-/// Absolute part of the contradiction tolerance [unit of gamma]. In a mechanism at rest all terms of gamma
+/// Absolute part of the contradiction tolerance [unit of gamma; in the dense analysis of gamma divided by the
+/// norm of its row]. In a mechanism at rest all terms of gamma
 /// may be zero up to rounding, so that a relative tolerance alone would compare rounding errors. The value is
 /// far above the rounding errors of terms of size 1 (1e-16) and far below the accelerations of a motion.
 inline constexpr double contradiction_floor = 1e-12;

@@ -8,6 +8,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "base/error.hpp"
@@ -179,9 +180,14 @@ void find_contradictions(const TangentSystem& s, const ScaledJacobian& scaled, R
   // the minimum-norm acceleration that satisfies the independent rows gives the implied values
   const VectorX<double> acceleration = out.combination.transpose() * s.gamma(out.independent);
   const double largest = std::max(gamma.cwiseAbs().maxCoeff(), acceleration.cwiseQuotient(columns).norm());
+  // The terms of gamma cancel where a body spins about an axis through the points of its joints: gamma is
+  // then rounding of these terms. 100 roundings are a safety factor.
+  constexpr double rounding = 100 * std::numeric_limits<double>::epsilon();
+  const VectorX<double>& sizes = s.magnitudes.gamma;
+  const double uncancelled = sizes.size() > 0 ? row_scale.cwiseProduct(sizes).maxCoeff() : 0.0;
   for (int k : out.dependent)
     if (std::abs(row_scale[k] * s.Phi.row(k).dot(acceleration) - gamma[k]) >
-        contradiction_tolerance * largest + contradiction_floor)
+        contradiction_tolerance * largest + rounding * uncancelled + contradiction_floor)
       out.contradictory.push_back(k);
 }
 

@@ -12,10 +12,9 @@ namespace trivium {
 
 namespace detail {
 
-/// The change of x with which the dependent rows are satisfied too, in the least-squares sense, and with
-/// which the multipliers of minimum |E lambda| satisfy the equations of the bodies. It vanishes up to
-/// rounding if the rows are exactly dependent, and otherwise measures the influence of the choice of the
-/// omitted rows.
+/// How much x depends on the choice of the omitted rows: the change of x that satisfies the dependent rows
+/// too (in the least-squares sense), plus the change by which multipliers of minimum |E lambda| would satisfy
+/// the equations of the bodies. Both are rounding errors if the rows are exactly dependent.
 template <EquationsAsPrinted F, EquationsAsPrinted Higher>
 VectorX<typename F::Scalar> ambiguity_of(const AugmentedSolver<F>& solver,
                                          const VectorX<typename F::Scalar>& x,

@@ -71,9 +71,9 @@ class GraphSolver {
   int steps() const { return static_cast<int>(plan_.steps.size()); }
 
   /// Factors the matrix, which must outlive the factors. With DependentRows::detect it calls
-  /// restore_independent_rows() if a candidate may be independent. This is the case if the pivot of a
-  /// candidate exceeds rounding. It is also the case in a general joint of the tree, whose candidates may
-  /// still constrain the parent. Throws SingularLink and NearlyDependentRows.
+  /// restore_independent_rows() if a candidate may be independent. A candidate of a
+  /// closing may be independent if its pivot exceeds rounding. A candidate of a general joint of the tree
+  /// always may, since it can still constrain the parent. Throws SingularLink and NearlyDependentRows.
   void factor(const GraphMatrix<S>& matrix);
 
   /// Solves for a right side. Dependent rows have the multiplier 0, and their right sides are ignored.
@@ -100,8 +100,9 @@ class GraphSolver {
   /// Under DependentRows::detect_near_singular: row k of an edge is dependent, whatever its pivot is.
   void mark_dependent(int edge, int k) { is_marked_[edge][k] = true; }
 
-  /// From now on every factorisation keeps the dependent rows of the last factorisation of `other`. The edges
-  /// that both graphs have must come first in both. The dependent rows of further edges do not change.
+  /// From now on every factorisation keeps the dependent rows of the last factorisation of `other`, and
+  /// leaves out rows whose pivot is rounding besides. The edges that both graphs have must come first in
+  /// both. The dependent rows of further edges do not change.
   void keep_dependent_rows_of(const GraphSolver& other) {
     how_ = DependentRows::keep;
     std::copy_n(other.is_dependent_.begin(), std::min(is_marked_.size(), other.is_dependent_.size()),

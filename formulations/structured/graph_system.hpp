@@ -133,8 +133,9 @@ enum class DependentRows {
   /// dependent ones. No candidate is put back and no right side is checked. For motions through singular
   /// positions.
   detect_near_singular,
-  /// The rows of the last decision. At a state that violates its constraints a little, as the stages of an
-  /// integrator do, a new decision would take dependent rows for independent ones.
+  /// The rows of the last decision, and rows whose pivot is rounding. At a state that violates its
+  /// constraints a little, as the stages of an integrator do, a new decision would take dependent rows for
+  /// independent ones.
   keep,
   /// As many dependent rows in each closing as in the last decision, but not necessarily the same: those that
   /// now have the smallest pivots. For motions that drift from their constraints.

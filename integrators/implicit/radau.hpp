@@ -72,8 +72,8 @@ class Radau {
     rounding_level_ = std::min(rounding_level_, 10 * tolerances->rtol);
     // For rtol >= 1e-3 the value is 0.03, as in the code RADAU5 of Hairer and Wanner. The error estimate has
     // order s: with s = 3 the number of steps grows with rtol^-1/4, and the factor rtol^1/4 keeps the sum of
-    // the iteration errors of all steps about the same. With s = 5 it grows with rtol^-1/6 only, and the
-    // factor is stricter than necessary.
+    // the iteration errors of all steps, in units of the tolerance, about the same. With s = 5 it grows with
+    // rtol^-1/6 only, and the factor is stricter than necessary.
     iteration_tolerance_ = 0.03 * std::min(1.0, std::pow(tolerances->rtol / 1e-3, 0.25));
   }
 

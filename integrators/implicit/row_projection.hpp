@@ -56,7 +56,8 @@ class RowProjection {
             const Move& move) {
     S before = std::numeric_limits<S>::max();
     Violation<S> now = measure();
-    for (; now.relative > rounding<S>() && now.relative < before; now = measure()) {
+    // The limit 50 is a safety limit: with the factors of a far state the violation falls slowly.
+    for (int k = 0; k < 50 && now.relative > rounding<S>() && now.relative < before; ++k, now = measure()) {
       before = now.relative;
       x_.setZero(system.velocity_size());
       mu_.setZero(system.multipliers());

@@ -33,8 +33,9 @@ const Functions ida{.free = IDAFree,
 ///   q' = v + s,   M v' + Phi_q^T lambda = Q,   Phi_q v = nu,   Phi = 0
 ///
 /// Here s is the smallest motion, in the metric of M, that moves the rows by sigma: M s + Phi_q^T mu = 0 and
-/// Phi_q s = sigma. M and Phi_q in these two equations are those of the matrix factored last. In the solution
-/// sigma is 0. Internal rows are met by v' and by the projection after each step.
+/// Phi_q s = sigma. M and Phi_q in these two equations are those of the matrix factored last, where M
+/// contains the resistance C/c + K/c^2 of springs. In the solution sigma is 0. Internal rows are met by v'
+/// and by the projection after each step.
 class Ida final : public Stepper {
  public:
   explicit Ida(const Tolerances& tolerances) : Stepper(ida), tolerances_(tolerances) {}
@@ -163,7 +164,8 @@ class Ida final : public Stepper {
   ///   c d = b_q + s(sigma_0),   Phi_q d = b_phi
   ///
   /// The second gives the change x_v = u / c of the velocities. The springs resist by their stiffness K and
-  /// damping C. The right sides contain the changes of Q and of the velocity rows over d,
+  /// damping C. The right sides contain the changes of Q (only if the system
+  /// has springs) and of the velocity rows over d,
   ///
   ///   (M + C/c + K/c^2) u + Phi_q^T x_lambda = b_v + Q(q + d, v) - Q(q, v)
   ///
@@ -220,8 +222,9 @@ class Ida final : public Stepper {
   }
 
   /// Sets the weights of lambda, which count in convergence tests only. The tolerance is 1e-4 of a multiplier
-  /// plus 1e-7 of the largest multiplier and force. Both are chosen by experiment: tighter tolerances cost
-  /// Newton iterations that q and v do not need, looser ones show in lambda at the outputs.
+  /// plus 1e-7 of the sum of the largest multiplier and the largest force. Both are chosen by experiment:
+  /// tighter tolerances cost Newton iterations that q and v do not need, looser ones show in lambda at the
+  /// outputs.
   void weigh_multipliers(const Eigen::Ref<const StateVectorD>& lambda,
                          Eigen::Ref<StateVectorD> weights) const {
     if (lambda.size() == 0) return;

@@ -1,6 +1,6 @@
 #pragma once
-/// Median, smallest and largest value of a column of numbers. The name of the row with the largest value is
-/// kept, so that the text can quote it.
+/// Median (of an even count the upper of the two middle values), smallest and largest value of a column of
+/// numbers. The name of the row with the largest value is kept, so that the text can quote it.
 
 #include <algorithm>
 #include <stdexcept>

@@ -64,9 +64,8 @@ class ConstraintViolation {
       extent.length = std::max(extent.length, S(body[b].r.norm() + extent.reach));
       const S v = body[b].r_dot.norm(), omega = body[b].omega_bar.norm();
       extent.speed = std::max(extent.speed, S(v + omega * extent.reach));
-      // The rounding u v of its speed v gives a body that does not rotate an angular velocity of u v / arm.
-      // The scale of the component's angular velocities, whose rounding is u times the scale, must therefore
-      // be at least v / arm.
+      // A speed v has the rounding error u v. At a joint this error acts as an angular velocity of u v / arm,
+      // also if the body does not rotate. The scale of angular velocities must therefore be at least v / arm.
       extent.spin = std::max(extent.spin, extent.arm > S(0) ? S(omega + v / extent.arm) : S(omega + v));
     }
   }
