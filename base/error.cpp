@@ -19,7 +19,8 @@ Place nearest(const Place& around, const Error& inner) {
 }  // namespace
 
 std::string name_source(const std::string& source, std::string_view message) {
-  const bool named = message.starts_with(source + " ") || message.starts_with(source + ":");
+  const bool named =
+      message == source || message.starts_with(source + " ") || message.starts_with(source + ":");
   return named ? std::string(message) : fmt::format("{}: {}", source, message);
 }
 
