@@ -24,11 +24,10 @@ auto chosen_runge_kutta(int order, const Tolerances& tolerances) {
 template <class S>
 std::unique_ptr<AnyMethod<S>> chosen_adams(const Tolerances& tolerances) {
   if constexpr (std::is_same_v<S, double>) {
-    using Controlled = odeint::controlled_adams_bashforth_moulton<AdaptiveAdams>;
     constexpr double no_limit = 1e300;  // of the step size [s]
     // the controller begins with order 1
-    return adapt<double>(ChosenSteps<double, Controlled>(
-        Controlled({tolerances.atol, tolerances.rtol, no_limit}), 1, tolerances));
+    return adapt<double>(ChosenSteps<double, ControlledAdams>(
+        ControlledAdams({tolerances.atol, tolerances.rtol, no_limit}), 1, tolerances));
   } else {
     throw UsageError(
         "abm controls its step size in double precision only (a limit of Odeint); give a step, or use "
