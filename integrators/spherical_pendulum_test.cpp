@@ -185,7 +185,7 @@ TEST(MethodsAsTemplates, TakeTheModelItself) {
 struct PendulumWithAWrongRate : SphericalPendulum<double> {
   void displacement_rate(const StateVector<double>&, const StateVector<double>& velocity,
                          StateVector<double>& rate) const {
-    rate = -velocity;
+    rate = 0 * velocity;  // no displacement balances the momentum
   }
 };
 

@@ -24,6 +24,7 @@
 #include "integrators/contract/errors.hpp"
 #include "integrators/contract/newton_matrix.hpp"
 #include "integrators/contract/tolerances.hpp"
+#include "integrators/implicit/anderson.hpp"
 #include "integrators/initial_acceleration.hpp"
 #include "integrators/work_quadrature.hpp"
 
@@ -96,9 +97,12 @@ class Rattle {
     known_ = h * momentum_ + h * h / 2 * (force_ + held_);
     theta_ = h * v_;
     mu_.setZero(system.multipliers());
+    const S length = h > S(0) ? h : S(-h);  // a composed step has one part that goes back
+    const S size = length * momentum_.norm() + h * h / 2 * (force_.norm() + held_.norm());
     approach(
-        system, t_next, known_,
+        system, t_next,
         [&] {
+          size_ = size + known_.norm();
           system.displace(from_, theta_, y);
           system.evaluate(t_next, y, at_);
           system.inertia_force(at_, theta_, momentum_);
@@ -108,7 +112,7 @@ class Rattle {
         },
         [&] {
           theta_ += change_;
-          known_ += momentum_of(system, change_) - left_;  // adds the constraint forces
+          known_ += force_change_;
         });
     // The error of mu_n is c last_h_ with an unknown factor c, where last_h_ is the length of the step before
     // t_n. The error of lambda_n is -c h. The iteration above has found 2 / h^2 mu_ = lambda_n - mu_n, which
@@ -124,17 +128,18 @@ class Rattle {
     held_.setZero(nv);
     mu_.setZero();
     approach(
-        system, t_next, arriving_,
+        system, t_next,
         [&] {
           system.evaluate(t_next, y, at_);
           system.applied_force(at_, force_);
+          size_ = arriving_.norm() + length / 2 * (force_.norm() + held_.norm());
           v_ = y.segment(nq, nv);
           left_ = arriving_ + h / 2 * (force_ + held_) - momentum_of(system, v_);
           return system.velocity_rows(at_, rows_);
         },
         [&] {
           y.segment(nq, nv) += change_;
-          held_ += 2 / h * (momentum_of(system, change_) - left_);
+          held_ += 2 / h * force_change_;
         });
     last_mu_ = 2 / h * mu_;
     last_h_ = h;
@@ -146,30 +151,40 @@ class Rattle {
   }
 
   /// Solves one half of the step to rounding, with the factors made last. `look` puts the residual of the
-  /// momentum balance into left_ and that of the rows into rows_, and returns the violation of the rows.
-  /// `move` applies the correction, which it finds in change_. Residuals of the balance are relative to the
-  /// norm of `beside`, the given momentum of the balance.
+  /// momentum balance into left_ and that of the rows into rows_, and returns the violation of the rows. It
+  /// puts the sum of the magnitudes of the terms of the balance into size_, to which left_ is relative:
+  /// momentum alone vanishes where a body turns back. `move` applies the correction: change_ of the motion
+  /// and force_change_ of the constraint forces. The factors belong to one state, but the forces act along
+  /// the gradients at the start of the step and the rows hold at its end. Anderson's method makes up for the
+  /// difference; near a singular position the iteration would diverge without it.
   template <class Look, class Move>
-  void approach(System& system, const S& t, const StateVector<S>& beside, const Look& look,
-                const Move& move) {
+  void approach(System& system, const S& t, const Look& look, const Move& move) {
     S before = std::numeric_limits<S>::max(), unbalanced(0);
     Violation<S> rows;
+    anderson_.clear();
     // The iteration ends at 4 epsilon, or where a residual of rounding size (up to 1024 epsilon, a safety
     // factor) no longer halves. After the first corrections it must fall every time, else the iteration
     // diverges. The limits 5 and 50 of the corrections are chosen by experiment.
     for (int k = 0; k < 50; ++k) {
       rows = look();
-      const S size = beside.norm();
-      unbalanced = size > S(0) ? S(left_.norm() / size) : left_.norm();
+      unbalanced = size_ > S(0) ? S(left_.norm() / size_) : left_.norm();
       S now = rows.relative;
       raise(now, unbalanced);
       if (now <= rounding<S>() / 4 || (now <= 64 * rounding<S>() && !(now <= before / 2))) return;
       if (k > 5 && !(now <= before)) break;
       before = now;
-      change_.setZero(none_.size());
+      const Eigen::Index nv = none_.size(), nc = mu_.size();
+      change_.setZero(nv);
+      mu_change_.setZero(nc);
       system.reduce(factors_, left_, reduced_);
       rows_ = -rows_;
-      system.solve(factors_, at_, reduced_, rows_, change_, mu_);
+      system.solve(factors_, at_, reduced_, rows_, change_, mu_change_);
+      changes_.resize(2 * nv + nc);
+      changes_ << change_, momentum_of(system, change_) - left_, mu_change_;
+      const StateVector<S>& step = anderson_.step(changes_, nv);
+      change_ = step.head(nv);
+      force_change_ = step.segment(nv, nv);
+      mu_ += step.tail(nc);
       move();
       ++counters_.iterations;
     }
@@ -193,10 +208,12 @@ class Rattle {
   bool has_begun_ = false;
   typename System::Evaluation at_;
   typename System::Factors factors_;
-  StateVector<S> lambda_, mu_, rows_, reduced_, force_, momentum_, rate_, left_, change_, none_, y_dot_;
+  StateVector<S> lambda_, mu_, rows_, reduced_, force_, momentum_, rate_, left_, none_, y_dot_;
+  StateVector<S> change_, force_change_, mu_change_, changes_;  ///< within one iteration
+  Anderson<S> anderson_;
   StateVector<S> from_, v_, theta_, known_, arriving_, off_;  ///< within one step
   StateVector<S> held_, last_mu_;  ///< force [N, N m] and multipliers of the constraints at the last state
-  S last_h_{0};
+  S last_h_{0}, size_{0};
   WorkQuadrature<S> work_;
   Counters counters_;
 };
