@@ -1,7 +1,12 @@
 #include "base/gnuplot.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <stdexcept>
+#include <system_error>
+
+#include "base/whole_file.hpp"
 
 namespace trivium {
 
@@ -17,12 +22,19 @@ std::string gnuplot_quoted(std::string_view s) {
   return out + "'";
 }
 
-void run_gnuplot(const std::string& script) {
+void run_gnuplot(const std::string& script, const std::filesystem::path& figure) {
   std::FILE* gnuplot = popen("gnuplot", "w");
   if (!gnuplot) throw std::runtime_error("gnuplot could not be started");
   std::fputs(script.c_str(), gnuplot);
   if (pclose(gnuplot) != 0)
     throw std::runtime_error("gnuplot failed; is it installed (Debian: gnuplot-nox)?");
+  std::error_code ignored;
+  const std::string drawn = std::filesystem::exists(figure, ignored) ? read_whole(figure) : "";
+  for (const char* end : {"</svg>", "%%EOF"})  // of SVG and of PDF
+    if (drawn.find(end) != std::string::npos) return;
+  std::filesystem::remove(figure, ignored);
+  throw std::runtime_error(
+      fmt::format("cannot write {}: the figure is incomplete; is the disk full?", figure.string()));
 }
 
 }  // namespace trivium

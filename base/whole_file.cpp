@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <iterator>
-#include <random>
 #include <utility>
 
 namespace trivium {
@@ -24,32 +25,52 @@ std::optional<fs::path> file_to_write(fs::path path) {
 }
 
 GrowingFile::GrowingFile(fs::path target) : target_(std::move(target)), temporary_(target_) {
-  std::random_device random;
-  temporary_ += fmt::format(".{:08x}{:08x}.tmp", random(), random());
+  temporary_ += fmt::format(".incomplete-{}", getpid());
   errno = 0;
   file_.open(temporary_, std::ios::binary);
+  note_failure();
 }
 
 GrowingFile::~GrowingFile() {
   std::error_code ignored;
-  if (!is_kept_) fs::remove(temporary_, ignored);
+  if (!stays_) fs::remove(temporary_, ignored);
+}
+
+void GrowingFile::note_failure() {
+  if (!file_ && !reason_) reason_ = {errno != 0 ? errno : EIO, std::generic_category()};
+}
+
+bool GrowingFile::write(std::string_view text) {
+  errno = 0;
+  file_.write(text.data(), static_cast<std::streamsize>(text.size()));
+  note_failure();
+  return !reason_;
 }
 
 std::error_code GrowingFile::keep() {
+  errno = 0;
   file_.close();
-  std::error_code reason;
-  if (!file_)
-    reason = {errno != 0 ? errno : EIO, std::generic_category()};
-  else
-    fs::rename(temporary_, target_, reason);
-  is_kept_ = !reason;
-  return reason;
+  note_failure();
+  if (!reason_) fs::rename(temporary_, target_, reason_);
+  stays_ = true;
+  if (reason_) cut_to_whole_lines();
+  return reason_;
+}
+
+void GrowingFile::cut_to_whole_lines() {
+  std::error_code failed;
+  if (!fs::exists(temporary_, failed)) return;
+  const std::string written = read_whole(temporary_);
+  fs::resize_file(temporary_, written.find_last_of('\n') + 1, failed);  // npos + 1 is 0
 }
 
 std::error_code replace_file(const fs::path& target, std::string_view text) {
   GrowingFile file(target);
   file.write(text);
-  return file.keep();
+  const std::error_code reason = file.keep();
+  std::error_code ignored;
+  if (reason) fs::remove(file.incomplete(), ignored);  // the caller still has the text
+  return reason;
 }
 
 namespace {

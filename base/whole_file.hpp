@@ -16,23 +16,31 @@ namespace trivium {
 /// `path`. None if this file is a device, a FIFO or a folder, or if the links form a cycle.
 std::optional<std::filesystem::path> file_to_write(std::filesystem::path path);
 
-/// A temporary file that replaces `target` when `keep` is called; without `keep` it is deleted. The file is
-/// in the folder of `target`, hence on the same file system, so that the replacement is one atomic rename. A
-/// random suffix separates it from the temporary files of other writers.
+/// A file that replaces `target` when `keep` is called; without `keep` it is deleted. Until then it is called
+/// `target`.incomplete-N with the number N of the process. A process that is killed leaves it under this
+/// name. The file is in the folder of `target`, hence on the same file system, so that the replacement is one
+/// atomic rename.
 class GrowingFile {
  public:
   explicit GrowingFile(std::filesystem::path target);
   GrowingFile(const GrowingFile&) = delete;
   ~GrowingFile();
 
-  void write(std::string_view text) { file_.write(text.data(), static_cast<std::streamsize>(text.size())); }
-  /// Closes the file and renames it to `target`. Returns the reason if that failed.
+  /// Returns false if this or an earlier text could not be written.
+  bool write(std::string_view text);
+  /// Closes the file and renames it to `target`. Returns the reason if that failed; the file then stays,
+  /// with its whole lines, as `incomplete()`.
   std::error_code keep();
+  const std::filesystem::path& incomplete() const { return temporary_; }
 
  private:
+  void note_failure();
+  void cut_to_whole_lines();
+
   std::filesystem::path target_, temporary_;
   std::ofstream file_;
-  bool is_kept_ = false;
+  std::error_code reason_;  ///< why a text could not be written
+  bool stays_ = false;
 };
 
 /// Replaces `target` by a file with the given text, or leaves it unchanged and returns the reason.

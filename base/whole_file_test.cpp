@@ -3,9 +3,13 @@
 #include "base/whole_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <iterator>
+#include <string>
 
 #include "base/option_checks.hpp"
 
@@ -50,6 +54,55 @@ TEST_F(WholeFile, GrowsUnseenUntilItIsKept) {
   EXPECT_FALSE(kept.keep());
   EXPECT_EQ(read_whole(file_), "new");
   EXPECT_EQ(files(), 1);
+}
+
+/// Files of this process cannot grow beyond `bytes`, as on a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit now{bytes, before_.rlim_max};
+    std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &now);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, SIG_DFL);
+  }
+  FullDisk(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(WholeFile, ThatCannotGrowFurtherStaysWithItsWholeLinesUnderAnotherName) {
+  write_whole(file_, "old");
+  std::error_code reason;
+  fs::path left;
+  {
+    const FullDisk full(100'000);
+    GrowingFile growing(file_);
+    const std::string line = std::string(999, 'x') + "\n";
+    bool is_written = true;
+    for (int k = 0; k < 200 && is_written; ++k) is_written = growing.write(line);
+    EXPECT_FALSE(is_written);
+    reason = growing.keep();
+    left = growing.incomplete();
+  }
+  EXPECT_EQ(reason, std::errc::file_too_large);
+  EXPECT_EQ(read_whole(file_), "old");
+  EXPECT_EQ(left.string(), file_.string() + ".incomplete-" + std::to_string(getpid()));
+  const std::string written = read_whole(left);
+  EXPECT_GE(written.size(), 90'000u);
+  EXPECT_EQ(written.size() % 1000, 0u);
+}
+
+TEST_F(WholeFile, LeavesNothingOfATextThatDoesNotFit) {
+  {
+    const FullDisk full(1000);
+    EXPECT_TRUE(replace_file(file_, std::string(5000, 'x')));
+  }
+  EXPECT_EQ(files(), 0);
 }
 
 TEST_F(WholeFile, IsWrittenWhereALinkPoints) {

@@ -62,7 +62,7 @@ MotionCsv::MotionCsv(const Mechanism<double>& mechanism, bool has_raw_lambda, co
   file_.write(csv_line(motion_columns(mechanism, has_raw_lambda)));
 }
 
-void MotionCsv::add(const MotionSample& sample) {
+bool MotionCsv::add(const MotionSample& sample) {
   MotionSample shown = sample;
   p_.resize(sample.state.pose.size(), Vector4<double>::Zero());
   for (std::size_t b = 0; b < p_.size(); ++b) {
@@ -73,12 +73,13 @@ void MotionCsv::add(const MotionSample& sample) {
   std::string line;
   for (const double x : motion_numbers(shown, has_raw_lambda_))
     line += fmt::format("{}{:.17g}", line.empty() ? "" : ",", x);
-  file_.write(line + "\n");
+  return file_.write(line + "\n");
 }
 
 void MotionCsv::keep() {
   if (const std::error_code reason = file_.keep())
-    throw std::filesystem::filesystem_error("cannot write", name_, reason);
+    throw std::runtime_error(fmt::format("cannot write {}: {}; the lines that could be written are in {}",
+                                         name_, reason.message(), file_.incomplete().string()));
 }
 
 }  // namespace trivium

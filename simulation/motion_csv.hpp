@@ -22,12 +22,14 @@ std::vector<double> motion_numbers(const MotionSample& sample, bool has_raw_lamb
 /// Writes a motion to a CSV file, line by line.
 class MotionCsv {
  public:
-  /// Opens a temporary file; `keep` replaces `file` by it. Throws std::filesystem::filesystem_error if `file`
-  /// exists and is not a regular file.
+  /// Opens a file beside `file`, which `keep` renames (GrowingFile). Throws std::filesystem::filesystem_error
+  /// if `file` exists and is not a regular file.
   MotionCsv(const Mechanism<double>& mechanism, bool has_raw_lambda, const std::string& file);
 
-  void add(const MotionSample& sample);
-  /// Replaces the file by the lines added so far. Throws std::filesystem::filesystem_error if that fails.
+  /// Adds a line. Returns false if this or an earlier line could not be written, as on a full disk.
+  bool add(const MotionSample& sample);
+  /// Replaces the file by the lines added so far. Throws std::runtime_error if that fails, or if a line could
+  /// not be written; the message says where the lines are that were.
   void keep();
 
  private:

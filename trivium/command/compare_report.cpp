@@ -239,22 +239,25 @@ void CompareReport::plot(const std::string& file) const {
                        "plot $states using 1:2 with linespoints lw 1.5 lc 1 title 'lambda', "
                        "$states using 1:3 with lines lw 1.5 dt 2 lc 1 title '100 u kappa', "
                        "$states using 1:4 with linespoints lw 1.5 lc 3 title 'accelerations'\n";
-  run_gnuplot(fmt::format(
-      "$along << EOD\n{}EOD\n$states << EOD\n{}EOD\n"
-      "set terminal svg size 900,1000 noenhanced font 'sans,12' background '#ffffff'\nset output {}\n"
-      "set multiplot layout 3,1 title {}\nset grid\nset lmargin 12\nset rmargin 26\n"
-      "set key at screen 0.99, graph 1 right top\nset xlabel 't [s]'\nset logscale y\nset format y '%.0e'\n"
-      "set ylabel 'along the motion, relative'\n"
-      "plot $along using 1:2 with lines lw 1.5 lc 1 title 'lambda', "
-      "$along using 1:3 with lines lw 1.5 dt 2 lc 1 title 'bound of lambda'\n{}"
-      "set ylabel 'along the motion'\n"
-      "plot $along using 1:4 with lines lw 1.5 lc 2 title 'positions [m]', "
-      "$along using 1:5 with lines lw 1.5 lc 4 title 'rotations [rad]'\nunset multiplot\n",
-      along, states.empty() ? "0 1 1 1\n" : states, gnuplot_quoted(file),
-      gnuplot_quoted(fmt::format("{}: largest differences between {}, {}", mechanism.name,
-                                 counted(comparison.runs.size(), "formulation", "formulations"),
-                                 options.integrator)),
-      at_states));
+  run_gnuplot(
+      fmt::format(
+          "$along << EOD\n{}EOD\n$states << EOD\n{}EOD\n"
+          "set terminal svg size 900,1000 noenhanced font 'sans,12' background '#ffffff'\nset output {}\n"
+          "set multiplot layout 3,1 title {}\nset grid\nset lmargin 12\nset rmargin 26\n"
+          "set key at screen 0.99, graph 1 right top\nset xlabel 't [s]'\nset logscale y\nset format y "
+          "'%.0e'\n"
+          "set ylabel 'along the motion, relative'\n"
+          "plot $along using 1:2 with lines lw 1.5 lc 1 title 'lambda', "
+          "$along using 1:3 with lines lw 1.5 dt 2 lc 1 title 'bound of lambda'\n{}"
+          "set ylabel 'along the motion'\n"
+          "plot $along using 1:4 with lines lw 1.5 lc 2 title 'positions [m]', "
+          "$along using 1:5 with lines lw 1.5 lc 4 title 'rotations [rad]'\nunset multiplot\n",
+          along, states.empty() ? "0 1 1 1\n" : states, gnuplot_quoted(file),
+          gnuplot_quoted(fmt::format("{}: largest differences between {}, {}", mechanism.name,
+                                     counted(comparison.runs.size(), "formulation", "formulations"),
+                                     options.integrator)),
+          at_states),
+      file);
 }
 
 }  // namespace trivium

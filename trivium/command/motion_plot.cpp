@@ -59,14 +59,16 @@ void MotionPlot::write(const std::string& file) const {
     if (curves.empty()) return std::string("set multiplot next\n");
     return fmt::format("set ylabel {}\nplot {}\n", gnuplot_quoted(label), fmt::join(curves, ", \\\n  "));
   };
-  run_gnuplot(fmt::format(
-      "$motion << EOD\n{}EOD\n"
-      "set terminal svg size 900,1000 noenhanced font 'sans,12' background '#ffffff'\nset output {}\n"
-      "set multiplot layout 3,1 title {}\nset grid\nset lmargin 12\nset rmargin 26\n"
-      "set key at screen 0.99, graph 1 right top\nset xlabel 't [s]'\n{}{}"
-      "set logscale y\nset format y '%.0e'\n{}unset multiplot\n",
-      data_, gnuplot_quoted(file), gnuplot_quoted(title_), panel(places, "position [m]"),
-      panel(forces, "joint force [N]"), panel(errors, "violations, change of energy")));
+  run_gnuplot(
+      fmt::format(
+          "$motion << EOD\n{}EOD\n"
+          "set terminal svg size 900,1000 noenhanced font 'sans,12' background '#ffffff'\nset output {}\n"
+          "set multiplot layout 3,1 title {}\nset grid\nset lmargin 12\nset rmargin 26\n"
+          "set key at screen 0.99, graph 1 right top\nset xlabel 't [s]'\n{}{}"
+          "set logscale y\nset format y '%.0e'\n{}unset multiplot\n",
+          data_, gnuplot_quoted(file), gnuplot_quoted(title_), panel(places, "position [m]"),
+          panel(forces, "joint force [N]"), panel(errors, "violations, change of energy")),
+      file);
 }
 
 }  // namespace trivium

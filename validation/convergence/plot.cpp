@@ -55,11 +55,14 @@ void plot(const std::vector<OrderResult>& rows, const std::string& scene, const 
         fmt::format("set ylabel {}\nplot {}\n", gnuplot_quoted(std::string("error of ") + quantities[k]),
                     fmt::join(curves[k], ", \\\n  "));
   }
-  run_gnuplot(fmt::format(
-      "{}set terminal svg size 1500,1000 noenhanced font 'sans,11' background '#ffffff'\nset output {}\n"
-      "set multiplot layout 2,2 title {}\nset grid\nset logscale xy\nset format '%.0e'\nset xlabel 'h [s]'\n"
-      "set key outside right top font ',9'\n{}unset multiplot\n",
-      data, gnuplot_quoted(file), gnuplot_quoted(fmt::format("{}, {}", scene, formulation)), panels));
+  run_gnuplot(
+      fmt::format(
+          "{}set terminal svg size 1500,1000 noenhanced font 'sans,11' background '#ffffff'\nset output {}\n"
+          "set multiplot layout 2,2 title {}\nset grid\nset logscale xy\nset format '%.0e'\nset xlabel 'h "
+          "[s]'\n"
+          "set key outside right top font ',9'\n{}unset multiplot\n",
+          data, gnuplot_quoted(file), gnuplot_quoted(fmt::format("{}, {}", scene, formulation)), panels),
+      file);
 }
 
 }  // namespace trivium::convergence

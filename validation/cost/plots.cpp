@@ -50,7 +50,7 @@ void write_plots(const std::vector<Measurement>& rows, const std::filesystem::pa
   std::filesystem::create_directories(folder);
   const auto plot = [&](const char* family, const char* title, const char* file) {
     const std::string text = script(rows, family, title, folder / file);
-    if (!text.empty()) run_gnuplot(text);
+    if (!text.empty()) run_gnuplot(text, folder / file);
   };
   plot("chain", "W1: chain of n revolutes", "chain.svg");
   plot("ladder", "W3: ladder of n four-bar loops", "ladder.svg");

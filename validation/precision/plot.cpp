@@ -78,13 +78,18 @@ void plot(const SceneResult& result, const std::filesystem::path& folder) {
   }
   for (const auto& [terminal, suffix] :
        {std::pair("svg size 900,650 noenhanced font 'sans,11' background '#ffffff'", ".svg"),
-        {"pdfcairo size 16cm,11.5cm noenhanced font 'sans,9'", ".pdf"}})
-    run_gnuplot(fmt::format(
-        "{}{}set terminal {}\nset output {}\nset title {}\nset grid\nset logscale xy\nset format '%.0e'\n"
-        "set xlabel 'error of positions [m]; crosses: runs that failed, at their tolerance'\n"
-        "set ylabel 'CPU time [s]'\nset key outside right\nplot {}\n",
-        data, crosses, terminal, gnuplot_quoted((folder / (result.scene + suffix)).string()),
-        gnuplot_quoted(fmt::format("{}, {} s", result.scene, result.t_end)), fmt::join(lines, ", \\\n  ")));
+        {"pdfcairo size 16cm,11.5cm noenhanced font 'sans,9'", ".pdf"}}) {
+    const std::filesystem::path figure = folder / (result.scene + suffix);
+    run_gnuplot(
+        fmt::format(
+            "{}{}set terminal {}\nset output {}\nset title {}\nset grid\nset logscale xy\nset format '%.0e'\n"
+            "set xlabel 'error of positions [m]; crosses: runs that failed, at their tolerance'\n"
+            "set ylabel 'CPU time [s]'\nset key outside right\nplot {}\n",
+            data, crosses, terminal, gnuplot_quoted(figure.string()),
+            gnuplot_quoted(fmt::format("{}, {} s", result.scene, result.t_end)),
+            fmt::join(lines, ", \\\n  ")),
+        figure);
+  }
 }
 
 }  // namespace trivium::precision
