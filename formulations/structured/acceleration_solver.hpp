@@ -95,6 +95,8 @@ class AccelerationSolver {
   void copy_lambda(VectorX<S>& all) const {
     for_each_row([&](int edge, int k, int row) { all[row] = solution_.edge[edge][k]; });
   }
+  /// The wrenches of the effects at the state, per body, the ground last.
+  const std::vector<Wrench<S>>& loads() const { return wrenches_; }
   /// The indices of the dependent rows, ascending. If solve() had no reason to examine the candidates, they
   /// are examined here. A candidate that is put back gets a multiplier in place of 0, and the state is solved
   /// again.

@@ -26,7 +26,7 @@ class BranchCheck {
   bool projection_is_too_large(const StateLayout<F>& layout, const ConstraintViolation<S>& components,
                                const StateVector& before, const StateVector& stepped,
                                const StateVector& projected) {
-    const auto exceeds = [&](int first, int width, const S& little) {
+    const auto exceeds = [&](int first, int width, const S& little, bool is_velocity) {
       for (Way& way : way_) way = {};
       for (int b = 0; b < layout.nb(); ++b) {
         Way& way = way_[components.component_of(b)];
@@ -34,14 +34,15 @@ class BranchCheck {
         way.back += (projected.segment(at, width) - stepped.segment(at, width)).squaredNorm();
         way.step += (stepped.segment(at, width) - before.segment(at, width)).squaredNorm();
         way.size += stepped.segment(at, width).squaredNorm();
+        if (is_velocity) way.least = components.fastest_of(b) / 1000;
       }
       using std::sqrt;
       return std::any_of(way_.begin(), way_.end(), [&](const Way& way) {
-        return !(sqrt(way.back) <= sqrt(way.step) / times_smaller + little * sqrt(way.size));
+        return !(sqrt(way.back) <= sqrt(way.step) / times_smaller + little * (sqrt(way.size) + way.least));
       });
     };
-    return exceeds(0, layout.positions, S(little_position)) ||
-           exceeds(layout.position_size(), layout.velocities, S(little_velocity));
+    return exceeds(0, layout.positions, S(little_position), false) ||
+           exceeds(layout.position_size(), layout.velocities, S(little_velocity), true);
   }
 
  private:
@@ -55,8 +56,10 @@ class BranchCheck {
   static constexpr double little_position = 1e-4, little_velocity = 1e-2;
 
   /// Sums of squares over a component: change by the projection, change by the step, and values of the state.
+  /// `least` is a thousandth of its fastest speed so far: a component at rest has velocities of rounding
+  /// size.
   struct Way {
-    S back{0}, step{0}, size{0};
+    S back{0}, step{0}, size{0}, least{0};
   };
   std::vector<Way> way_;
 };

@@ -141,6 +141,7 @@ class ConstrainedEquations {
         at.begin(plan_, [&] { return std::make_shared<EvaluatedModel<F>>(mechanism_, plan_, violation_); });
     model.t = t;
     for (int b = 0; b < nb(); ++b) model.assembly.move_body(b, first_order_.state()[b]);
+    model.violation.take_fastest(first_order_.measure());
     model.violation.move(model.body());
   }
   /// Whether M does not depend on q.

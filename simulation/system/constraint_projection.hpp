@@ -38,7 +38,7 @@ class ConstraintProjection {
   /// Tells the measure that the motion has reached the state of the solver's bodies.
   void accept_state() {
     measure_.move(solver_.assembly().body());
-    measure_.accept_state();
+    measure_.accept_state(solver_.mechanism().bodies, solver_.loads());
   }
 
   /// The violation of positions at the current state (constraint_violation.hpp).

@@ -86,11 +86,31 @@ class ConstraintViolation {
     }
     return true;
   }
-  /// The motion has reached the state given to `move`: its speeds count among the fastest.
-  void accept_state() {
+  /// The motion has reached the state given to `move`: its speeds count among the fastest. So does the speed
+  /// that the loads on a body would give to it over the length of its component, sqrt(a length), if it were
+  /// free. A component that its constraints lock would otherwise have no scale but the rounding of its
+  /// velocities.
+  void accept_state(const std::vector<RigidBody<S>>& bodies, const std::vector<Wrench<S>>& loads) {
+    using std::sqrt;
+    for (int b = 0; b < nb_; ++b) {
+      Extent& extent = extent_[component_[b]];
+      const S& mass = bodies[b].mass;
+      S work = loads[b].F.norm() * extent.length + loads[b].n_bar.norm();  // over the length, or over 1 rad
+      if (!(work > S(0)) || !(mass > S(0))) continue;
+      const S fall = sqrt(work / mass);
+      raise(extent.fastest, fall);
+      raise(extent.fastest_spin, extent.arm > S(0) ? S(fall / extent.arm) : fall);
+    }
     for (Extent& extent : extent_) {
       raise(extent.fastest, extent.speed);
       raise(extent.fastest_spin, extent.spin);
+    }
+  }
+  /// Takes over the fastest speeds of another measure of the same mechanism.
+  void take_fastest(const ConstraintViolation& other) {
+    for (std::size_t k = 0; k < extent_.size(); ++k) {
+      extent_[k].fastest = other.extent_[k].fastest;
+      extent_[k].fastest_spin = other.extent_[k].fastest_spin;
     }
   }
 
@@ -113,6 +133,8 @@ class ConstraintViolation {
   /// The largest distance of a joint's point from the centre of its body, in the component of a body [m].
   /// Points on the ground do not count.
   const S& arm_of(int body) const { return extent_[component_[body]].arm; }
+  /// The fastest speed so far of a body's component [m/s].
+  const S& fastest_of(int body) const { return extent_[component_[body]].fastest; }
   /// A bound of the distance of the component's points from the global origin [m].
   const S& length_of(int body) const { return extent_[component_[body]].length; }
 

@@ -219,6 +219,14 @@ class FirstOrderEquations {
     return energy;
   }
 
+  /// The kinetic energy of all bodies at the fastest speed of their components so far [J].
+  S fastest_energy() const {
+    S twice(0);
+    for (int b = 0; b < nb(); ++b)
+      twice += mechanism_.bodies[b].mass * measure().fastest_of(b) * measure().fastest_of(b);
+    return twice / 2;
+  }
+
   /// A message if a singular chart near (t, y) may have made an integrator fail; empty if there is none.
   std::string diagnose(const S& t, const StateVector& y) {
     load(y);
@@ -263,6 +271,8 @@ class FirstOrderEquations {
   // for ConstrainedEquations, which shares the bodies
   AccelerationSolver<F>& solver() { return solver_; }
   const EnergyAccount<S, MechanismTypesOf<F>>& account() const { return account_; }
+  /// The measure of violations, with the fastest speeds of the accepted states.
+  const ConstraintViolation<S>& measure() const { return projection_.measure(); }
   /// Moves the bodies to y.
   void load(const StateVector& y) {
     if (accepted_t_ && accepted_ != y) accepted_t_.reset();  // the solution no longer belongs to the bodies

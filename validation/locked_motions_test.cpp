@@ -1,0 +1,188 @@
+/// Mechanisms that their constraints lock, and mechanisms that share nothing: scales of speed and energy are
+/// those of each connected component, and have a floor from its loads.
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scenes/testing/scene_builders.hpp"
+#include "simulation/system/energy_account.hpp"
+#include "validation/testing/catalogue_motion.hpp"
+
+namespace trivium {
+namespace {
+
+using scenes::Scene, scenes::Vector3;
+using test::catalogue_scene, test::Motion, test::side, test::stepping, test::tight;
+
+/// A body that hangs at rest on pins, spherical joints that are not in one line.
+Scene hung_on(int pins) {
+  Scene scene;
+  scene.name = "hung";
+  scene.bodies = {test::body("b", 1, {0.1, 0.2, 0.15}, {1, 0, 0})};
+  const std::vector<Vector3> points{{-1, 0, 0}, {-1, 0, 1}, {-1, 0.1, 2}, {-1, 0.5, -1}};
+  for (int k = 0; k < pins; ++k) {
+    const Vector3& p = points[k];
+    scene.constraints.push_back(test::joint(JointType::spherical, fmt::format("s{}", k),
+                                            side(scenes::ground, Vector3{p[0] + 1, p[1], p[2]}), side(0, p)));
+  }
+  scene.effects = {Gravity<double>{"", {0, -9.81, 0}}};
+  return scene;
+}
+
+/// A lever that a hinge and a row of a direction hold at rest, up to rounding of its velocity.
+Scene held_lever() {
+  Scene scene;
+  scene.name = "lever";
+  scene.bodies = {test::body("lever", 3, {0.6, 1.4, 1.2}, {0.4, 0, 0})};
+  scene.bodies[0].velocity = {0, 2e-31, 0};
+  scene.bodies[0].angular_velocity = {0, 0, 5e-31};
+  auto hold = test::joint(basic_type<CD>, "hold", side(scenes::ground, Vector3{0.8, 0, 0}),
+                          side(0, Vector3{0.4, 0, 0}));
+  hold.direction = {0.1, 0.9, 0};
+  scene.constraints = {
+      test::joint(JointType::revolute, "hinge", side(scenes::ground, Vector3{}, Vector3{0, 0, 1}),
+                  side(0, Vector3{-0.4, 0, 0}, Vector3{0, 0, 1})),
+      hold};
+  scene.effects = {Gravity<double>{"", {0, -9.81, 0}}};
+  return scene;
+}
+
+/// A bob that swings on a spherical joint.
+Scene bob() {
+  Scene scene;
+  scene.name = "bob";
+  scene.bodies = {test::body("bob", 2, {0.4, 0.5, 0.3}, {1, 0, 0})};
+  scene.bodies[0].velocity = {0, 0.3, 0};
+  scene.bodies[0].angular_velocity = {0, 0, 0.3};
+  scene.constraints = {
+      test::joint(JointType::spherical, "pivot", side(scenes::ground), side(0, Vector3{-1, 0, 0}))};
+  scene.effects = {Gravity<double>{"", {0, -9.81, 0}}};
+  return scene;
+}
+
+/// Both scenes side by side, with nothing in common. Gravity becomes a force on each body, since the two may
+/// differ.
+Scene beside(const Scene& a, const Scene& b) {
+  Scene both;
+  both.name = a.name + " beside " + b.name;
+  int scene_of = 0;
+  for (const Scene* one : {&a, &b}) {
+    const int bodies = static_cast<int>(both.bodies.size()),
+              joints = static_cast<int>(both.constraints.size());
+    const std::string prefix = fmt::format("{}_", ++scene_of);
+    const auto moved = [&](int body) { return body == scenes::ground ? body : body + bodies; };
+    for (scenes::Body body : one->bodies) {
+      body.name = prefix + body.name;
+      both.bodies.push_back(std::move(body));
+    }
+    for (scenes::Constraint constraint : one->constraints) {
+      constraint.name = prefix + constraint.name;
+      constraint.i.body = moved(constraint.i.body);
+      constraint.j.body = moved(constraint.j.body);
+      both.constraints.push_back(std::move(constraint));
+    }
+    for (const scenes::Effect& effect : one->effects) {
+      if (const auto* g = std::get_if<Gravity<double>>(&effect)) {
+        for (std::size_t k = 0; k < one->bodies.size(); ++k) {
+          Force<double> weight;
+          weight.name = fmt::format("{}weight_{}_{}", prefix, k, both.effects.size());
+          weight.body = bodies + static_cast<int>(k);
+          for (int axis = 0; axis < 3; ++axis)
+            weight.components[axis] = one->bodies[k].mass * g->acceleration[axis];
+          both.effects.push_back(weight);
+        }
+        continue;
+      }
+      scenes::Effect copy = effect;
+      std::visit(
+          [&](auto& e) {
+            if (!e.name.empty()) e.name = prefix + e.name;
+            if constexpr (requires { e.body; }) e.body = moved(e.body);
+            if constexpr (requires { e.i.body; }) e.i.body = moved(e.i.body), e.j.body = moved(e.j.body);
+            if constexpr (requires { e.angle.joint; }) e.angle.joint += joints;
+          },
+          copy);
+      both.effects.push_back(std::move(copy));
+    }
+  }
+  return both;
+}
+
+/// Options for a method: tolerances if it chooses its steps, else given steps.
+SimulationOptions options_for(const integrators::MethodInfo& method, const std::string& formulation,
+                              double end) {
+  const std::string name(method.name);
+  return method.chooses_steps ? tight(formulation, name, end, 1e-8) : stepping(formulation, name, end, 1e-3);
+}
+
+std::vector<std::string> formulations_of(const integrators::MethodInfo& method) {
+  if (method.needs_constant_inertia) return {"r-omega", "r-epsilon-omega-first"};
+  return {"r-omega", "r-p", "r-epsilon", "r-epsilon-omega-first"};
+}
+
+class EveryMethod : public testing::TestWithParam<integrators::MethodInfo> {};
+
+TEST_P(EveryMethod, LeavesALockedBodyWhereItIs) {
+  for (const std::string& formulation : formulations_of(GetParam()))
+    for (const Scene& scene : {hung_on(3), hung_on(4), held_lever()}) {
+      const Motion motion(scene, options_for(GetParam(), formulation, 0.3));
+      const double way = (motion.end().state.pose[0].r - motion.samples[0].state.pose[0].r).norm();
+      EXPECT_LE(way, 1e-12) << scene.name << ", " << formulation;
+      const SimulationReport& report = motion.report;
+      EXPECT_FALSE(energy_is_lost(report.unaccounted_energy, report.largest_kinetic, report.fastest_energy))
+          << scene.name << ", " << formulation;
+    }
+}
+
+TEST_P(EveryMethod, MovesABodyAsItWouldMoveWithoutALockedOneBesideIt) {
+  for (const std::string& formulation : formulations_of(GetParam())) {
+    const SimulationOptions options = options_for(GetParam(), formulation, 0.3);
+    const Motion alone(bob(), options), locked(held_lever(), options),
+        both(beside(held_lever(), bob()), options);
+    const double apart = (both.end().state.pose[1].r - alone.end().state.pose[0].r).norm();
+    EXPECT_LE(apart, options.step ? 1e-9 : 1e-6) << formulation;
+    EXPECT_LE(both.report.counters.steps, alone.report.counters.steps + locked.report.counters.steps)
+        << formulation;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Locked, EveryMethod, testing::ValuesIn(integrators::methods()),
+                         [](const auto& method) {
+                           std::string name(method.param.name);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+// 40 drawn pairs of the catalogue, by a method with given steps and by one that chooses its steps
+TEST(SideBySide, TwoScenesMoveAsEachAlone) {
+  std::vector<std::string> names;
+  for (const char* name : {"a01_pendulum", "adams_revolute_case01", "simple_pendulum", "spatial_slider_crank",
+                           "four_bar", "heavy_top", "door", "bricard", "double_pendulum", "driven_crank",
+                           "stewart_platform", "andrews_squeezer", "n_four_bar_1"})
+    names.emplace_back(name);
+  std::mt19937 random(20261126);
+  for (int pair = 0; pair < 40; ++pair) {
+    const Scene a = catalogue_scene(names[random() % names.size()]),
+                b = catalogue_scene(names[random() % names.size()]);
+    const Scene both = beside(a, b);
+    for (const SimulationOptions& options :
+         {stepping("r-omega", "generalized-alpha", 0.01, 1e-4), tight("r-omega", "dopri5", 0.05, 1e-7)}) {
+      const Motion of_a(a, options), of_b(b, options), of_both(both, options);
+      double apart = 0;
+      for (std::size_t k = 0; k < both.bodies.size(); ++k) {
+        const bool is_of_a = k < a.bodies.size();
+        const auto& alone = is_of_a ? of_a.end().state.pose[k] : of_b.end().state.pose[k - a.bodies.size()];
+        apart = std::max(apart, (of_both.end().state.pose[k].r - alone.r).norm());
+      }
+      EXPECT_LE(apart, options.step ? 1e-9 : 1e-5) << both.name << ", " << options.integrator;
+      EXPECT_LE(of_both.report.counters.steps, of_a.report.counters.steps + of_b.report.counters.steps)
+          << both.name << ", " << options.integrator;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace trivium
