@@ -11,6 +11,7 @@
 #include "integrators/projection_report.hpp"
 #include "mechanism/mechanism_state.hpp"
 #include "mechanism/saved_run.hpp"
+#include "simulation/system/local_error.hpp"
 #include "simulation/system/motion_log.hpp"
 
 namespace trivium {
@@ -66,7 +67,11 @@ struct SimulationReport {
   bool does_work = false;                   ///< a driver or a non-conservative effect may do work
   double work = 0;                          ///< work of drivers and of non-conservative effects [J]
   double unaccounted_energy = 0;            ///< largest |change of energy - work| after any step [J]
-  double largest_kinetic = 0;             ///< largest kinetic energy, to compare unaccounted_energy with [J]
+  /// Sums of the errors of single steps, for methods of the orders 1 to 3 with given steps.
+  std::optional<LocalErrorSums> local_errors = {};
+  double length = 0;           ///< bound of the distance of the mechanism's points from the global origin [m]
+  double fastest_energy = 0;   ///< kinetic energy of all bodies at the fastest speed of their components [J]
+  double largest_kinetic = 0;  ///< largest kinetic energy, to compare unaccounted_energy with [J]
   std::vector<SingularPassage> passages;  ///< singular positions that the motion passed, in time order
   std::string near_singular_chart;  ///< if charts are kept: the first body near a singularity, and the time
   std::vector<Impulse<double>> impulses;  ///< jumps of velocities by kinks of drivers, in time order

@@ -6,13 +6,21 @@
 /// If rows are dependent, lambda is the one with the least |E lambda|. Near a singular position such a lambda
 /// may not exist; the lambda of the acceleration solver is taken then, which is 0 in dependent rows.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
 
 #include "base/raise.hpp"
 #include "bodies/numbers/scalar.hpp"
+#include "formulations/analysis/consistency.hpp"
 #include "formulations/joint_reaction.hpp"
 #include "integrators/contract/any_method.hpp"
+#include "integrators/contract/errors.hpp"
 #include "simulation/simulate.hpp"
 #include "simulation/system/constrained_equations.hpp"
 
@@ -29,7 +37,7 @@ class MotionWatch {
   /// this object.
   MotionWatch(ConstrainedEquations<F>& equations, const integrators::AnyMethod<S>& method,
               const SimulationOptions& options, SimulationObserver& observer, SimulationReport& report,
-              const S& t)
+              const S& t, int order)
       : equations_(equations),
         method_(method),
         options_(options),
@@ -38,6 +46,8 @@ class MotionWatch {
         at_start_(first_order().energy(t, equations.start())) {
     report_.does_work = first_order().does_work();
     report_.energy_start = static_cast<double>(at_start_.total());
+    if (options.step && order >= 1 && order <= LocalError<S>::highest_order)
+      local_error_.emplace(order, reaches(first_order().mechanism()));
   }
 
   /// The values of a state that both the report and a sample contain.
@@ -57,6 +67,7 @@ class MotionWatch {
     raise(report_.unaccounted_energy, static_cast<double>(unaccounted_energy(seen.energy, at_start_)));
     raise(report_.largest_kinetic, static_cast<double>(seen.energy.kinetic));
     report_.energy_end = static_cast<double>(seen.energy.total());
+    if (local_error_) measure_step(t, y);
     report_.work = static_cast<double>(S(seen.energy.work - at_start_.work));
     // with kept charts, a step across a singularity can end in a wrong state without an error
     if (!options_.charts.reframe && report_.near_singular_chart.empty())
@@ -100,6 +111,7 @@ class MotionWatch {
           {scalar_cast<double>(r.force), scalar_cast<double>(r.torque), scalar_cast<double>(r.point)});
     }
     sample.state = state_at(t, y);
+    require_branches(sample.state);
     if constexpr (is_beyond_double)
       sample.state_rest =
           in_double(first_order().to_mechanism_state(t, y), [](const auto& x) { return rest_of(x); });
@@ -115,6 +127,10 @@ class MotionWatch {
 
   /// The end of the run, from which another run can continue.
   RunEnd end(const S& start, const S& t, const StateVector& y) {
+    report_.fastest_energy = static_cast<double>(first_order().fastest_energy());
+    if (local_error_ && local_error_->sums().steps > 0) report_.local_errors = local_error_->sums();
+    for (int b = 0; b < first_order().nb(); ++b)
+      raise(report_.length, static_cast<double>(first_order().measure().length_of(b)));
     RunEnd end{state_at(t, y), {}, first_order().save(y)};
     end.run.t = static_cast<double>(t);
     end.run.start = static_cast<double>(start);
@@ -127,6 +143,49 @@ class MotionWatch {
 
  private:
   FirstOrderEquations<F>& first_order() { return equations_.first_order(); }
+
+  /// By body, how far its points move by a rotation of 1 rad: the distance of the farthest joint point, or
+  /// the radius of gyration if this is larger [m].
+  static std::vector<S> reaches(const MechanismOf<F>& mechanism) {
+    using std::sqrt;
+    std::vector<S> reach;
+    for (const RigidBody<S>& body : mechanism.bodies)
+      reach.push_back(sqrt(body.inertia.trace() / (2 * body.mass)));
+    for (const Joint<S>& joint : mechanism.joints)
+      for (const auto& [b, point] : {std::pair(joint.i, joint.frame_i.point), {joint.j, joint.frame_j.point}})
+        if (b < mechanism.nb()) raise(reach[b], S(point.norm()));
+    return reach;
+  }
+  /// Adds the step that ended at an accepted state to the sums of local errors.
+  void measure_step(const S& t, const StateVector& y) {
+    if (!measured_.empty() && t == measured_t_) return;  // an output at the end of a step
+    AccelerationSolver<F>& solver = first_order().solved(t, y);
+    measured_.resize(first_order().nb());
+    for (int b = 0; b < first_order().nb(); ++b) {
+      const auto& body = solver.assembly().body()[b];
+      measured_[b] = {body.r, body.r_dot, solver.r_ddot(b), body.A, body.omega_bar, solver.omega_bar_dot(b)};
+    }
+    if (method_.counters().restarts != restarts_) local_error_->restart();
+    restarts_ = method_.counters().restarts;
+    local_error_->add(measured_, t - measured_t_);
+    measured_.resize(first_order().nb());
+    measured_t_ = t;
+  }
+
+  /// Long steps can lead to another branch, where the rows of a joint hold too, such as half a turn beside a
+  /// driven angle. Throws an IntegrationError that names the joint; not if the motion began on such a branch.
+  void require_branches(const MechanismState<double>& state) {
+    if constexpr (std::is_same_v<S, double>) {
+      const std::vector<std::string> wrong = wrong_branches(first_order().mechanism().joints, state);
+      if (!has_shown_) began_on_another_branch_ = !wrong.empty();
+      has_shown_ = true;
+      if (!wrong.empty() && !began_on_another_branch_)
+        throw integrators::IntegrationError(
+            Place{"", state.t}, fmt::format("the motion has changed to another branch: {}; take tighter "
+                                            "tolerances or smaller steps",
+                                            wrong.front()));
+    }
+  }
 
   MechanismState<double> state_at(const S& t, const StateVector& y) {
     return in_double(first_order().to_mechanism_state(t, y),
@@ -168,6 +227,11 @@ class MotionWatch {
   SimulationObserver& observer_;
   SimulationReport& report_;
   const MotionEnergy<S> at_start_;
+  std::optional<LocalError<S>> local_error_;
+  std::vector<BodyInMotion<S>> measured_;
+  S measured_t_{0};
+  long restarts_ = 0;
+  bool has_shown_ = false, began_on_another_branch_ = false;
 };
 
 }  // namespace trivium

@@ -44,7 +44,8 @@ class Simulation {
     TimeGrid grid(from ? from->start : begin, options_.end, options_.output_step, options_.step,
                   equations_.first_order().mechanism().kinks());
     if (from) grid = grid.from(begin);
-    MotionWatch<F> watch(equations_, *method_, options_, observer_, report_, start_);
+    MotionWatch<F> watch(equations_, *method_, options_, observer_, report_, start_,
+                         options_.parameters.order.value_or(entry_.info.standard_order));
     SystemAdapter<ConstrainedEquations<F>> system(equations_);
     ProjectionReport<S> projection;
     if (from && from->integrator == entry_.info.name && options_.step) recall(system, *from);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/raise.hpp"
+#include "bodies/rotations/so3.hpp"
 
 namespace trivium {
 
@@ -28,8 +29,12 @@ struct GlobalAxes {
   Vector3<double> u_i, v_i, z_i, u_j, z_j;
 };
 
-GlobalAxes global_axes(const EquationsOfMotion<F>& eom, const Joint<double>& joint) {
-  const auto &A_i = eom.body[joint.i].A, &A_j = eom.body[joint.j].A;
+GlobalAxes global_axes(const MechanismState<double>& state, const Joint<double>& joint) {
+  const auto A_of = [&](int b) -> Matrix3<double> {  // the ground follows the bodies
+    if (b == static_cast<int>(state.pose.size())) return Matrix3<double>::Identity();
+    return rotation_matrix(state.pose[b].p);
+  };
+  const Matrix3<double> A_i = A_of(joint.i), A_j = A_of(joint.j);
   return {A_i * joint.frame_i.u, A_i * joint.frame_i.v, A_i * joint.frame_i.z, A_j * joint.frame_j.u,
           A_j * joint.frame_j.z};
 }
@@ -129,10 +134,17 @@ Consistency check_consistency(const Mechanism<double>& mechanism, const Mechanis
     out.velocities.push_back(
         judge(velocity[k], tolerance * speed + rate_of_rounding * length, is_angle ? "rad/s" : "m/s"));
   }
-  for (const Joint<double>& joint : mechanism.joints)
-    for (std::string& wrong : wrong_branches_of(joint, global_axes(eom, joint), state.t))
-      out.wrong_branches.push_back(std::move(wrong));
+  out.wrong_branches = wrong_branches(mechanism.joints, state);
   return out;
+}
+
+std::vector<std::string> wrong_branches(const std::vector<Joint<double>>& joints,
+                                        const MechanismState<double>& state) {
+  std::vector<std::string> all;
+  for (const Joint<double>& joint : joints)
+    for (std::string& wrong : wrong_branches_of(joint, global_axes(state, joint), state.t))
+      all.push_back(std::move(wrong));
+  return all;
 }
 
 }  // namespace trivium

@@ -40,6 +40,11 @@ struct Consistency {
   std::string report() const;
 };
 
+/// The joints that are on another branch than their type requires, each with the reason. `joints` are those
+/// of a mechanism, `state` is one of its states.
+std::vector<std::string> wrong_branches(const std::vector<Joint<double>>& joints,
+                                        const MechanismState<double>& state);
+
 /// Checks a state. The tolerance of a row of a length is 1e-8 times the length of the mechanism for the
 /// position. For the velocity it is 1e-8 times the speed of the mechanism plus 1e-12 times its length per
 /// second. For a row of an angle both are divided by the length: 1e-8 rad, and 1e-8 speed / length + 1e-12

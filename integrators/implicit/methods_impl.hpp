@@ -92,6 +92,7 @@ std::vector<MethodEntry<S>> implicit_methods() {
        }},
       {{.name = "bdf",
         .summary = "backward differentiation, orders 1 to 5, index 3",
+        .standard_order = 2,
         .takes_given_steps = true,
         .meets_constraints = true,
         .takes_order = true,

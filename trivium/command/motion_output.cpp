@@ -30,10 +30,10 @@ MotionOutput::MotionOutput(const Mechanism<double>& mechanism, double t_start,
 }
 
 bool MotionOutput::sample(const MotionSample& sample) {
-  if (csv_) csv_->add(sample);
-  if (plot_) plot_->add(sample);
   last_ = sample.state.t;
-  return true;
+  if (samples_) samples_->push_back(sample);
+  if (plot_) plot_->add(sample);
+  return !csv_ || csv_->add(sample);  // a run whose results cannot be written ends
 }
 
 bool MotionOutput::step(double t) {

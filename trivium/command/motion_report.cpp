@@ -26,7 +26,7 @@ JsonWriter MotionReport::begin_json() const {
   return json;
 }
 
-std::string MotionReport::json(const SimulationReport& r) const {
+std::string MotionReport::json(const SimulationReport& r, const std::vector<ErrorByHalving>& verified) const {
   const SimulationOptions& o = options;
   JsonWriter json = begin_json();
   json.number("reached", r.reached).flag("complete", r.complete);
@@ -62,6 +62,12 @@ std::string MotionReport::json(const SimulationReport& r) const {
       .number("normalisation", r.normalisation);
   if (r.has_raw_lambda) json.number("raw_lambda", r.lambda_gap);
   json.end_object();
+  if (r.local_errors)
+    json.begin_object("local_errors")
+        .number("position", r.local_errors->position)
+        .number("velocity", r.local_errors->velocity)
+        .number("steps", r.local_errors->steps)
+        .end_object();
   json.begin_object("energy").number("start", r.energy_start).number("end", r.energy_end);
   if (r.does_work) json.number("work", r.work);
   json.number("unaccounted", r.unaccounted_energy).end_object();
@@ -73,6 +79,19 @@ std::string MotionReport::json(const SimulationReport& r) const {
   for (const Impulse<double>& impulse : r.impulses)
     json.begin_object().number("t", impulse.t).numbers("lambda", impulse.lambda).end_object();
   json.end_array();
+  if (!verified.empty()) {
+    json.begin_array("verification");
+    for (const ErrorByHalving& e : verified) {
+      json.begin_object()
+          .text("quantity", e.quantity)
+          .text("unit", e.unit)
+          .number("error", e.error)
+          .number("t", e.t);
+      if (e.order) json.number("observed_order", *e.order);
+      json.number("order", e.expected_order).flag("reliable", e.is_reliable()).end_object();
+    }
+    json.end_array();
+  }
   json.texts("rows", mechanism.row_names).texts("warnings", warnings_of(r)).end_object();
   return json.str();
 }
@@ -84,7 +103,7 @@ std::string MotionReport::failure_json(const std::optional<double>& last, const 
   return json.text("error", error).end_object().str();
 }
 
-std::string MotionReport::text(const SimulationReport& r) const {
+std::string MotionReport::text(const SimulationReport& r, const std::vector<ErrorByHalving>& verified) const {
   const SimulationOptions& o = options;
   const std::string steps = o.step ? fmt::format("steps of {} s", *o.step)
                                    : fmt::format("rtol {}, atol {}", o.tolerances.rtol, o.tolerances.atol);
@@ -108,6 +127,10 @@ std::string MotionReport::text(const SimulationReport& r) const {
   }
   if (r.has_raw_lambda) add("largest |raw lambda - lambda of (q, v)|", fmt::format("{:.1e}", r.lambda_gap));
   if (r.normalisation > 0) add("violation of p . p = 1, largest", fmt::format("{:.1e}", r.normalisation));
+  if (r.local_errors) {
+    add("sum of local errors, positions [m]", fmt::format("{:.1e}", r.local_errors->position));
+    add("sum of local errors, velocities [m/s]", fmt::format("{:.1e}", r.local_errors->velocity));
+  }
   add("energy at the start [J]", fmt::format("{:.12g}", r.energy_start));
   add("energy at the end [J]", fmt::format("{:.12g}", r.energy_end));
   if (r.does_work) add("work of loads and drivers [J]", fmt::format("{:.12g}", r.work));
@@ -123,6 +146,17 @@ std::string MotionReport::text(const SimulationReport& r) const {
     for (std::size_t k = 0; k < mechanism.row_names.size(); ++k)
       rows.add({mechanism.row_names[k], fmt::format("{:.9g}", impulse.lambda[static_cast<Eigen::Index>(k)])});
     out += rows.text();
+  }
+  if (!verified.empty()) {
+    Table errors(
+        {"error by halving the step", "unit", "error", "at t [s]", "observed order", "order of the method"});
+    for (const ErrorByHalving& e : verified) {
+      std::string order("rounding");
+      if (e.order) order = fmt::format("{:.2f}{}", *e.order, e.is_reliable() ? "" : ", not reliable");
+      errors.add({e.quantity, e.unit, fmt::format("{:.1e}", e.error), fmt::format("{:.6g}", e.t), order,
+                  std::to_string(e.expected_order)});
+    }
+    out += fmt::format("\n{}", errors.text());
   }
   return out;
 }

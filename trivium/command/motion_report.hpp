@@ -10,6 +10,7 @@
 #include "mechanism/mechanism.hpp"
 #include "simulation/motion.hpp"
 #include "simulation/simulate.hpp"
+#include "simulation/step_verification.hpp"
 
 namespace trivium {
 
@@ -20,8 +21,9 @@ struct MotionReport {
   double t_start;
   const SimulationOptions& options;
 
-  std::string text(const SimulationReport& report) const;
-  std::string json(const SimulationReport& report) const;
+  /// `verified`: the errors that --verify found.
+  std::string text(const SimulationReport& report, const std::vector<ErrorByHalving>& verified = {}) const;
+  std::string json(const SimulationReport& report, const std::vector<ErrorByHalving>& verified = {}) const;
   /// The summary of a run that ended with an error. `last` is the time of the last output [s], if any.
   std::string failure_json(const std::optional<double>& last, const char* error) const;
 

@@ -27,7 +27,7 @@ namespace {
 struct SimulateArguments : RunArguments {
   std::string out, plot, save_end;
   std::vector<double> baumgarte;
-  bool no_projection = false, json = false;
+  bool no_projection = false, verify = false, json = false;
 };
 
 /// enough for smooth curves: a figure is about 600 points wide
@@ -49,6 +49,8 @@ bool save_end(const SimulateArguments& arguments, scenes::Scene& scene, const Ru
 int run_simulate(const SimulateArguments& arguments) {
   SimulationOptions options = arguments.run_options();
   options.projects = !arguments.no_projection && arguments.baumgarte.empty();
+  if (arguments.verify && !options.step)
+    throw Error(ErrorKind::input, "--verify: the steps follow tolerances; accepted: with --step");
   if (!arguments.baumgarte.empty()) options.baumgarte = {arguments.baumgarte[0], arguments.baumgarte[1]};
   if (!arguments.save_end.empty() &&
       (arguments.save_end == arguments.out || arguments.save_end == arguments.plot))
@@ -64,16 +66,27 @@ int run_simulate(const SimulateArguments& arguments) {
   require_consistent(arguments.scene, model, options.from, options.formulation);
   const MotionReport of{model.mechanism, t, options};
   MotionOutput output(model.mechanism, t, options, arguments.out, arguments.plot);
+  if (arguments.verify) output.remember();
   catch_interrupts();
   try {
     const SimulationReport report = simulate(model, options, output);
+    std::vector<ErrorByHalving> verified;
+    if (arguments.verify && report.complete) verified = verify_steps(model, options, output.samples());
     for (const std::string& warning : warnings_of(report)) fmt::print(stderr, "warning: {}\n", warning);
-    fmt::print("{}", arguments.json ? of.json(report) : of.text(report));
+    for (const ErrorByHalving& e : verified)
+      if (!e.is_reliable())
+        fmt::print(
+            stderr,
+            "warning: the error of {} falls with order {:.2f} as the step is halved, not with the method's "
+            "order {}: its figure is not reliable; take smaller steps\n",
+            e.quantity, *e.order, e.expected_order);
+    fmt::print("{}", arguments.json ? of.json(report, verified) : of.text(report, verified));
     bool is_kept = output.keep();
     if (!arguments.save_end.empty()) is_kept = save_end(arguments, loaded.scene, report.end) && is_kept;
-    if (report.complete) return is_kept ? exit_done : exit_output_lost;
+    if (!is_kept) return exit_output_lost;
+    if (report.complete) return exit_done;
     fmt::print(stderr, "interrupted at t = {}\n", report.reached);
-    if (is_kept) output.say_what_is_kept();
+    output.say_what_is_kept();
     return exit_interrupted;
   } catch (const std::runtime_error& error) {
     complain(name_source(arguments.scene, error.what()));
@@ -106,6 +119,8 @@ Command add_simulate_command(ProgramOptions& program) {
           "--save-end", &arguments->save_end,
           "Write the scene at the end of the run to this file; another run can continue from this file")
       .check(writable_file());
+  options.add_flag("--verify", &arguments->verify,
+                   "With --step: repeat the run with half and a quarter of the step, and report the errors");
   const ProgramOption no_projection =
       options.add_flag("--no-projection", &arguments->no_projection,
                        "Do not project onto the constraints: their drift remains");

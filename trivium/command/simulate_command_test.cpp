@@ -100,6 +100,117 @@ TEST(Simulate, CtrlCLeavesTheMotionSoFar) {
   for (const auto& line : lines) EXPECT_EQ(line.size(), lines[0].size());
 }
 
+// loose tolerances lose half a turn of a driven angle that swings fast
+TEST(Simulate, AMotionThatChangesToAnotherBranchOfADriverEndsWithAnErrorThatNamesTheJoint) {
+  const std::string scene = temporary_scene("driven.json", R"({"trivium": 1, "name": "driven",
+    "bodies": [{"name": "b", "mass": 1, "inertia": [0.1, 0.1, 0.1], "position": [0.1, 0, 0],
+                "velocity": [0, 150, 0], "angular_velocity": [0, 0, 1500]}],
+    "constraints": [
+      {"type": "revolute", "name": "r", "i": {"body": "ground", "axis": [0, 0, 1], "x": [1, 0, 0]},
+       "j": {"body": "b", "point": [-0.1, 0, 0], "axis": [0, 0, 1], "x": [1, 0, 0]}},
+      {"type": "rotation_driver", "name": "d", "i": {"body": "ground", "axis": [0, 0, 1], "x": [1, 0, 0]},
+       "j": {"body": "b", "axis": [0, 0, 1], "x": [1, 0, 0]},
+       "angle": {"kind": "harmonic", "offset": 0, "amplitude": 1.5, "angular_frequency": 1000, "phase": 0}}]})");
+  const Outcome r = run("trivium simulate " + scene + " --integrator radau5 --rtol 0.1 --atol 0.1 --t-end 1");
+  EXPECT_EQ(r.exit_code, 3) << r.out;
+  EXPECT_NE(
+      r.err.find("the motion has changed to another branch: d: the angle of the joint is 180 degrees from"),
+      std::string::npos)
+      << r.err;
+}
+
+/// Runs `words` in an empty folder, where no file can grow beyond 32 kB, as on a full disk.
+Outcome run_on_a_full_disk(const std::string& words) {
+  const fs::path folder = temporary("folder");
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return run(words, folder.string() + " && trap '' XFSZ && ulimit -f 64");
+}
+
+TEST(Simulate, AFullDiskEndsTheRunAndLeavesTheMotionSoFarWhereTheMessageSays) {
+  const Outcome r =
+      run_on_a_full_disk("trivium simulate heavy_top --t-end 100 --output-step 0.01 --out motion.csv");
+  EXPECT_EQ(r.exit_code, 3);
+  const std::string says =
+      "error: cannot write motion.csv: File too large; the lines that could be written are in ";
+  ASSERT_TRUE(r.err.starts_with(says)) << r.err;
+  const std::string name = r.err.substr(says.size(), r.err.find('\n') - says.size());
+  EXPECT_TRUE(name.find("motion.csv.incomplete-") != std::string::npos) << name;
+  const auto lines = csv_lines(temporary("folder") / fs::path(name).filename());
+  ASSERT_GT(lines.size(), 10u);
+  for (const auto& line : lines) EXPECT_EQ(line.size(), lines[0].size());
+  EXPECT_FALSE(fs::exists(temporary("folder") / "motion.csv"));
+}
+
+TEST(Simulate, AFigureThatIsNotWholeIsAnErrorAndIsDeleted) {
+  const Outcome r = run_on_a_full_disk("trivium simulate heavy_top --t-end 1 --plot motion.svg");
+  EXPECT_EQ(r.exit_code, 3);
+  EXPECT_NE(r.err.find("cannot write motion.svg: the figure is incomplete; is the disk full?"),
+            std::string::npos)
+      << r.err;
+  EXPECT_FALSE(fs::exists(temporary("folder") / "motion.svg"));
+}
+
+TEST(Simulate, AKilledRunLeavesTheMotionSoFarUnderANameThatSaysSo) {
+  const fs::path folder = temporary("folder");
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  run("trivium simulate stewart_platform --t-end 1e6 --output-step 0.01 --out motion.csv & sleep 1; kill "
+      "-KILL $!; "
+      "wait $!",
+      folder);
+  ASSERT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+  const fs::path left = *fs::directory_iterator(folder);
+  EXPECT_TRUE(left.filename().string().starts_with("motion.csv.incomplete-")) << left;
+  EXPECT_GT(csv_lines(left).size(), 10u);
+}
+
+// glibc fills memory that a program requests with this byte
+TEST(Simulate, WritesTheSameBitsWhateverTheMemoryHeldBefore) {
+  const fs::path file = fresh("motion.csv");
+  const json known = json::parse(run("trivium list --json").out);
+  for (const std::string method : known["integrators"])
+    for (const std::string formulation : known["formulations"]) {
+      std::string first;
+      for (const char* byte : {"0", "85", "165", "255"}) {
+        const auto simulate = [&](const char* steps) {
+          return run("trivium simulate spatial_slider_crank --t-end 0.3 --integrator " + method +
+                         " --formulation " + formulation + steps + " --out " + file.string(),
+                     std::string("/ && export MALLOC_PERTURB_=") + byte);
+        };
+        Outcome r = simulate(" --rtol 1e-7 --atol 1e-9");
+        if (r.exit_code == 2) r = simulate(" --step 0.001");
+        if (r.exit_code == 2) break;  // the method does not support the formulation
+        ASSERT_EQ(r.exit_code, 0) << method << ", " << formulation << ": " << r.err;
+        if (first.empty()) first = slurp(file);
+        EXPECT_EQ(slurp(file), first) << method << ", " << formulation << ", " << byte;
+      }
+    }
+}
+
+TEST(Simulate, NamesItsColumnsAsThePageDoes) {
+  const fs::path file = fresh("motion.csv");
+  ASSERT_EQ(
+      run("trivium simulate heavy_top --integrator rattle --step 1e-4 --t-end 1e-3 --out " + file.string())
+          .exit_code,
+      0);
+  const std::string page = slurp(TRIVIUM_SCENES_DIR "/../../docs/simulating.md");
+  std::string columns;
+  for (const char* column : {"t",      "top.x",   "top.y",         "top.z",         "top.e0",       "top.e1",
+                             "top.e2", "top.e3",  "top.vx",        "top.vy",        "top.vz",       "top.wx",
+                             "top.wy", "top.wz",  "tip.fx",        "tip.fy",        "tip.fz",       "tip.tx",
+                             "tip.ty", "tip.tz",  "lambda[0]",     "lambda[1]",     "lambda[2]",    "energy",
+                             "phi",    "phi_dot", "raw_lambda[0]", "raw_lambda[1]", "raw_lambda[2]"})
+    columns += (columns.empty() ? "" : ",") + std::string(column);
+  const std::string csv = slurp(file);
+  EXPECT_EQ(csv.substr(0, csv.find('\n')), columns);
+  for (const char* shown :
+       {"| `t` |", "| `BODY.x` `.y` `.z` |", "| `BODY.e0` ... `.e3` |", "| `BODY.vx` `.vy` `.vz` |",
+        "| `BODY.wx` `.wy` `.wz` |", "| `JOINT.fx` ... `.tz` |", "| `lambda[k]` |", "| `energy` |",
+        "| `phi`, `phi_dot` |", "| `raw_lambda[k]` |"})
+    EXPECT_NE(page.find(shown), std::string::npos) << shown;
+}
+
 // the file ends with the last state, also if that lies between two outputs
 TEST(Simulate, CtrlCReportsTheStateThatWasReached) {
   const fs::path file = fresh("motion.csv"), report = fresh("report");

@@ -1,0 +1,120 @@
+/// Repeats the motion twice, and takes the output at which the first two motions differ most.
+
+#include "simulation/step_verification.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "base/raise.hpp"
+#include "integrators/methods.hpp"
+
+namespace trivium {
+
+namespace {
+
+/// A quantity of a motion: the largest difference between two samples at the same time, and its size, to
+/// which rounding is relative.
+struct Quantity {
+  const char *name, *unit;
+  std::function<double(const MotionSample&, const MotionSample&)> difference;
+  std::function<double(const MotionSample&)> size;
+};
+
+/// The largest value of of(b) over the bodies of a sample.
+template <class Of>
+double over_bodies(const MotionSample& sample, const Of& of) {
+  double largest = 0;
+  for (std::size_t b = 0; b < sample.state.pose.size(); ++b) raise(largest, static_cast<double>(of(b)));
+  return largest;
+}
+
+/// The angle between two orientations [rad], of Euler parameters with any sign.
+double angle_between(const Vector4<double>& p, const Vector4<double>& q) {
+  return 4 * std::asin(std::min(1.0, std::min((p - q).norm(), (p + q).norm()) / 2));
+}
+
+std::array<Quantity, 5> quantities() {
+  return {
+      {{"positions", "m",
+        [](const MotionSample& a, const MotionSample& b) {
+          return over_bodies(a, [&](auto k) { return (a.state.pose[k].r - b.state.pose[k].r).norm(); });
+        },
+        [](const MotionSample& a) {
+          return over_bodies(a, [&](auto k) { return a.state.pose[k].r.norm(); });
+        }},
+       {"orientations", "rad",
+        [](const MotionSample& a, const MotionSample& b) {
+          return over_bodies(a, [&](auto k) { return angle_between(a.state.pose[k].p, b.state.pose[k].p); });
+        },
+        [](const MotionSample&) { return 1.0; }},
+       {"velocities", "m/s",
+        [](const MotionSample& a, const MotionSample& b) {
+          return over_bodies(
+              a, [&](auto k) { return (a.state.twist[k].r_dot - b.state.twist[k].r_dot).norm(); });
+        },
+        [](const MotionSample& a) {
+          return over_bodies(a, [&](auto k) { return a.state.twist[k].r_dot.norm(); });
+        }},
+       {"angular velocities", "rad/s",
+        [](const MotionSample& a, const MotionSample& b) {
+          return over_bodies(
+              a, [&](auto k) { return (a.state.twist[k].omega_bar - b.state.twist[k].omega_bar).norm(); });
+        },
+        [](const MotionSample& a) {
+          return over_bodies(a, [&](auto k) { return a.state.twist[k].omega_bar.norm(); });
+        }},
+       {"lambda", "unit of the row",
+        [](const MotionSample& a, const MotionSample& b) {
+          double largest = 0;
+          for (Eigen::Index k = 0; k < a.lambda.size(); ++k)
+            if (a.lambda_unique[k] && b.lambda_unique[k]) raise(largest, std::abs(a.lambda[k] - b.lambda[k]));
+          return largest;
+        },
+        [](const MotionSample& a) { return largest_magnitude(a.lambda); }}}};
+}
+
+}  // namespace
+
+std::vector<ErrorByHalving> verify_steps(const Model<double>& model, const SimulationOptions& options,
+                                         const std::vector<MotionSample>& coarse) {
+  if (!options.step) throw integrators::UsageError("a motion is verified by halving its steps: give a step");
+  const auto repeated = [&](int parts) {
+    SimulationOptions finer = options;
+    finer.step = *options.step / parts;
+    Samples samples;
+    simulate(model, finer, samples);
+    return samples.all;
+  };
+  const std::vector<MotionSample> half = repeated(2), quarter = repeated(4);
+  const integrators::MethodInfo& info =
+      options.own_method ? options.own_method->info : *integrators::find_method(options.integrator);
+  const int order = options.parameters.order.value_or(info.standard_order);
+  std::vector<ErrorByHalving> errors;
+  for (const Quantity& of : quantities()) {
+    ErrorByHalving& found = errors.emplace_back();
+    found.quantity = of.name;
+    found.unit = of.unit;
+    found.expected_order = order;
+    double first = 0, second = 0, size = 0;
+    const std::size_t outputs = std::min({coarse.size(), half.size(), quarter.size()});
+    for (std::size_t k = 0; k < outputs; ++k) {
+      raise(size, of.size(coarse[k]));
+      const double difference = of.difference(coarse[k], half[k]);
+      if (difference <= first) continue;
+      first = difference;
+      second = of.difference(half[k], quarter[k]);
+      found.t = coarse[k].state.t;
+    }
+    // the rounding of a thousand steps, relative to the size of the quantity
+    const double rounding = 1e-13 * size;
+    if (first > rounding) found.order = second > 0 ? std::log2(first / second) : HUGE_VAL;
+    // an order that is too low would make the factor too small, one that is too high too large
+    const double p = found.order ? std::clamp(*found.order, 0.5, static_cast<double>(order)) : order;
+    found.error = (first + rounding) / (1 - std::exp2(-p));
+  }
+  return errors;
+}
+
+}  // namespace trivium

@@ -1,0 +1,76 @@
+/// The figures of `simulate --verify` against motions at tight tolerances.
+
+#include "simulation/step_verification.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "validation/testing/catalogue_motion.hpp"
+
+namespace trivium {
+namespace {
+
+using test::catalogue_scene, test::Motion, test::stepping, test::tight;
+
+/// The largest error of positions [m] at any output.
+double true_error(const Motion& motion, const Motion& exact) {
+  double largest = 0;
+  for (std::size_t k = 0; k < motion.samples.size(); ++k)
+    for (std::size_t b = 0; b < motion.samples[k].state.pose.size(); ++b)
+      raise(largest, (motion.samples[k].state.pose[b].r - exact.samples[k].state.pose[b].r).norm());
+  return largest;
+}
+
+struct Case {
+  const char* scene;
+  double step, end;
+};
+
+class VerifiedSteps : public testing::TestWithParam<Case> {};
+
+TEST_P(VerifiedSteps, FindAtLeastAThirdOfTheTrueErrorOrSayThatTheFigureIsNotReliable) {
+  const scenes::Scene scene = catalogue_scene(GetParam().scene);
+  SimulationOptions reference = tight("r-omega", "rkf78", GetParam().end, 1e-13);
+  reference.output_step = GetParam().end / 4;
+  const Motion exact(scene, reference);
+  int reliable = 0;
+  for (const integrators::MethodInfo& method : integrators::methods()) {
+    if (!method.takes_given_steps) continue;
+    SimulationOptions options =
+        stepping("r-omega", std::string(method.name), GetParam().end, GetParam().step);
+    options.output_step = reference.output_step;
+    const Motion motion(scene, options);
+    const std::vector<ErrorByHalving> errors =
+        verify_steps(make_model<double>(scene), options, motion.samples);
+    ASSERT_EQ(errors.size(), 5u);
+    const ErrorByHalving& positions = errors[0];
+    if (!positions.is_reliable()) continue;
+    ++reliable;
+    // the reference itself is exact to about 1e-11
+    EXPECT_GE(positions.error, true_error(motion, exact) / 3 - 1e-11) << method.name;
+    EXPECT_LE(positions.error, 3 * true_error(motion, exact) + 1e-10) << method.name;
+  }
+  EXPECT_GE(reliable, 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, VerifiedSteps,
+                         testing::Values(Case{"spatial_slider_crank", 2e-3, 0.4},
+                                         Case{"double_pendulum", 2e-3, 0.4}, Case{"heavy_top", 2e-5, 0.04}),
+                         [](const auto& of) { return std::string(of.param.scene); });
+
+// the energy of a fast top does not show a wrong precession
+TEST(VerifiedSteps, OfAFastTopShowAWrongPrecession) {
+  const scenes::Scene scene = catalogue_scene("heavy_top");
+  const Motion exact(scene, tight("r-omega", "rkf78", 0.3, 1e-13));
+  SimulationOptions options = stepping("r-p", "hht", 0.3, 5e-4);
+  const Motion motion(scene, options);
+  const double error = (motion.end().state.pose[0].r - exact.end().state.pose[0].r).norm();
+  EXPECT_GE(error, 0.01);
+  const ErrorByHalving positions = verify_steps(make_model<double>(scene), options, motion.samples)[0];
+  EXPECT_TRUE(!positions.is_reliable() || positions.error >= error / 3) << positions.error;
+  EXPECT_GE(positions.error, error / 10);
+}
+
+}  // namespace
+}  // namespace trivium
