@@ -28,6 +28,7 @@ struct Place {
 /// An error of the library: message, kind and place.
 class Error : public std::runtime_error {
  public:
+  /// Takes `what` as the complete message; place and time are not known.
   Error(ErrorKind kind, const std::string& what) : Error(kind, what, Place{}) {}
   /// Puts the place in front of the message: `body "rod" at t = 0.5: why`.
   Error(ErrorKind kind, const Place& place, const std::string& why);
@@ -40,9 +41,11 @@ class Error : public std::runtime_error {
   /// Puts the source of a scene in front of the message and of the place, unless they begin with it.
   Error(const std::string& source, const Error& inner);
 
-  /// The kind, and the place and time of the problem (Place).
+  /// What is wrong: the input, the model or the integration.
   ErrorKind kind() const { return kind_; }
+  /// The place of the problem (Place::where); may be empty.
   const std::string& where() const { return place_.where; }
+  /// The time of the state at which the problem occurred [s]; none if it is not known.
   std::optional<double> when() const { return place_.when; }
 
  private:
@@ -57,8 +60,11 @@ std::string name_source(const std::string& source, std::string_view message);
 /// effect, the time, the reason and a remedy.
 class ModelError : public Error {
  public:
+  /// Takes `what` as the complete message; place and time are not known.
   explicit ModelError(const std::string& what) : Error(ErrorKind::model, what) {}
+  /// Puts the place in front of the message, as Error does.
   ModelError(const Place& place, const std::string& why) : Error(ErrorKind::model, place, why) {}
+  /// Puts `around` in front of the message of `inner`. The place and time of `inner` take precedence.
   ModelError(const Place& around, const Error& inner) : Error(ErrorKind::model, around, inner) {}
 };
 

@@ -13,7 +13,7 @@ add_test(NAME headers.say_what_they_are_for COMMAND ${CMAKE_COMMAND} -DSOURCE_DI
 add_test(NAME docs.name_what_exists COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
                                             -P ${PROJECT_SOURCE_DIR}/cmake/check_docs.cmake)
 set(pages ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md)
-file(GLOB docs_pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md)
+file(GLOB_RECURSE docs_pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md)
 list(APPEND pages ${docs_pages})
 add_test(NAME docs.are_spelt COMMAND ${PROJECT_SOURCE_DIR}/cmake/check_spelling.sh ${PROJECT_SOURCE_DIR} ${pages})
 set_tests_properties(docs.are_spelt PROPERTIES SKIP_REGULAR_EXPRESSION "aspell is not installed")

@@ -5,10 +5,13 @@
 #   <!-- file: NAME -->            the block that follows is a file, which later commands of the page find
 #   ```sh                          each line is a command. Those of `runs_elsewhere` are not run: `./run X` is checked to
 #                                  name a command of `run`, the tools of the build are not checked
-#   ```text                        the output (stdout and stderr) of the commands before it; `text times`: only the words
-#                                  of it are compared, as its numbers are times
+#   ```text                        the output (stdout and stderr) of the commands before it; `text times`: with CPU times
+#   ```json, cpp, cmake            files, programs that are compiled elsewhere, targets that must exist; no other language
+#   `./run ...`                    a command in a sentence or a table is run too, for three seconds at most; one with words
+#                                  in capital letters is checked for its options alone
 #   <!-- output of: COMMAND -->    what follows, up to the next <!-- end -->, is the command's output, as Markdown
-# Words must be equal. Numbers must agree to 1 %, or both be rounding (below 1e-9): the last digits depend on the processor.
+# Words must be equal. Numbers must agree to 1 %; the last digits depend on the processor. Numbers below 1e-9 are rounding:
+# they may differ by a factor of 1000. In `text times` fractions may differ by 100, numbers with an exponent by 3.
 # Options named in a page must be options of a program.
 set -euo pipefail
 bin=$(realpath "$1") sources=$(realpath "$2") work=$(mkdir -p "$3" && realpath "$3")
@@ -35,11 +38,16 @@ same() {
   awk -v kind="$3" '
     function is_number(x) { return x ~ /^[-+]?[0-9]+(\.[0-9]*)?([eE][-+]?[0-9]+)?$/ }
     function size(x) { return x < 0 ? -x : x }
+    function within(factor, a, b, least) {
+      a = size(a) > least ? size(a) : least; b = size(b) > least ? size(b) : least
+      return a <= factor * b && b <= factor * a
+    }
     function agree(a, b) {
       if (a == b) return 1
       if (!is_number(a) || !is_number(b)) return 0
-      if (kind == "times") return 1
-      if (size(a) < 1e-9 && size(b) < 1e-9) return 1
+      if (size(a) < 1e-9 && size(b) < 1e-9) return within(1000, a, b, 1e-15)
+      if (kind == "times" && (a b) ~ /[eE]/) return within(3, a, b, 1e-9)
+      if (kind == "times" && (a b) ~ /\./) return within(100, a, b, 1e-3)
       return size(a - b) <= 0.01 * (size(a) > size(b) ? size(a) : size(b))
     }
     function agree_in_words(x, y,   a, b, k, m) {
@@ -98,6 +106,9 @@ read_page() {
           generated=${BASH_REMATCH[1]} block='' state=generated
         elif [[ $line == '```'* ]]; then
           fence=${line#'```'} kind=${fence#* } block='' state=block
+          check_fence
+        elif [[ $line =~ ^\ *(~~~|'```') ]]; then
+          problem "a block begins with \`\`\` at the beginning of a line"
         else
           for option in $(grep -oE -- '`--[a-z][a-z-]*' <<<"$line" | tr -d '`'); do
             has_option "$option" "$all_help" || problem "no program has the option $option"
@@ -115,6 +126,10 @@ read_page() {
           file=''
         elif [[ $fence == sh ]]; then
           run_commands "$block"
+        elif [[ $fence == cmake ]]; then
+          for option in $(grep -oE 'trivium::[a-z_]+' <<<"$block"); do
+            grep -rqE --include=CMakeLists.txt "$option( |\))" "$sources"/{cmake,examples} || problem "there is no target $option"
+          done
         elif [[ $fence == text || $fence == "text times" ]]; then
           printf '%s' "$block" >expected.out
           if ! same expected.out shown.out "$kind" >difference.out; then
@@ -140,7 +155,38 @@ read_page() {
     esac
   done <"$page"
   [[ $state == prose ]] || problem "the last block does not end"
+  run_inline_commands
   if [[ $update == yes ]]; then printf '%s' "$text" >"$page"; fi
+}
+
+check_fence() {
+  case $fence in
+    sh | text | 'text times' | cpp | cmake) ;;
+    json) [[ $file ]] || problem "a json block is a file: name it" ;;
+    '') [[ $file || ! -s shown.out ]] || problem "the block behind commands is their output: text" ;;
+    *) problem "no page has blocks of the kind $fence" ;;
+  esac
+}
+
+# The commands in sentences and tables of the page.
+run_inline_commands() {
+  local command status
+  while IFS= read -r command; do
+    if [[ $command =~ $runs_elsewhere ]]; then
+      [[ ! $command =~ ^./run\ ([a-z]+) ]] || grep -qE "^#.*\./run ${BASH_REMATCH[1]}\b" "$sources/run" ||
+        problem "run has no command ${BASH_REMATCH[1]}"
+      continue
+    fi
+    [[ $command != './run COMMAND'* ]] || continue
+    options_exist "$command" || problem "see above"
+    [[ ! $command =~ [A-Z][A-Z]|\.\.\. ]] || continue
+    [[ ! $command =~ ^./run\ (solve|check|simulate|compare|generate)$ ]] || continue # a name in a sentence
+    status=0
+    timeout 3 bash -c "$command" >inline.out 2>&1 </dev/null || status=$?
+    # 124: still at work, so the arguments are right; 1: a criterion
+    ((status == 0 || status == 1 || status == 124)) || { problem "failed: $command"; tail -n 3 inline.out; }
+  done < <(awk '/^```/ { code = !code; next } !code' "$page" | awk 'BEGIN { RS = "" } { gsub("\n", " "); print }' |
+           grep -oE '`\./run [^`]*`' | tr -d '`' | sort -u)
 }
 
 run_commands() {

@@ -1,6 +1,8 @@
 #pragma once
 /// A force with given components at a body-fixed point P. Only a force with constant global components has a
-/// potential, V = -F . r_P; any other force counts as nonconservative.
+/// potential, V = -F . r_P; any other force counts as nonconservative. The wrench on the body is
+///
+///     F (global; A F_bar if given in the body frame),   n_bar = s_bar_P x A^T F
 
 #include <array>
 #include <string>

@@ -1,6 +1,8 @@
 #pragma once
 /// Uniform gravity: the force m g at the centre of mass of every body, hence without a moment. Its potential
 /// energy is the sum of -m g . r.
+///
+///     F = m g,   n_bar = 0,   V = -sum_b m_b g . r_b
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,9 @@
 #pragma once
 /// A spring, damper and actuator along the line between two body-fixed points (Haug 1989, translational
-/// spring-damper-actuator). The tension k (l - l0) + c l' + h(t) [N], with l the distance of the points,
-/// pulls the points towards each other if it is positive.
+/// spring-damper-actuator). The tension f, with l the distance of the points, pulls the points towards each
+/// other if it is positive:
+///
+///     f = k (l - l0) + c l' + h(t) [N],   force on i: f d_ij / l,   force on j: -f d_ij / l
 
 #include <fmt/format.h>
 

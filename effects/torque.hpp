@@ -1,6 +1,8 @@
 #pragma once
 /// A torque with given components on a body. A torque has no potential, even if its components are constant:
-/// its work over a finite rotation depends on the path.
+/// its work over a finite rotation depends on the path. The wrench on the body is
+///
+///     F = 0,   n_bar (body frame; A^T n if given in the global frame),   power n_bar . omega_bar
 
 #include <array>
 #include <string>

@@ -1,7 +1,8 @@
 #pragma once
-/// A spring, damper and actuator about the axis z of a joint. Body j gets the torque -(k (theta - theta0) +
-/// c theta' + h(t)) [N m] along z, body i the opposite torque. theta is the angle from u_i to u_j about z_i
-/// (joint_angle.hpp).
+/// A spring, damper and actuator about the axis z of a joint (Haug 1989, rotational spring-damper-actuator).
+/// theta is the angle from u_i to u_j about z_i (joint_angle.hpp). The torques on bodies j and i are
+///
+///     n_j = -(k (theta - theta0) + c theta' + h(t)) z_i [N m],   n_i = -n_j
 
 #include <string>
 #include <string_view>

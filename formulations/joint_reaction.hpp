@@ -1,7 +1,11 @@
 #pragma once
-/// Joint reactions from lambda. With M r'' + Phi_r^T lambda = F, a joint acts on a body with the force
-/// -Phi_r^T lambda [N, global] and the moment -Phi_pi_bar^T lambda about the centre of mass [N m, body
-/// frame]. Here Phi_pi_bar = Phi_rot lift, from the Jacobian of the formulation itself.
+/// Joint reactions from lambda. With m r'' + Phi_r^T lambda = F and J_bar omega_bar' + Phi_pi_bar^T lambda =
+/// n_bar - omega_bar x J_bar omega_bar (Haug 1989, section 11.2), a joint with the rows k acts on a body with
+///
+///     force = -sum_k Phi_r,k^T lambda_k,   moment = -sum_k Phi_pi_bar,k^T lambda_k
+///
+/// [N, global; N m, body frame, about the centre of mass]. Here Phi_pi_bar = Phi_rot lift, from the
+/// Jacobian of the formulation itself.
 
 #include "bodies/reaction.hpp"
 #include "formulations/equations_of_motion.hpp"

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <regex>
+#include <string>
 
 #include "integrators/integrate.hpp"
 #include "integrators/testing/toy_systems.hpp"
@@ -223,6 +226,35 @@ TEST(Projection, OfAStepThatIsFarTooLongIsAnErrorAtGivenSteps) {
   OnACircle system(40);
   EXPECT_THROW(run(system, "dopri5", Steps::given, TimeGrid(0, 1, {}, 0.25)), IntegrationError);
   EXPECT_NO_THROW(run(system, "dopri5", Steps::chosen, TimeGrid(0, 1), {1e-2, 1e-2}));
+}
+
+/// The line of the table of methods, docs/simulating.md, that begins with this method.
+std::string line_of_the_page(const std::string& method) {
+  std::ifstream page(TRIVIUM_DOCS_DIR "/simulating.md");
+  for (std::string line; std::getline(page, line);)
+    if (line.starts_with("| `") &&
+        line.substr(0, line.find('|', 1)).find("`" + method + "`") != std::string::npos)
+      return line;
+  return {};
+}
+
+TEST(MethodsPage, SaysTheOrdersAndStepsOfEveryMethod) {
+  for (const MethodInfo& method : methods()) {
+    const std::string line = line_of_the_page(std::string(method.name));
+    const auto says = [&](const std::string& text) { return line.find(text) != std::string::npos; };
+    ASSERT_NE(line, "") << method.name;
+    EXPECT_EQ(says("chosen"), method.chooses_steps) << line;
+    EXPECT_EQ(says("given |") || says("or given"), method.takes_given_steps) << line;
+    const std::string orders = line.substr(line.find('|', line.find('|', 1) + 1));
+    const auto has_order = [&](const std::string& pattern, int order) {
+      return std::regex_search(orders, std::regex(pattern + "\\b" + std::to_string(order) + "\\b"));
+    };
+    EXPECT_TRUE(method.standard_order == 0 || has_order("", method.standard_order)) << line;
+    const bool has_another_order = method.has_raw_lambda && method.raw_lambda_order != method.order &&
+                                   method.raw_lambda_order > 0 && !method.takes_order &&
+                                   !method.needs_constant_inertia;
+    EXPECT_TRUE(!has_another_order || has_order("raw lambda.*", method.raw_lambda_order)) << line;
+  }
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <fstream>
+#include <string>
+#include <utility>
 
 #include "bodies/inertia.hpp"
 #include "bodies/numbers/quad.hpp"
@@ -67,6 +70,45 @@ TEST(Mechanism, RowsStandInFileOrderUnderTheNamesOfTheirJoints) {
   EXPECT_EQ(mechanism.row_names[4], "c4.cd(e_x)");
   EXPECT_EQ(mechanism.row_names[mechanism.joints[6].first_row + 4], "c6.dp1(v_i, z_j)");
   EXPECT_EQ(mechanism.row_names.back(), "c14.dp1(w_i, u_j)");
+}
+
+/// The rows of a joint as the table of docs/scene_format.md lists them, such as "cd(e_x), cd(e_y), cd(e_z)".
+std::string rows_on_the_page(const std::string& type) {
+  std::ifstream page(TRIVIUM_DOCS_DIR "/scene_format.md");
+  const std::string start = "| `" + type + "` | ";
+  for (std::string line; std::getline(page, line);) {
+    if (!line.starts_with(start) || line.find("dp") == line.find("cd(")) continue;
+    std::string rows = line.substr(start.size(), line.size() - start.size() - 2);
+    if (const std::string others = "those of "; rows.starts_with(others)) {
+      const std::size_t end = rows.find(',');
+      rows = rows_on_the_page(rows.substr(others.size(), end - others.size())) + rows.substr(end);
+    }
+    return rows;
+  }
+  return {};
+}
+
+TEST(Mechanism, RowsOfAJointAreThoseOfTheFormatsPage) {
+  const scenes::Vector3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  for (const auto& [type, name] : {std::pair{JointType::spherical, "spherical"},
+                                   {JointType::universal, "universal"},
+                                   {JointType::revolute, "revolute"},
+                                   {JointType::cylindrical, "cylindrical"},
+                                   {JointType::translational, "translational"},
+                                   {JointType::fixed, "fixed"},
+                                   {JointType::planar, "planar"},
+                                   {JointType::in_line, "in_line"},
+                                   {JointType::in_plane, "in_plane"}}) {
+    scenes::Scene scene;
+    scene.bodies = {test::body("a", 1)};
+    const auto& axis_j = type == JointType::universal ? y : z;
+    scene.constraints = {
+        test::joint(type, "j", test::side(scenes::ground, {}, z, x), test::side(0, {}, axis_j, x))};
+    std::string rows;
+    for (const std::string& row : make_mechanism<double>(scene).row_names)
+      rows += (rows.empty() ? "" : ", ") + row.substr(2);
+    EXPECT_EQ(rows, rows_on_the_page(name)) << name;
+  }
 }
 
 TEST(Mechanism, ABodyAndAConstraintAddedInCppAreThoseOfAScene) {

@@ -32,11 +32,15 @@ struct CompareSettings {
 
 /// The run of one formulation: its counters and warnings.
 struct ComparedMotion {
-  std::string formulation, error;   ///< error: why the run stopped before its end; empty if it did not
-  std::vector<std::string> charts;  ///< names of all charts that bodies used at outputs, each once
-  /// Counters, as in Motion.
-  long steps = 0, rejected_steps = 0, right_sides = 0, newton_iterations = 0, factorisations = 0;
-  int chart_changes = 0;
+  std::string formulation;            ///< name of the formulation
+  std::string error;                  ///< why the run stopped before its end; empty if it did not
+  std::vector<std::string> charts;    ///< names of all charts that bodies used at outputs, each once
+  long steps = 0;                     ///< steps that were accepted
+  long rejected_steps = 0;            ///< steps that were not accepted and tried again
+  long right_sides = 0;               ///< evaluations of the equations of motion
+  long newton_iterations = 0;         ///< iterations of Newton's method in implicit methods
+  long factorisations = 0;            ///< factorisations of all matrices
+  int chart_changes = 0;              ///< changes of the Euler angles of a body
   double seconds = 0;                 ///< CPU time of the thread for the run [s]
   std::vector<std::string> warnings;  ///< warnings about this run, as in Motion::warnings
 };
@@ -45,8 +49,9 @@ struct ComparedMotion {
 /// Differences of lambda are relative, in the norm |E lambda| with E^2 = diag(Phi_q M^-1 Phi_q^T), over the
 /// unique multipliers; differences of accelerations are relative, in the metric of the mass matrix.
 struct ComparedOutput {
-  double t = 0;                                    ///< time [s]
-  double lambda_difference = 0, lambda_bound = 0;  ///< between the separate runs, and its bound [-]
+  double t = 0;                  ///< time [s]
+  double lambda_difference = 0;  ///< difference of lambda between the separate runs [-]
+  double lambda_bound = 0;       ///< bound of lambda_difference [-]
   /// Largest relative change of lambda up to this output that a neighbouring start causes, divided by the
   /// relative distance of that start [-]; at least 1, and 1 with given steps.
   double amplification = 1;
@@ -58,14 +63,15 @@ struct ComparedOutput {
   /// steps: 2 c_1 exceeds 0.1).
   bool is_judged = true;
   /// The comparison at one state. The runs of n formulations have n slightly different states at this output.
-  /// At each of these states all n formulations are solved.
+  /// At each of these states all n formulations are solved. All members are those of one state: of the states
+  /// compared at this output, the one whose larger difference is the closest to its bound.
   struct OneState {
-    /// All four are those of one state: of the states compared at this output, the one whose larger
-    /// difference is the closest to its bound. lambda_difference [-]: the relative difference of lambda.
-    /// lambda_bound [-]: its bound 100 u kappa. acceleration_difference [-]: the relative difference of
-    /// accelerations, which must not exceed lambda_bound either, unless the mechanism has no constraint rows.
-    /// condition [-]: kappa.
-    double lambda_difference = 0, lambda_bound = 0, acceleration_difference = 0, condition = 1;
+    double lambda_difference = 0;  ///< relative difference of lambda [-]
+    double lambda_bound = 0;       ///< bound of lambda_difference, 100 u kappa [-]
+    /// Relative difference of accelerations [-]. It must not exceed lambda_bound either, unless the mechanism
+    /// has no constraint rows.
+    double acceleration_difference = 0;
+    double condition = 1;  ///< kappa [-]
   };
   std::optional<OneState> one_state;  ///< only at the outputs that CompareSettings::states selects
 };
@@ -82,8 +88,9 @@ struct ComparedMotions {
 };
 
 /// Runs all formulations and compares their motions. Throws an Error of kind input if the state violates its
-/// constraints or if settings contradict each other. An error that stops the run of one formulation is stored
-/// in its ComparedMotion::error. An error of a run that only measures a bound is thrown.
+/// constraints or if settings contradict each other, of kind model if the start cannot be analysed. An error
+/// that stops the run of one formulation is stored in its ComparedMotion::error. An error of a run that only
+/// measures a bound is thrown, of kind model or integration.
 ComparedMotions compare(const Scene& scene, const CompareSettings& settings = {});
 
 }  // namespace trivium

@@ -18,21 +18,34 @@ namespace trivium {
 using Components = std::array<double, 3>;
 
 struct Key;
+/// Keys and their values, as a list in braces: {{"kind", "cos"}, {"of", 2}}.
 using Keys = std::initializer_list<Key>;
 
 /// A value of the scene format: a number, a text, a flag, a list of numbers, or an object of keys and values
-/// such as a function of time, {{"kind", "cos"}, {"of", 2}}.
+/// such as a function of time, {{"kind", "cos"}, {"of", 2}}. Units and frames are those of the key. A number
+/// that is not finite, or a value of a wrong type, is an error at the first use of the scene (Scene).
 class Value {
  public:
-  Value() = default;  ///< no value: the key is left out, so its default applies
+  /// No value: the key is left out, so its default applies.
+  Value() = default;
+  /// A number.
   Value(double number);
+  /// A number.
   Value(int number) : Value(static_cast<double>(number)) {}
+  /// True or false.
   Value(bool flag);
+  /// A text. Throws an Error of kind input if it is not UTF-8.
   Value(const char* text) : Value(std::string_view(text)) {}
+  /// A text. Throws an Error of kind input if it is not UTF-8.
   Value(const std::string& text) : Value(std::string_view(text)) {}
+  /// A text. Throws an Error of kind input if it is not UTF-8.
   Value(std::string_view text);
+  /// A list of three numbers.
   Value(const Components& vector);
+  /// A list of numbers, of any length.
   Value(std::initializer_list<double> numbers);
+  /// An object. Keys whose value is empty are left out. Throws an Error of kind input for a key that is not
+  /// UTF-8.
   Value(Keys keys);
 
   /// The value as JSON text; empty if there is no value.
@@ -45,11 +58,12 @@ class Value {
 
 /// A key of the scene format and its value.
 struct Key {
-  std::string name;
-  Value value;
+  std::string name;  ///< name of the key, such as "acceleration"
+  Value value;       ///< its value; if it is empty, the key is left out
 };
 
-/// A list whose elements are not all numbers, such as the rows of a matrix or functions of time.
+/// A list whose elements are not all numbers, such as the rows of a matrix or functions of time. Throws no
+/// Error; the elements are checked with the scene.
 Value list(std::initializer_list<Value> values);
 
 /// A rigid body, whose frame has its origin at the centre of mass. Default: A = identity, velocities 0.
@@ -57,12 +71,12 @@ struct Body {
   std::string name;               ///< unique in the scene; not "ground"
   double mass = 0;                ///< [kg]
   Value inertia = {};             ///< diagonal {Jxx, Jyy, Jzz}, or list of 3 rows [kg m^2], body frame
-  Value position = {0., 0., 0.};  ///< position of the centre of mass [m], global frame
+  Value position = {0., 0., 0.};  ///< position of the centre of mass [m], [3], global frame
   /// Body to global, in one of four ways: {{"euler_parameters", {1, 0, 0, 0}}}, euler_angles with sequence
   /// [rad], axis_angle [rad], or matrix (the rotation matrix A).
   Value orientation = {};
-  Value velocity = {};              ///< velocity of the centre of mass [m/s], global frame
-  Value angular_velocity = {};      ///< omega_bar [rad/s], body frame
+  Value velocity = {};              ///< velocity of the centre of mass [m/s], [3], global frame
+  Value angular_velocity = {};      ///< omega_bar [rad/s], [3], body frame
   bool unphysical_inertia = false;  ///< true: accept principal moments that violate the triangle inequality
 };
 
@@ -74,35 +88,51 @@ struct Body {
 /// default of `x` is the coordinate axis that is most nearly normal to z; if there are several, the first
 /// one.
 struct Side {
-  std::string body;
-  Value point = {}, vector = {}, axis = {}, x = {};  ///< point [m]; the others are directions [-]
+  std::string body;   ///< name of the body, or "ground"
+  Value point = {};   ///< point of the constraint [m], [3], body frame (of the ground: global frame)
+  Value vector = {};  ///< vector a of dp1 and dp2 [-], [3], body frame; used as given, not normalised
+  Value axis = {};    ///< direction of the joint axis z [-], [3], body frame; of any length above 0
+  Value x = {};       ///< direction that determines u [-], [3], body frame; not parallel to `axis`
 };
 
 /// A scene. Copies are cheap: they share their parts until one of them changes.
+///
+/// Functions that add a part return the scene, for further calls. Parts are checked at the first use of the
+/// scene, which throws an Error of kind input that names the wrong part and lists the accepted values. Uses
+/// are t(), bodies(), constraints(), write() and all functions that take a scene, such as solve(). A scene
+/// that was moved from has no parts: its functions throw an Error of kind input.
 class Scene {
  public:
   /// An empty scene. The bodies that are added to it have their positions and velocities at time t [s].
+  /// Throws no Error; a time that is not finite is an error at the first use.
   explicit Scene(std::string name, double t = 0);
 
-  // Functions that add a part return the scene, for further calls. Parts are checked at the first use of the
-  // scene, which throws an Error of kind input that names the wrong part and lists the accepted values.
+  /// Adds a body with its state at time t(). Throws an Error of kind input for a name that is not UTF-8.
   Scene& add_body(const Body& body);
-  /// `type` is a constraint type of the scene format, such as "revolute"; `more` are its further keys.
+  /// Adds a constraint with a name that no other constraint has, between sides `i` and `j`. `type` is a
+  /// constraint type of the scene format, such as "revolute"; `more` are its further keys, such as {{"f",
+  /// 0.5}}. Throws an Error of kind input for a text that is not UTF-8.
   Scene& add_constraint(std::string_view type, std::string_view name, const Side& i, const Side& j,
                         Keys more = {});
-  /// `type` is an effect type of the scene format, such as "gravity"; `keys` are its keys.
+  /// Adds an effect. `type` is an effect type of the scene format, such as "gravity"; `keys` are its keys,
+  /// such as {{"acceleration", {0, 0, -9.81}}}. Throws an Error of kind input for a text that is not UTF-8.
   Scene& add_effect(std::string_view type, Keys keys = {});
 
-  /// Time of the state [s].
+  /// Time of the state [s]. Throws an Error of kind input if the scene is wrong.
   double t() const;
-  std::vector<std::string> bodies() const, constraints() const;  ///< names, in the order of the scene
+  /// The names of the bodies, in the order of the scene. Throws as t() does.
+  std::vector<std::string> bodies() const;
+  /// The names of the constraints of all types, in the order of the scene. Throws as t() does.
+  std::vector<std::string> constraints() const;
 
-  /// Writes a file of the scene format. If an Error is thrown, an existing file is left as it was.
+  /// Writes a file of the scene format. Throws an Error of kind input if the scene is wrong or the file
+  /// cannot be written; an existing file is then left as it was.
   void write(const std::filesystem::path& file) const;
 
   struct Contents;
   /// For the library's own sources only (trivium/scene_contents.hpp).
   const Contents& contents() const;
+  /// For the library's own sources only: a scene with these contents.
   explicit Scene(std::shared_ptr<const Contents> contents) : contents_(std::move(contents)) {}
 
  private:
@@ -123,8 +153,8 @@ class Scene {
 Scene read_scene(const std::string& path_or_name, std::optional<double> t = {},
                  const std::filesystem::path& header = __FILE__);
 
-/// The names of the scenes that are delivered with the library. Throws an Error if their folder is not there.
-/// `header` is as in read_scene.
+/// The names of the scenes that are delivered with the library. Throws an Error of kind input if their folder
+/// is not there. `header` is as in read_scene.
 std::vector<std::string> catalogue_scenes(const std::filesystem::path& header = __FILE__);
 
 }  // namespace trivium

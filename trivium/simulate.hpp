@@ -21,14 +21,16 @@ struct SimulateSettings {
   double end = 10;                      ///< end time [s]; the start is the time of the scene
   std::optional<double> step = {};      ///< constant step size [s]; none: the method controls its step size
   std::optional<double> output_step = {};  ///< time between outputs [s]; none: outputs at start and end
-  /// Tolerances of chosen steps: a step may change every number x of the state vector (positions, rotational
-  /// coordinates and velocities of the formulation, in SI units) by an error of atol + rtol |x|.
-  double rtol = 1e-8, atol = 1e-10;
-  /// Order: bdf 1 to 5, default 2; arkode-erk 2 to 6 or 8, default 5; arkode-dirk 2 to 5, default 5.
+  /// Relative tolerance of chosen steps [-]: a step may change every number x of the state vector (positions,
+  /// rotational coordinates and velocities of the formulation, in SI units) by an error of atol + rtol |x|.
+  double rtol = 1e-8;
+  double atol = 1e-10;  ///< absolute tolerance of chosen steps, as in rtol [the unit of x]
+  /// Order of the method [-]; none: its default. bdf 1 to 5, default 2; arkode-erk 2 to 6 or 8, default 5;
+  /// arkode-dirk 2 to 5, default 5.
   std::optional<int> order = {};
-  /// rho: spectral radius at infinity of generalized-alpha and generalized-alpha-gl2, 0 to 1, default 0.8.
-  /// alpha: parameter of hht, -1/3 to 0, default -0.2 [-].
-  std::optional<double> rho = {}, alpha = {};
+  /// Spectral radius at infinity of generalized-alpha and generalized-alpha-gl2, 0 to 1, default 0.8 [-].
+  std::optional<double> rho = {};
+  std::optional<double> alpha = {};  ///< parameter of hht, -1/3 to 0, default -0.2 [-]
   /// Implicit methods except those of SUNDIALS: factor Newton's matrix in every iteration, instead of about
   /// once per step.
   bool full_newton = false;
@@ -40,9 +42,10 @@ struct SimulateSettings {
   /// alpha, beta [1/s], not negative: the accelerations satisfy Phi'' + 2 alpha Phi' + beta^2 Phi = 0, and no
   /// state is projected. Not for the methods named above, nor for hedop5 and hem4.
   std::optional<std::array<double, 2>> baumgarte = {};
-  std::string sequence = "313";                ///< sequence of the Euler angles of r-epsilon
-  bool reframe = true;                         ///< change a chart of Euler angles near its singularity
-  std::function<bool(double t)> at_step = {};  ///< called after every step; false stops the run
+  std::string sequence = "313";  ///< sequence of the Euler angles of r-epsilon
+  bool reframe = true;           ///< change a chart of Euler angles near its singularity
+  /// Called after every step, at time t [s]; false stops the run. Its exceptions pass through simulate().
+  std::function<bool(double t)> at_step = {};
 };
 
 /// The state at an output time, with energy and constraint violations.
@@ -53,40 +56,45 @@ struct Output : Instant {
   /// equal `lambda`.
   std::vector<double> raw_lambda;
   double energy = 0;  ///< kinetic plus potential energy [J]; for its zero see Check
-  /// Largest |Phi| and |Phi'| of a row, divided by the scale of the row, such as the length of its vector [m
-  /// or rad, m/s or rad/s].
-  double phi = 0, phi_dot = 0;
+  /// Largest |Phi| of a row, divided by the scale of the row, such as the length of its vector [m or rad].
+  double phi = 0;
+  double phi_dot = 0;  ///< largest |Phi'| of a row, divided by the scale of the row [m/s or rad/s]
 };
 
-/// Called at every output; false stops the run.
+/// Called at every output, with the state there; false stops the run. Its exceptions pass through simulate().
 using Observer = std::function<bool(const Output&)>;
 
 /// A sudden change of velocities at time t: the function of time of a driver has a kink there, so that the
 /// driver demands another velocity after t than before.
 struct Jump {
-  double t = 0;                 ///< [s]
-  std::vector<double> impulse;  ///< per row: integral of lambda over the jump [unit of lambda times s]
+  double t = 0;                 ///< time of the kink [s]
+  std::vector<double> impulse;  ///< [nc]: integral of lambda over the jump [unit of lambda times s]
 };
 
 /// The result of a run.
 struct Motion {
-  std::string formulation, integrator;
-  double reached = 0;           ///< time reached [s]
-  bool complete = false;        ///< the end was reached; false if the observer or at_step stopped the run
-  std::vector<Output> outputs;  ///< all outputs; empty if an observer was given
-  /// Counters of the integrator: `right_sides` are evaluations of the equations of motion; `factorisations`
-  /// are those of all matrices. `chart_changes` are changes of the Euler angles of a body.
-  long steps = 0, rejected_steps = 0, right_sides = 0, newton_iterations = 0, factorisations = 0;
-  int chart_changes = 0;
-  /// Largest values after any step: violation of a row [m or rad, m/s or rad/s]; in r-p | p . p - 1 | [-].
-  double phi = 0, phi_dot = 0, normalisation = 0;
-  double energy_start = 0, energy_end = 0;  ///< kinetic plus potential energy [J], as in Output
-  double work = 0;                          ///< work of drivers and of non-conservative effects [J]
-  double unaccounted_energy = 0;            ///< largest |change of energy - work| after any step [J]
-  std::vector<double> singular_positions;   ///< times of the singular positions that the motion passed [s]
-  std::vector<Jump> jumps;                  ///< in time order
-  double seconds = 0;                       ///< CPU time of the thread for the run [s]
-  std::vector<std::string> warnings;        ///< singular positions passed, energy lost, constraint drift
+  std::string formulation;        ///< name of the formulation
+  std::string integrator;         ///< name of the integrator
+  double reached = 0;             ///< time reached [s]
+  bool complete = false;          ///< the end was reached; false if the observer or at_step stopped the run
+  std::vector<Output> outputs;    ///< all outputs; empty if an observer was given
+  long steps = 0;                 ///< steps that were accepted
+  long rejected_steps = 0;        ///< steps that were not accepted and tried again
+  long right_sides = 0;           ///< evaluations of the equations of motion
+  long newton_iterations = 0;     ///< iterations of Newton's method in implicit methods
+  long factorisations = 0;        ///< factorisations of all matrices
+  int chart_changes = 0;          ///< changes of the Euler angles of a body
+  double phi = 0;                 ///< largest violation of a row after any step, as in Output [m or rad]
+  double phi_dot = 0;             ///< the same for the velocities [m/s or rad/s]
+  double normalisation = 0;       ///< in r-p: largest |p . p - 1| after any step [-]; otherwise 0
+  double energy_start = 0;        ///< kinetic plus potential energy at the start [J], as in Output
+  double energy_end = 0;          ///< kinetic plus potential energy at the end [J], as in Output
+  double work = 0;                ///< work of drivers and of non-conservative effects [J]
+  double unaccounted_energy = 0;  ///< largest |change of energy - work| after any step [J]
+  std::vector<double> singular_positions;  ///< times of the singular positions that the motion passed [s]
+  std::vector<Jump> jumps;                 ///< sudden changes of velocities, in time order
+  double seconds = 0;                      ///< CPU time of the thread for the run [s]
+  std::vector<std::string> warnings;       ///< singular positions passed, energy lost, constraint drift
   /// The scene at the end of the motion. It can be written to a file, and simulate() continues from it.
   /// solve() needs velocities that satisfy their rows: after a method that does not enforce them (index 3),
   /// call assemble() first.
@@ -103,7 +111,7 @@ struct Motion {
 Motion simulate(const Scene& scene, const SimulateSettings& settings = {}, const Observer& observer = {});
 
 namespace integrators {
-/// The names of the integrators, as SimulateSettings::integrator accepts them.
+/// The names of the integrators, as SimulateSettings::integrator accepts them. Throws no Error.
 std::vector<std::string> method_names();
 }  // namespace integrators
 

@@ -21,8 +21,8 @@ inline double lambda_bound(double u, double kappa) { return bound_factor * u * k
 
 /// A difference of two solutions and the magnitudes that make it relative, all in one norm.
 struct Comparison {
-  /// The difference, the sizes of the two solutions, and reference_size: the magnitude of the solution that
-  /// the right side could cause, |E^-1 b| for lambda.
+  /// The difference, the sizes of the two solutions, and reference_size: the size of a solution to the right
+  /// side by magnitude, |E^-1 b| for lambda.
   double difference = 0, size_1 = 0, size_2 = 0, reference_size = 0;
   double size_uncancelled = 0;  ///< reference_size with every term by magnitude; 0: not known
 
@@ -67,8 +67,8 @@ template <class Scalar>
 AccelerationComparison compare_accelerations(const RowAnalysis& rows, const PhysicalSolution<Scalar>& a,
                                              const PhysicalSolution<Scalar>& b);
 
-/// Differences of accelerations [-], relative to the largest of the two solutions and of the size that Q and
-/// gamma could cause.
+/// Differences of accelerations [-], relative to the largest of the two solutions and of the accelerations
+/// that belong to the magnitudes of Q and gamma.
 struct AccelerationDistance {
   double all = 0, r_ddot = 0, omega_bar_dot = 0;
 };

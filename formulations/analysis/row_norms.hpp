@@ -1,6 +1,6 @@
 #pragma once
-/// The norms of lambda and accelerations, and the magnitudes that Q and gamma could cause in them, at one
-/// state. Rank and condition number are computed in row_analysis.hpp and condition_number.hpp.
+/// The norms of lambda and accelerations at one state, and their sizes if Q and gamma enter by magnitude.
+/// Rank and condition number are computed in row_analysis.hpp and condition_number.hpp.
 
 #include "formulations/analysis/mass_metric.hpp"
 
@@ -19,7 +19,7 @@ struct RowNorms {
   /// b with every term of Q, gamma and Phi by magnitude (magnitude_bounds.hpp); empty if not known.
   VectorX<double> schur_rhs_bound_uncancelled;
   VectorX<double> acceleration_scale;  ///< square root of the metric's diagonal [6 nb]
-  double acceleration_bound = 0;  ///< norm of the accelerations that Q and gamma could cause, in the metric
+  double acceleration_bound = 0;  ///< norm of the accelerations that belong to the magnitudes of Q and gamma
 };
 
 /// Least ratio of b to schur_rhs_bound_uncancelled. Smaller b are raised to it. If all terms of b cancel, the

@@ -16,8 +16,9 @@ namespace trivium {
 /// The largest relative residuals [-] of the bodies' equations and of the rows, without an assembled matrix.
 /// The residual of a body's equation is divided by the sum of the magnitudes of its terms. The residual Phi''
 /// of a row is divided by |gamma| plus the magnitudes of the gradient times accelerations. The accelerations
-/// of the solution may be zero, so those that all forces on a body could cause together are taken. The rows
-/// listed in `dependent` are reported separately, because the solver omits them.
+/// of the solution may be zero while large forces are in balance. So the accelerations are taken that the sum
+/// of the magnitudes of these forces would give to the body. The rows listed in `dependent` are reported
+/// separately, because the solver omits them.
 struct MatrixFreeResidual {
   double bodies = 0, rows = 0, dependent_rows = 0;
   double worst() const { return larger(bodies, rows); }
@@ -75,8 +76,9 @@ MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar, Type
     balance[j].add_r(u.lambda[k] * row.r_j.transpose());
     balance[j].add_q(u.lambda[k] * row.rot_j.transpose());
   }
-  // The accelerations that all forces on a body could cause together. |q''| is added, because the forces do
-  // not determine all of q'': in r-p, J^p p = 0 and the component of p'' along p comes from the internal row.
+  // The accelerations by the sum of the magnitudes of the forces on a body. |q''| is added, because the
+  // forces do not determine all of q'': in r-p, J^p p = 0 and the component of p'' along p comes from the
+  // internal row.
   struct Reach {
     S r{0}, q{0};
   };

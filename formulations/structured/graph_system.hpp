@@ -151,7 +151,7 @@ enum class Elimination { done, no_inertia, dependent_rows };
 template <class S>
 struct ColumnSizes {
   Vector6<S> r, x;     ///< the largest squared norms of the column's two parts on the bodies so far
-  Vector6<S> product;  ///< size of the diagonal of the closing's block if nothing cancelled
+  Vector6<S> product;  ///< size of the diagonal of the closing's block, its terms added by magnitude
 
   void setZero() {
     r.setZero();
