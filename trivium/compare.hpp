@@ -2,10 +2,11 @@
 /// Comparison of one motion in several formulations, as in the program `trivium compare`. Every formulation
 /// is integrated separately. Two questions are answered.
 ///
-/// Along the motion: do the multipliers lambda of the separate runs agree within steps . (rtol + atol) .
-/// amplification? With given steps, every formulation also runs with half the step, and the bound is 2 (c_1 +
-/// c_2). Here c_1 and c_2 are the largest and the second largest relative change of lambda by half the step
-/// that any formulation shows; each counts as at least 5e-13, half of the rounding of lambda.
+/// Along the motion: do the multipliers lambda of the separate runs agree? The bound of their difference is
+/// the product of the number of steps, rtol + atol, and the amplification. With given steps, every
+/// formulation also runs with half the step, and the bound is 2 (c_1 + c_2). Here c_1 and c_2 are the largest
+/// and the second largest relative change of lambda by half the step that any formulation shows; each counts
+/// as at least 5e-13, since lambda is rounded.
 ///
 /// At one state: do all formulations give the same lambda and accelerations at the same positions and
 /// velocities, within 100 u kappa? Here u is the unit roundoff of double and kappa the condition number of
@@ -63,8 +64,8 @@ struct ComparedOutput {
   /// steps: 2 c_1 exceeds 0.1).
   bool is_judged = true;
   /// The comparison at one state. The runs of n formulations have n slightly different states at this output.
-  /// At each of these states all n formulations are solved. All members are those of one state: of the states
-  /// compared at this output, the one whose larger difference is the closest to its bound.
+  /// At each of these states all n formulations are solved. The members belong to one of the n states: the
+  /// one at which a difference, of lambda or of accelerations, is the closest to the bound.
   struct OneState {
     double lambda_difference = 0;  ///< relative difference of lambda [-]
     double lambda_bound = 0;       ///< bound of lambda_difference, 100 u kappa [-]

@@ -107,7 +107,7 @@ struct Motion {
 ///
 /// If `scene` is the end of another motion in the same formulation, the run continues from the saved numbers
 /// of that motion. One-step methods with given steps then give the same bits as a run without interruption;
-/// multistep methods and chosen steps agree within their tolerances.
+/// multistep methods and chosen steps agree within their errors.
 Motion simulate(const Scene& scene, const SimulateSettings& settings = {}, const Observer& observer = {});
 
 namespace integrators {

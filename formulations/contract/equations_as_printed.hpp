@@ -36,8 +36,8 @@ concept EquationsAsPrinted = BodyKinematics<typename F::Kinematics> &&
   { F::choose_chart(options, p) } -> std::same_as<typename F::Chart>;
   { chart.name() } -> std::convertible_to<std::string_view>;  // empty for formulations without charts
   // distance of q from the singularity of its chart: at most 1, and 0 where the rates are not defined. Below
-  // 0.3 a simulation asks choose_chart for another chart; a formulation that has no other chart throws a
-  // ModelError then
+  // 0.3 a simulation calls choose_chart again. choose_chart throws a ModelError if no chart of the
+  // formulation suits the orientation
   { F::chart_distance(chart, q) } -> std::convertible_to<typename F::Scalar>;
   { F::from_pose(chart, p, v) } -> std::same_as<typename F::Coordinates>;
   { F::to_euler_parameters(chart, q) } -> std::convertible_to<Vector4<typename F::Scalar>>;

@@ -28,10 +28,11 @@ concept MovingCoordinates = requires(const typename F::Scalar& s, const typename
   // Steps of implicit methods are displacements with as many numbers as the velocity. step: the orientation
   // after a displacement, which may violate the internal row. displacement: the displacement from the first
   // to the second orientation. displacement_rate: time derivative of a displacement (first argument) at a
-  // velocity (second argument). normalise_step changes the orientation `moved` by the displacement s c onto
-  // the internal row and adds c to the unknown moved_x. normalise_step_velocity adds to moved_x the change c
-  // for which the velocity x + s c satisfies the time derivative of the internal row at `orientation`.
-  // inertia_is_constant: whether mass_block is independent of q
+  // velocity (second argument). normalise_step finds the change c of the unknown moved_x for which the
+  // orientation `moved`, displaced by the number s times c, satisfies the internal row. It applies both
+  // changes. normalise_step_velocity adds to moved_x the change c for which the velocity x + s c satisfies
+  // the time derivative of the internal row at `orientation`. inertia_is_constant: whether mass_block is
+  // independent of q
   { F::step(chart, orientation, x) } -> std::convertible_to<typename F::Orientation>;
   { F::displacement(chart, orientation, orientation) } -> std::convertible_to<typename F::Unknown>;
   { F::displacement_rate(x, x) } -> std::convertible_to<typename F::Unknown>;

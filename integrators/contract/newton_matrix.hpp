@@ -28,7 +28,7 @@ struct Shares {
 ///   solve                from (factors, at, left, rows, x, mu): solves with the matrix that was factored, at
 ///                        the state of the factors, and adds the solution to x and mu. `at` may be the
 ///                        evaluation of another state, such as a later iterate. x is in the velocity
-///                        coordinates of that state
+///                        coordinates of the state of `at`
 ///   reduce               from (factors, force, left): eliminates the multipliers of internal rows from a
 ///                        generalised force, at the state of the factors. The result is a right side `left`
 ///                        of `solve`

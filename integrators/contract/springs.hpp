@@ -13,9 +13,9 @@ namespace trivium::integrators {
 ///   springs              the number of springs in Newton's matrix
 ///   spring_constants     per spring the stiffness [N/m, N m/rad] and the damping [N s/m, N m s/rad]
 ///   solve                from (factors, at, left, rows, slack, x, mu, stretch): the `solve` of
-///                        HasNewtonMatrix for springs with slack. The stretch of a spring by x is its
-///                        gradient times x. Its force is (gamma' damping + beta' stiffness) (stretch -
-///                        slack). Sets `stretch` to the stretch of every spring by x
+///                        HasNewtonMatrix for springs with slack. The solution of this call stretches a
+///                        spring by its gradient times the solution. Its force is (gamma' damping + beta'
+///                        stiffness) (stretch - slack). Sets `stretch` to the stretch of every spring
 template <class System>
 concept HasSprings = HasNewtonMatrix<System> &&
     requires(System& system, const typename System::Evaluation& at, const typename System::Factors& factors,

@@ -83,9 +83,9 @@ class StateLaws {
     system_.normalise(kept);
     equal("normalise does not change a normalised state", kept, y_);
   }
-  /// One correction from a nearby state must reduce the violation at least tenfold, because the error of a
-  /// Newton step is quadratic. A violation below 1e-11, which is far above the rounding of a row in double,
-  /// need not fall any further.
+  /// One correction from a nearby state must reduce the violation at least tenfold: the error of a Newton
+  /// step is quadratic, and with the matrix of a near state it is linear with a small factor. A violation
+  /// below 1e-11, which is far above the rounding of a row in double, need not fall any further.
   void corrections() {
     Y off = nearby(7);
     const auto falls = [&](const char* law, const auto& violation, const auto& correct) {
