@@ -168,15 +168,18 @@ check_fence() {
   esac
 }
 
+# is_run_elsewhere COMMAND: whether a page's command is not run here; a command of `run` must exist.
+is_run_elsewhere() {
+  [[ $1 =~ $runs_elsewhere ]] || return 1
+  [[ ! $1 =~ ^./run\ ([a-z]+) ]] || grep -qE "^#.*\./run ${BASH_REMATCH[1]}\b" "$sources/run" ||
+    problem "run has no command ${BASH_REMATCH[1]}"
+}
+
 # The commands in sentences and tables of the page.
 run_inline_commands() {
   local command status
   while IFS= read -r command; do
-    if [[ $command =~ $runs_elsewhere ]]; then
-      [[ ! $command =~ ^./run\ ([a-z]+) ]] || grep -qE "^#.*\./run ${BASH_REMATCH[1]}\b" "$sources/run" ||
-        problem "run has no command ${BASH_REMATCH[1]}"
-      continue
-    fi
+    ! is_run_elsewhere "$command" || continue
     [[ $command != './run COMMAND'* ]] || continue
     options_exist "$command" || problem "see above"
     [[ ! $command =~ [A-Z][A-Z]|\.\.\. ]] || continue
@@ -195,11 +198,7 @@ run_commands() {
   while IFS= read -r command; do
     command=$(sed 's/ *  #.*$//; s/ *$//' <<<"$command")
     [[ $command && $command != '#'* ]] || continue
-    if [[ $command =~ $runs_elsewhere ]]; then
-      [[ ! $command =~ ^./run\ ([a-z]+) ]] || grep -qE "^#.*\./run ${BASH_REMATCH[1]}\b" "$sources/run" ||
-        problem "run has no command ${BASH_REMATCH[1]}"
-      continue
-    fi
+    ! is_run_elsewhere "$command" || continue
     options_exist "$command" || problem "see above"
     # a pipe into head ends the program silently, also where SIGPIPE is ignored outside
     env --default-signal=PIPE bash -c "$command" >>shown.out 2>&1 </dev/null ||
