@@ -13,6 +13,7 @@
 #include "integrators/methods.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "scenes/testing/catalogue_scene.hpp"
+#include "simulation/neighbouring_start.hpp"
 #include "simulation/simulate.hpp"
 
 namespace trivium {
@@ -63,9 +64,7 @@ TEST(LocalError, ForgetsTheStatesBeforeAStepOfAnotherLength) {
 
 /// The error of the points of a body between two states [m].
 double points_apart(const MotionSample& a, const MotionSample& b, std::size_t k, double reach) {
-  const double turn = 4 * std::asin(std::min(1.0, std::min((a.state.pose[k].p - b.state.pose[k].p).norm(),
-                                                           (a.state.pose[k].p + b.state.pose[k].p).norm()) /
-                                                      2));
+  const double turn = turn_between(a.state.pose[k].p, b.state.pose[k].p);
   return (a.state.pose[k].r - b.state.pose[k].r).norm() + reach * turn;
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/raise.hpp"
 #include "integrators/methods.hpp"
+#include "simulation/neighbouring_start.hpp"
 
 namespace trivium {
 
@@ -30,11 +31,6 @@ double over_bodies(const MotionSample& sample, const Of& of) {
   return largest;
 }
 
-/// The angle between two orientations [rad], of Euler parameters with any sign.
-double angle_between(const Vector4<double>& p, const Vector4<double>& q) {
-  return 4 * std::asin(std::min(1.0, std::min((p - q).norm(), (p + q).norm()) / 2));
-}
-
 std::array<Quantity, 5> quantities() {
   return {
       {{"positions", "m",
@@ -46,7 +42,7 @@ std::array<Quantity, 5> quantities() {
         }},
        {"orientations", "rad",
         [](const MotionSample& a, const MotionSample& b) {
-          return over_bodies(a, [&](auto k) { return angle_between(a.state.pose[k].p, b.state.pose[k].p); });
+          return over_bodies(a, [&](auto k) { return turn_between(a.state.pose[k].p, b.state.pose[k].p); });
         },
         [](const MotionSample&) { return 1.0; }},
        {"velocities", "m/s",
