@@ -83,7 +83,8 @@ S distance_from_singularity(const EulerSequence& s, const Matrix3<S>& A) {
 }
 
 /// The chart for a body with Euler parameters p. With options.reframe off, C is the identity at any
-/// distance; then a distance of at most 16 u, where D has no usable inverse, throws a ModelError.
+/// distance; then a distance of at most 16 u, about its rounding, throws a ModelError: D has no usable
+/// inverse.
 template <class S>
 EulerChart<S> choose_euler_chart(const ChartOptions& options, const Vector4<S>& p) {
   const Matrix3<S> A = rotation_matrix(p);

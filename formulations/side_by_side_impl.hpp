@@ -36,9 +36,9 @@ FormulationResult<typename F::Scalar> solve_one(
   if (judge) {
     const AugmentedEquations<Higher> higher(judge->mechanism, judge->state, rows, charts);
     result.estimate = estimate_error(solver, x, higher);
-    // A solver with sound factors leaves a residual of a few u. Where half of the digits of the equations are
-    // missed, as in a chart at its singularity, the factors are not those of the matrix, and corrections by
-    // them say nothing about the error: no digit is known.
+    // A solver with sound factors leaves a residual of a few u. If the relative
+    // residual exceeds sqrt(u), as in a chart at its singularity, the factors are too inaccurate for
+    // corrections that tell the error: no digit is known.
     const double u = static_cast<double>(unit_roundoff<S>());
     if (!(result.residual.worst() <= std::sqrt(u))) {
       raise(result.estimate.lambda, 1 / u);

@@ -49,9 +49,9 @@ void checked_step(AnySystem<S>& system, AnyMethod<S>& method, S& t, StateVector<
     const auto stepped = y;
     try {
       require_finite(y, t);
-      // longest_step is the time for 1 rad of a spring's angle at the present rate. The step is at most that
-      // long at its start. If the rate has at most doubled, the angle moved by at most 2 rad and its turns
-      // are still certain (effects/joint_angle.hpp).
+      // longest_step is the time for 1 rad of a spring's angle at the present rate. The step is at most as
+      // long as this time at its start. If the rate has at most doubled, the angle moved by at most 2 rad and
+      // its turns are still certain (effects/joint_angle.hpp).
       if (!(t - before_t <= 2 * system.longest_step(t, y)))
         throw IntegrationError({{}, static_cast<double>(t)},
                                "the step is too long to count the turns of a torsional spring; take smaller "

@@ -79,9 +79,10 @@ class StepSizeControl {
   }
   /// The step was too inaccurate; `next` is the size to try next.
   void reject(const S& next) { proposed_ = next; }
-  /// The step could not be solved. A quarter is tried next, and later steps grow slowly at first: by 1.1,
-  /// then by its powers 1.1^2, 1.1^4 and so on. The factors are chosen by experiment: with faster growth the
-  /// steps soon fail again, with slower growth a single failure costs many short steps.
+  /// The step could not be solved. A quarter is tried next. The step after it may have up to half of the
+  /// size that failed. This limit then grows by 1.1, 1.1^2, 1.1^4 and so on. The factors are chosen by
+  /// experiment: with faster growth the steps soon fail again, with slower growth a single failure costs many
+  /// short steps.
   void fail() {
     proposed_ = tried_ / 4;
     limit_ = tried_ / 2;

@@ -1,6 +1,6 @@
 #pragma once
-/// The work that methods of order 2 integrate in addition to the motion, by the trapezoidal rule. Methods of
-/// higher order integrate the work as one more element of y.
+/// The work in generalised-alpha, HHT and each step of RATTLE's compositions, by the trapezoidal rule. The
+/// other methods integrate the work as one more element of y.
 
 #include <utility>
 

@@ -35,7 +35,7 @@ struct MotionSample {
   double energy = 0;                ///< kinetic plus potential [J]
   double phi = 0, phi_dot = 0;      ///< largest violation of any row [m or rad, m/s or rad/s]
   std::vector<std::string> charts;  ///< per body; empty for formulations without charts
-  std::vector<double> angles;       ///< joint angles that effects count [rad], in the order of the effects
+  std::vector<double> angles;       ///< joint angles that effects counted last [rad], in their order
   /// The rounding errors of state, lambda and raw_lambda.
   std::optional<MechanismState<double>> state_rest = {};
   VectorX<double> lambda_rest = {}, raw_lambda_rest = {};

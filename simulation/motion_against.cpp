@@ -1,5 +1,5 @@
-/// Every formulation is run such that its outputs are the times of the other motion. If these are not evenly
-/// spaced, the run is continued from time to time.
+/// Every formulation is run such that its outputs are the times of the other motion. If these times are
+/// not evenly spaced, a run is made from each of them to the next, which begins where the one before ended.
 
 #include "simulation/motion_against.hpp"
 
@@ -236,8 +236,8 @@ MotionAgainst compare_against(const std::vector<ComparedFormulation>& formulatio
       for (const Neighbour& start : near)
         raise(amplification, std::abs(start.lines[n][k] - ours[n][k]) / start.distance);
       if (!changed.empty()) raise(change, changed[n][k]);
-      // The error of one code is at least the tolerance relative to the size of the column. 1e-12 of this
-      // size, about 1e4 u, is the rounding of both codes.
+      // The amplification is at least the size of the column: each code may err by the tolerance relative to
+      // this size. 1e-12 of the size, about 1e4 u, is the rounding of both codes.
       const double so_far = std::max(1.0, static_cast<double>(steps) * (other.t[n] - model.state.t) / span);
       const double by_tolerance = so_far * tolerance * amplification;
       const double bound = (options.step ? 2 * change : by_tolerance) + by_tolerance + 1e-12 * c.size;

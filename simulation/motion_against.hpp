@@ -7,7 +7,8 @@
 /// The factor 2 allows both codes an error of the tolerance in every step. Runs from neighbouring starts
 /// (neighbouring_start.hpp) measure the amplification. With given steps, the library's part of the bound is
 /// twice the change that half the step makes. The part of the other code is then still steps . tolerance .
-/// amplification, with the tolerances of the options.
+/// amplification, with the tolerances of the options. The amplification counts as at least the size of the
+/// column, and for rounding 1e-12 of this size is added to every bound.
 
 #include <optional>
 #include <string>

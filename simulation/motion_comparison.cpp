@@ -47,8 +47,8 @@ class Comparer {
            const ComparisonOptions& options)
       : formulations_(formulations), model_(model), options_(options), run_(options.run) {
     if (!run_.output_step) run_.output_step = (run_.end - model.state.t) / options.outputs;
-    // progress in units of one run: the runs, those for the bound (neighbours, or 2 per formulation with half
-    // the step), and the states
+    // Progress in units of one run: the runs; those for the bound, neighbours, or with half the step one per
+    // formulation, which costs 2; and the states, which together count as one run per formulation.
     const double runs = static_cast<double>(formulations.size());
     all_ = (run_.step ? 3 * runs : runs + neighbours) + runs;
   }
@@ -250,8 +250,8 @@ class Comparer {
   }
 
   /// The dense solver's cost grows as the cube of the unknowns. Beyond 500 unknowns the number of compared
-  /// states is therefore reduced by this cube, so that their total cost does not grow. 500 is chosen by
-  /// experiment.
+  /// states is therefore multiplied by (500 / unknowns)^3, so that their total cost does not grow, but at
+  /// least one is compared. 500 is chosen by experiment.
   int affordable_states() const {
     const double unknowns = 6.0 * model_.mechanism.nb() + model_.mechanism.nc();
     return std::max(1, static_cast<int>(std::min(1.0, std::pow(500 / unknowns, 3)) * options_.states));

@@ -3,8 +3,9 @@
 /// energy into the report. `show` is called at every output: it does the same as `watch`, computes lambda and
 /// the joint reactions, and passes a sample to the observer.
 ///
-/// If rows are dependent, lambda is the one with the least |E lambda|. Near a singular position such a lambda
-/// may not exist; the lambda of the acceleration solver is taken then, which is 0 in dependent rows.
+/// If rows are dependent, lambda is the one with the least |E lambda|. Such a lambda does not exist if an
+/// inertia is singular, and may not exist near a singular position. The lambda of the acceleration solver is
+/// taken then, which is 0 in dependent rows.
 
 #include <fmt/format.h>
 

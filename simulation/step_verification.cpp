@@ -106,7 +106,8 @@ std::vector<ErrorByHalving> verify_steps(const Model<double>& model, const Simul
     // the rounding of a thousand steps, relative to the size of the quantity
     const double rounding = 1e-13 * size;
     if (first > rounding) found.order = second > 0 ? std::log2(first / second) : HUGE_VAL;
-    // an order that is too low would make the factor too small, one that is too high too large
+    // An observed order near 0 would make the divisor 1 - 2^-p nearly 0 and the error arbitrarily large,
+    // hence p is at least 0.5, chosen by experiment. An observed order above the method's is chance.
     const double p = found.order ? std::clamp(*found.order, 0.5, static_cast<double>(order)) : order;
     found.error = (first + rounding) / (1 - std::exp2(-p));
   }

@@ -3,10 +3,11 @@
 /// is integrated separately. Two questions are answered.
 ///
 /// Along the motion: do the multipliers lambda of the separate runs agree? The bound of their difference is
-/// the product of the number of steps, rtol + atol, and the amplification. With given steps, every
-/// formulation also runs with half the step, and the bound is 2 (c_1 + c_2). Here c_1 and c_2 are the largest
-/// and the second largest relative change of lambda by half the step that any formulation shows; each counts
-/// as at least 5e-13, since lambda is rounded.
+/// the product of the number of steps up to the output, rtol + atol, and the amplification. The number of
+/// steps is the largest of all runs, times the share of the time that has passed, and at least 1. With given
+/// steps, every formulation also runs with half the step, and the bound is 2 (c_1 + c_2). Each formulation
+/// has a change c: the largest relative change of lambda, up to the output, by half the step. c_1 and c_2 are
+/// the largest and the second largest c; each counts as at least 5e-13, since lambda is rounded.
 ///
 /// At one state: do all formulations give the same lambda and accelerations at the same positions and
 /// velocities, within 100 u kappa? Here u is the unit roundoff of double and kappa the condition number of
@@ -41,20 +42,23 @@ struct ComparedMotion {
   long right_sides = 0;               ///< evaluations of the equations of motion
   long newton_iterations = 0;         ///< iterations of Newton's method in implicit methods
   long factorisations = 0;            ///< factorisations of all matrices
-  int chart_changes = 0;              ///< changes of the Euler angles of a body
+  int chart_changes = 0;              ///< how often the chart of a body changed, all bodies together
   double seconds = 0;                 ///< CPU time of the thread for the run [s]
   std::vector<std::string> warnings;  ///< warnings about this run, as in Motion::warnings
 };
 
 /// All formulations at one output time. Every difference is the largest between any two formulations.
-/// Differences of lambda are relative, in the norm |E lambda| with E^2 = diag(Phi_q M^-1 Phi_q^T), over the
-/// unique multipliers; differences of accelerations are relative, in the metric of the mass matrix.
+/// The difference of lambda is |E (lambda_1 - lambda_2)| / max(|E lambda_1|, |E lambda_2|, |E^-1 b|) over the
+/// unique multipliers, with E^2 = diag(Phi_q M^-1 Phi_q^T) and b as in docs/lambda.md; differences of
+/// accelerations are relative, in the metric of the mass matrix.
 struct ComparedOutput {
   double t = 0;                  ///< time [s]
   double lambda_difference = 0;  ///< difference of lambda between the separate runs [-]
   double lambda_bound = 0;       ///< bound of lambda_difference [-]
-  /// Largest relative change of lambda up to this output that a neighbouring start causes, divided by the
-  /// relative distance of that start [-]; at least 1, and 1 with given steps.
+  /// Largest relative change of lambda up to this output that a neighbouring start of the first formulation
+  /// causes, divided by the distance of that start [-]; at least 1, and 1 with given steps. The distance is
+  /// the largest difference of a body's position, orientation, velocity or angular velocity, relative to the
+  /// length and the speed of the mechanism.
   double amplification = 1;
   double position_difference = 0;  ///< distance of centres of mass [m]
   double rotation_difference = 0;  ///< 4 sin(theta / 4) [rad], nearly theta, the angle between orientations
@@ -65,7 +69,7 @@ struct ComparedOutput {
   bool is_judged = true;
   /// The comparison at one state. The runs of n formulations have n slightly different states at this output.
   /// At each of these states all n formulations are solved. The members belong to one of the n states: the
-  /// one at which a difference, of lambda or of accelerations, is the closest to the bound.
+  /// one at which the largest ratio of a difference, of lambda or of accelerations, to its bound occurs.
   struct OneState {
     double lambda_difference = 0;  ///< relative difference of lambda [-]
     double lambda_bound = 0;       ///< bound of lambda_difference, 100 u kappa [-]

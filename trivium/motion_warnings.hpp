@@ -1,6 +1,6 @@
 #pragma once
 /// Warnings about a run: singular positions that it passed, energy that is not accounted for, constraint
-/// drift. The public interface and the program report the same warnings.
+/// drift, large local errors of given steps. The public interface and the program report the same warnings.
 
 #include <string>
 #include <vector>

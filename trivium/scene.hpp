@@ -2,6 +2,7 @@
 /// Scenes, read from files or built in C++. A scene holds bodies, constraints between them and effects
 /// (forces, springs, gravity), with the state of the bodies at one time. Keys, types and defaults are those
 /// of the scene format, scenes/format/scene.schema.json; scenes built in C++ pass the same checks as files.
+/// Only the position of a body, required in a file, has a default here: the global origin.
 
 #include <array>
 #include <filesystem>
@@ -72,8 +73,9 @@ struct Body {
   double mass = 0;                ///< [kg]
   Value inertia = {};             ///< diagonal {Jxx, Jyy, Jzz}, or list of 3 rows [kg m^2], body frame
   Value position = {0., 0., 0.};  ///< position of the centre of mass [m], [3], global frame
-  /// Body to global, in one of four ways: {{"euler_parameters", {1, 0, 0, 0}}}, euler_angles with sequence
-  /// [rad], axis_angle [rad], or matrix (the rotation matrix A).
+  /// Body to global, in one of four ways: {{"euler_parameters", {1, 0, 0, 0}}}; {{"euler_angles", {a, b, c}},
+  /// {"sequence", "313"}} [rad]; {{"axis_angle", {{"axis", {0, 0, 1}}, {"angle", 0.5}}}} [rad]; {{"matrix",
+  /// list({...})}} with the three rows of the rotation matrix A.
   Value orientation = {};
   Value velocity = {};              ///< velocity of the centre of mass [m/s], [3], global frame
   Value angular_velocity = {};      ///< omega_bar [rad/s], [3], body frame
@@ -82,11 +84,12 @@ struct Body {
 
 /// One side of a constraint: the name of a body, or "ground", and geometry in the frame of that body. Every
 /// type accepts `point`, whose default is the origin of the frame. dp1 needs `vector` on both sides, dp2 on
-/// side i. Joints need or accept `axis` and `x` (docs/scene_format.md).
+/// side i. All types except dp1, dp2, d and cd need or accept `axis` and `x`
+/// (docs/scene_format.md).
 ///
-/// The joint frame (u, v, z) has z along `axis`, u along the part of `x` normal to z, and v = z x u. The
-/// default of `x` is the coordinate axis that is most nearly normal to z; if there are several, the first
-/// one.
+/// The joint frame (u, v, z) has z along `axis`, u along the part of `x` normal to z, and v = cross(z, u).
+/// The default of `x` is the axis of the body frame that is most nearly normal to z; if there are several,
+/// the first one.
 struct Side {
   std::string body;   ///< name of the body, or "ground"
   Value point = {};   ///< point of the constraint [m], [3], body frame (of the ground: global frame)

@@ -21,8 +21,10 @@ struct SimulateSettings {
   double end = 10;                      ///< end time [s]; the start is the time of the scene
   std::optional<double> step = {};      ///< constant step size [s]; none: the method controls its step size
   std::optional<double> output_step = {};  ///< time between outputs [s]; none: outputs at start and end
-  /// Relative tolerance of chosen steps [-]: a step may change every number x of the state vector (positions,
-  /// rotational coordinates and velocities of the formulation, in SI units) by an error of atol + rtol |x|.
+  /// Relative tolerance of chosen steps [-]. The error of a step in a number x of the state vector
+  /// (positions, rotational coordinates and velocities of the formulation, in SI units) is measured in units
+  /// of atol + rtol |x|. Radau has other sizes |x| for positions (docs/simulating.md). How the errors of all
+  /// numbers are combined depends on the method.
   double rtol = 1e-8;
   double atol = 1e-10;  ///< absolute tolerance of chosen steps, as in rtol [the unit of x]
   /// Order of the method [-]; none: its default. bdf 1 to 5, default 2; arkode-erk 2 to 6 or 8, default 5;
@@ -36,8 +38,8 @@ struct SimulateSettings {
   bool full_newton = false;
   /// Whether states are projected onto the constraints after every step. False switches the projection off,
   /// so that constraint violations grow. False is an Error of kind input with methods that satisfy the
-  /// position constraints by their own equations (generalized-alpha, hht, radau, bdf, rattle, ida), and with
-  /// `baumgarte`: there is no projection to switch off.
+  /// position constraints by their own equations (generalized-alpha, generalized-alpha-gl2, hht, radau5,
+  /// radau9, bdf, rattle, rattle4, ida), and with `baumgarte`: there is no projection to switch off.
   bool projects = true;
   /// alpha, beta [1/s], not negative: the accelerations satisfy Phi'' + 2 alpha Phi' + beta^2 Phi = 0, and no
   /// state is projected. Not for the methods named above, nor for hedop5 and hem4.
@@ -56,12 +58,16 @@ struct Output : Instant {
   /// equal `lambda`.
   std::vector<double> raw_lambda;
   double energy = 0;  ///< kinetic plus potential energy [J]; for its zero see Check
-  /// Largest |Phi| of a row, divided by the scale of the row, such as the length of its vector [m or rad].
+  /// Largest |Phi| of a row, divided by the scale of the row [m or rad]. The scale is |c| for cd, |a_i| for
+  /// dp2, |a_i| |a_j| for dp1, 2 sqrt(f) for d, the length for the joint distance, and 1 for all other
+  /// joints. RowCheck::position_violation is another measure.
   double phi = 0;
   double phi_dot = 0;  ///< largest |Phi'| of a row, divided by the scale of the row [m/s or rad/s]
 };
 
-/// Called at every output, with the state there; false stops the run. Its exceptions pass through simulate().
+/// Called at every output, with the state there; false ends the run. Methods of SUNDIALS step over outputs:
+/// the run then ends at the end of the present step, and the observer is called there once more, as it is
+/// where at_step ends the run. Its exceptions pass through simulate().
 using Observer = std::function<bool(const Output&)>;
 
 /// A sudden change of velocities at time t: the function of time of a driver has a kink there, so that the
@@ -83,7 +89,7 @@ struct Motion {
   long right_sides = 0;           ///< evaluations of the equations of motion
   long newton_iterations = 0;     ///< iterations of Newton's method in implicit methods
   long factorisations = 0;        ///< factorisations of all matrices
-  int chart_changes = 0;          ///< changes of the Euler angles of a body
+  int chart_changes = 0;          ///< how often the chart of a body changed, all bodies together
   double phi = 0;                 ///< largest violation of a row after any step, as in Output [m or rad]
   double phi_dot = 0;             ///< the same for the velocities [m/s or rad/s]
   double normalisation = 0;       ///< in r-p: largest |p . p - 1| after any step [-]; otherwise 0
@@ -94,7 +100,8 @@ struct Motion {
   std::vector<double> singular_positions;  ///< times of the singular positions that the motion passed [s]
   std::vector<Jump> jumps;                 ///< sudden changes of velocities, in time order
   double seconds = 0;                      ///< CPU time of the thread for the run [s]
-  std::vector<std::string> warnings;       ///< singular positions passed, energy lost, constraint drift
+  /// Singular positions passed, energy lost, constraint drift, large local errors of given steps.
+  std::vector<std::string> warnings;
   /// The scene at the end of the motion. It can be written to a file, and simulate() continues from it.
   /// solve() needs velocities that satisfy their rows: after a method that does not enforce them (index 3),
   /// call assemble() first.

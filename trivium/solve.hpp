@@ -25,8 +25,8 @@ struct RowCheck {
   double position_violation = 0;
   double velocity_violation = 0;  ///< the same for velocity_residual [m/s or rad/s]
   bool is_unique = true;          ///< its multiplier is unique; not determined if Check::rank is empty
-  /// The row is dependent at this state: it follows from the other rows. Not determined if Check::rank is
-  /// empty.
+  /// The row is one of the nc - rank rows that are called dependent, because they follow from the others.
+  /// Which ones is a convention: as far as possible the last ones. Not determined if Check::rank is empty.
   bool is_dependent = false;
 };
 
@@ -41,7 +41,7 @@ struct Check {
   std::optional<int> rank;
   std::optional<int> degrees_of_freedom;  ///< 6 nb - rank [-]; none if there is no rank
   /// kappa [-], condition number of E^-1 Phi_q M^-1 Phi_q^T E^-1 over its nonzero singular values, where E^2
-  /// = diag(Phi_q M^-1 Phi_q^T); none from the structured solver.
+  /// = diag(Phi_q M^-1 Phi_q^T); M and Phi_q are those of r-omega. None from the structured solver.
   std::optional<double> condition;
   /// Weights mu_k of the rows [nc], all 0 if M is regular. If M is singular, as for point masses, norms use
   /// the regular matrix M + Phi_q^T diag(mu) Phi_q instead of M; the term of row k is then about as large as
@@ -56,13 +56,14 @@ struct Check {
   /// length of the mechanism; for rows of angles, 1e-8 rad. Every velocity_violation must be at most 1e-8
   /// times the speed of the mechanism plus 1e-12 1/s times its length; for rows of angles, both divided by
   /// this length. No joint may be on a wrong branch. The length is the largest distance of a centre of mass
-  /// from the global origin or of a joint point from the origin of its body. The speed is the largest
-  /// velocity, or angular velocity times length.
+  /// from the global origin or of a joint point from the origin of its body, 1 m if all are 0. The speed is
+  /// the largest velocity, or angular velocity times length.
   bool is_consistent = false;
   std::string inconsistency;  ///< the violated rows and branches, one per line; empty if none
   double kinetic_energy = 0;  ///< of all bodies [J]
   /// Energy stored by the effects [J]. That of gravity is 0 for a body whose centre of mass is at the global
-  /// origin, that of a spring is 0 at its free length or angle.
+  /// origin, that of a spring is 0 at its free length or angle. A force F with constant global components has
+  /// -F . r_P with its point P; other loads have none.
   double potential_energy = 0;
   double effect_power = 0;  ///< power of all effects on the bodies [W]
 };
@@ -101,7 +102,7 @@ Solution solve(const Scene& scene, const SolveSettings& settings = {});
 struct Solutions {
   std::vector<Solution> solved;     ///< one per formulation that has a solution
   std::vector<std::string> failed;  ///< "formulation: reason", one per formulation that has no solution
-  /// Largest relative difference of lambda between two formulations, in the norm |E lambda| [-]. This and the
+  /// Largest relative difference of lambda between two formulations [-], as in ComparedOutput. This and the
   /// next two are NaN if their norm is not known.
   double lambda_difference = 0;
   /// Largest relative difference of r'' between two formulations, in the metric of the mass matrix [-].

@@ -21,7 +21,8 @@ Check check_state(const scenes::Scene& scene, const Model<double>& model);
 void require_consistent(const std::string& source, const Model<double>& model,
                         const std::optional<SavedRun>& saved);
 /// The same for the start of a simulation in `formulation`. If the state is the end of a saved run in that
-/// formulation, it may violate its rows by as much as that run reported. Index-3 methods leave such
+/// formulation, it may violate its rows by ten times what that run reported, plus 1e-12 (the run scales rows
+/// in another way). Index-3 methods leave such
 /// violations of the velocity rows.
 void require_consistent(const std::string& source, const Model<double>& model,
                         const std::optional<SavedRun>& saved, const std::string& formulation);

@@ -134,8 +134,8 @@ double mass_norm(const Mechanism<double>& mechanism, const VectorX<double>& d) {
 
 /// Moves along the constraints to the state nearest to `start`. `way` is the displacement from `start`, and
 /// each step removes the component of `way` that is tangential to the constraints. A step is halved up to
-/// three times if it does not bring the state nearer. The limit of 50 steps is chosen by experiment: fewer
-/// steps stop before the nearest state is reached, more cost time where the steps converge slowly.
+/// three times if it does not bring the state nearer. Three halvings and 50 steps are chosen by experiment:
+/// fewer steps stop before the nearest state is reached, more cost time where the steps converge slowly.
 void approach(const Mechanism<double>& mechanism, const MechanismState<double>& start,
               MechanismState<double>& state) {
   constexpr int most_steps = 50;

@@ -21,8 +21,8 @@ inline double lambda_bound(double u, double kappa) { return bound_factor * u * k
 
 /// A difference of two solutions and the magnitudes that make it relative, all in one norm.
 struct Comparison {
-  /// The difference, the sizes of the two solutions, and reference_size: the size of a solution to the right
-  /// side by magnitude, |E^-1 b| for lambda.
+  /// The difference, the sizes of the two solutions, and reference_size: the size of the solution
+  /// if the terms of the right side are replaced by their magnitudes, |E^-1 b| for lambda.
   double difference = 0, size_1 = 0, size_2 = 0, reference_size = 0;
   double size_uncancelled = 0;  ///< reference_size with every term by magnitude; 0: not known
 

@@ -67,22 +67,23 @@ S near_singular_pivot() {
   return static_cast<S>(std::pow(largest_lane(unit_roundoff<S>()), 0.6));
 }
 
-/// Relative to the magnitude of its terms, the size up to which a pivot is rounding error only. 30 is chosen
-/// by experiment: a smaller value takes rounding errors for pivots, a larger one leaves rows out without
-/// need.
+/// A pivot is rounding error only if it is at most this share of the magnitude of its terms. 30 is chosen by
+/// experiment: a smaller value takes rounding errors for pivots, a larger one leaves rows out without need.
 template <class S>
 S pivot_rounding() {
   return S(30 * unit_roundoff<S>());
 }
 
-/// A candidate of sufficient sine is put back if the energy of its response exceeds this many times the
-/// energy of the correction of the response in one more step of refinement. The response is the motion under
-/// a unit force along the row. If it consists of rounding errors, the correction is as large as the response.
-/// An energy is a square: 100 asks for a response ten times larger than its correction.
+/// The response to a row is the motion under a unit force along the row. One more step of refinement corrects
+/// the response. A candidate of sufficient sine is put back if the energy of its response exceeds this many
+/// times the energy of the correction. If the response consists of rounding errors, the correction is as
+/// large as the response. An energy is a square: 100 asks for a response ten times larger than its
+/// correction.
 inline constexpr double least_energy_above_rounding = 100;
 
-/// Relative to the magnitude of its terms, the size up to which a pivot of a body's block, in the motions
-/// that its joint leaves free, is rounding error: such a motion has no inertia. 16 is about the number of
+/// A body is eliminated in the motions that its joint leaves free. A pivot of its block in these motions is
+/// rounding error only if it is at most this share of the magnitude of its terms: the body has no inertia in
+/// such a motion. 16 is about the number of
 /// roundings in such a pivot. Point links use half of this value, because their blocks have fewer terms.
 template <class S>
 S inertia_rounding() {
@@ -102,8 +103,8 @@ S joint_row_tolerance() {
   return sqrt(sqrt(larger(unit_roundoff<S>(), S(1e-32))));
 }
 
-/// Relative to the magnitude of its terms, the size up to which the remainder of a joint's row is rounding
-/// error only. 100 is about the number of operations that change a row in the elimination of six rows.
+/// The remainder of a joint's row is rounding error only if it is at most this share of the magnitude of its
+/// terms. 100 is about the number of operations that change a row in the elimination of six rows.
 template <class S>
 S joint_row_rounding() {
   return S(100 * unit_roundoff<S>());

@@ -148,7 +148,8 @@ void decide_rank(const ScaledJacobian& scaled, RowAnalysis& out) {
   for (int k = 0; k < nc; ++k)
     if (!std::binary_search(out.dependent.begin(), out.dependent.end(), k)) out.independent.push_back(k);
 
-  // the null basis of the scaled rows gives one of the rows themselves, whose product with E is orthonormal
+  // From the null basis Z of the scaled rows follows a null basis N of the rows themselves, chosen such that
+  // E N has orthonormal columns.
   const VectorX<double> to_E = out.E.cwiseProduct(row_scale);
   const MatrixX<double> EN = to_E.asDiagonal() * Z;
   if (null > 0) {

@@ -1,5 +1,6 @@
 #pragma once
-/// The angular motion of a body as a function of the reduced unknowns x of a formulation. Point joints need
+/// The angular motion of a body at a state, and its angular acceleration as a linear function of the reduced
+/// unknowns x of a formulation. Point joints need
 /// nothing else from the coordinates.
 
 #include "bodies/numbers/register_vectors.hpp"
@@ -7,9 +8,9 @@
 namespace trivium {
 
 /// Rotation A, angular velocity omega [rad/s] and angular acceleration omega' = axes x + drift [rad/s^2], all
-/// in the global frame; axes_T is the transpose of `axes` [3x3]. A body vector a has the rate omega x a and
-/// the second derivative (axes x + drift) x a + omega x (omega x a). A moment in the global frame acts on x
-/// with the generalized force axes^T times the moment.
+/// in the global frame; axes_T is the transpose of `axes` [3x3]. A body vector a has the rate a' =
+/// cross(omega, a) and the second derivative a'' = cross(omega', a) + cross(omega, a'). A moment in the
+/// global frame acts on x with the generalized force axes^T times the moment.
 template <class S>
 struct AngularMotion {
   PaddedColumns<S, 3> A, axes_T;

@@ -11,7 +11,7 @@ namespace trivium {
 /// Options for the choice of charts; formulations without charts ignore them.
 struct ChartOptions {
   EulerSequence sequence;  ///< 3-1-3 by default
-  bool reframe = true;     ///< rotate the reference frame of a body whose sequence is near its singularity
+  bool reframe = true;     ///< exchange the Euler angles of a body near their singularity (docs/charts.md)
 };
 
 /// The chart of a formulation without charts: it has no data and an empty name.

@@ -29,9 +29,10 @@ class FormulationLaws {
       try {
         at_sample(n);
       } catch (const std::exception& error) {
-        broken_.push_back({fmt::format("{}: throws at a pose rotated by {:.2f} full turns: {}", F::name,
-                                       std::acos(static_cast<double>(pose(n)[0])) / pi, error.what()),
-                           1, 0});
+        broken_.push_back(
+            {fmt::format("{}: throws at a pose rotated by {:.2f} full turns: {}", F::name,
+                         std::acos(std::abs(static_cast<double>(pose(n)[0]))) / pi, error.what()),
+             1, 0});
       }
     }
     return broken_;
@@ -70,7 +71,7 @@ class FormulationLaws {
 
   static constexpr double pi = 3.14159265358979323846;
 
-  /// A pose rotated by at most 120 degrees (e0 is at least half of the norm), so that coordinates that are
+  /// A pose rotated by at most 120 degrees (|e0| is at least half of the norm), so that coordinates that are
   /// singular at 180 degrees can be tested.
   static Vector4<S> pose(int n) {
     Vector4<S> p;

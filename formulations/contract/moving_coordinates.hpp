@@ -20,19 +20,20 @@ concept MovingCoordinates = requires(const typename F::Scalar& s, const typename
   { F::orientation_of(chart, p) } -> std::convertible_to<typename F::Orientation>;
   { F::velocity_of(chart, q) } -> std::convertible_to<typename F::Unknown>;
   { F::from_orientation(chart, orientation, x) } -> std::same_as<typename F::Coordinates>;
-  // rate of the orientation; orientation after an increment (retraction); and normalise, which makes
-  // orientation and velocity satisfy the internal row and its time derivative
+  // rate of the orientation; orientation after an increment, a velocity times a time (retraction): it
+  // satisfies the internal row and is right to first order; and normalise, which makes orientation and
+  // velocity satisfy the internal row and its time derivative
   { F::orientation_rate(chart, orientation, x) } -> std::convertible_to<typename F::Orientation>;
   { F::retract(chart, orientation, x) } -> std::convertible_to<typename F::Orientation>;
   F::normalise(moved, moved_x);
   // Steps of implicit methods are displacements with as many numbers as the velocity. step: the orientation
   // after a displacement, which may violate the internal row. displacement: the displacement from the first
   // to the second orientation. displacement_rate: time derivative of a displacement (first argument) at a
-  // velocity (second argument). normalise_step finds the change c of the unknown moved_x for which the
-  // orientation `moved`, displaced by the number s times c, satisfies the internal row. It applies both
-  // changes. normalise_step_velocity adds to moved_x the change c for which the velocity x + s c satisfies
-  // the time derivative of the internal row at `orientation`. inertia_is_constant: whether mass_block is
-  // independent of q
+  // velocity (second argument). normalise_step finds the smallest change c of the unknown moved_x for which
+  // the orientation `moved`, displaced by the number s times c, satisfies the internal row. It displaces
+  // `moved` and adds c to moved_x. normalise_step_velocity adds to moved_x the smallest change c for which
+  // the velocity x + s c satisfies the time derivative of the internal row at `orientation`.
+  // inertia_is_constant: whether mass_block is independent of q
   { F::step(chart, orientation, x) } -> std::convertible_to<typename F::Orientation>;
   { F::displacement(chart, orientation, orientation) } -> std::convertible_to<typename F::Unknown>;
   { F::displacement_rate(x, x) } -> std::convertible_to<typename F::Unknown>;

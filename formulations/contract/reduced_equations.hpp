@@ -18,7 +18,7 @@ concept ReducedEquations = BodyKinematics<typename F::Reduced> && F::Reduced::ro
                                     const Matrix3<typename F::Scalar>& J_bar,
                                     const typename F::Kinematics& body, const typename F::Reduced& reduced,
                                     const typename F::Unknown& force) {
-  // rotation and angular velocity as functions of x
+  // A and omega at the state, and omega' as a linear function of x
   { F::angular_motion(reduced) } -> std::same_as<AngularMotion<typename F::Scalar>>;
   // whether reduced_mass_block is independent of the state
   { F::reduced_mass_is_constant } -> std::convertible_to<bool>;

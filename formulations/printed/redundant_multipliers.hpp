@@ -31,9 +31,9 @@ class RedundantMultipliers {
   /// do not change.
   void to_minimum_norm(VectorX<Scalar>& lambda) const;
 
-  /// The disagreement of the rows among each other if they leave the residual `residual`: its part along the
-  /// null space. Subtracted from the rows' right sides, it makes them consistent, and it is the smallest such
-  /// change in the norm of E^-1.
+  /// `residual` are the residuals of the rows at some accelerations. Returns their part along the null space,
+  /// which no accelerations can remove. The right sides of the rows less this part are consistent, and it is
+  /// the smallest such change in the norm of E^-1.
   VectorX<Scalar> disagreement(const VectorX<Scalar>& residual) const;
 
  private:

@@ -46,7 +46,8 @@ template <class Scalar>
 void RedundantMultipliers<Scalar>::refine_null_basis(const Equations& eom, const RowAnalysis& rows) {
   N_ = scalar_cast<Scalar>(rows.null_basis);
   double last = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < 8; ++step) {  // a step gains up to 15 digits, so Real50 needs four steps
+  for (int step = 0; step < 8;
+       ++step) {  // a step gains up to 15 digits, so Real50 needs four steps; 8 is a safety limit
     MatrixX<Scalar> defect = MatrixX<Scalar>::Zero(6 * eom.nb(), N_.cols());
     for (int k = 0; k < eom.nc(); ++k) {
       if (rows.unique[k]) continue;

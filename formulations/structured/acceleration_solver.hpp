@@ -106,7 +106,7 @@ class AccelerationSolver {
 
   // on demand: these cost one solution per dependent row and allocate memory
 
-  /// By row, whether its multiplier is unique: no null space vector of Phi_q^T contains the row.
+  /// By row, whether its multiplier is unique: its component is 0 in every null space vector of Phi_q^T.
   std::vector<bool> unique();
   /// The lambda of minimum |E lambda| among all with the same Phi_q^T lambda, where E = diag(Phi_q M^-1
   /// Phi_q^T)^(1/2). If there are dependent rows and an inertia is singular, throws a ModelError that names
@@ -143,8 +143,8 @@ class AccelerationSolver {
   /// that its angular velocity alone would cause. The body's accelerations alone give no scale, because they
   /// are rounding errors if forces are in balance.
   AccelerationSize<S> size_of_causes(int b) const;
-  /// omega^2, as the size of the rotational unknowns x. The levers in the rows turn it into the size of the
-  /// velocity terms of gamma.
+  /// omega^2 in place of an angular acceleration. The velocity terms of gamma have the size of omega^2 times
+  /// a lever, and the gradient of a row by rotations contains this lever.
   AccelerationSize<S> size_of_turning(int b) const {
     return {S(0), assembly_.angular_motion()[b].omega.squaredNorm()};
   }
@@ -185,7 +185,7 @@ class AccelerationSolver {
   // of the last solution
   S t_{0};
   Refinement refinement_ = Refinement::as_needed;
-  bool rows_are_decided_ = false;  ///< the candidates have been examined, or are not to be
+  bool rows_are_decided_ = false;  ///< the candidates have been examined, or never are
   Corrections corrections_;
   // for Baumgarte's stabilisation only
   std::optional<Baumgarte> baumgarte_;

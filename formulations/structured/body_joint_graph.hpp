@@ -42,9 +42,10 @@ struct GraphJoint : BodyPair {
   Vector3<double> axis_i, axis_j;  ///< unit vectors along the joint's z axis, each in the frame of its body
 };
 
-/// Each joint becomes an edge, with two exceptions. A rotation_driver joins the edge of the revolute about
-/// whose axis it rotates. Up to six basic constraints between the same two bodies form one edge. A point
-/// joint between these bodies joins that edge if both together have at most six rows.
+/// Each joint becomes an edge, with three exceptions. A rotation_driver joins the edge of the revolute about
+/// whose axis it rotates. Up to six basic constraints between the same two bodies form one edge. If a point
+/// joint connects the same bodies, these constraints join its edge, if both together have at most six rows;
+/// the edge then no longer counts as a point edge.
 BodyJointGraph body_joint_graph(int bodies, const std::vector<GraphJoint>& joints);
 
 /// The graph of a mechanism.

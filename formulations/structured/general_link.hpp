@@ -1,6 +1,7 @@
 #pragma once
-/// A link whose joint to the parent is any edge of at most six rows, or no joint at all. Phi are the rows on
-/// the body, P those on the parent, a and a_p the unknowns of body and parent:
+/// A link whose joint to the parent is any edge of at most six rows, or no joint at all. M is the block of
+/// the body, called H_b in graph_system.hpp; H is a basis of its free motions. Phi are the rows on the body,
+/// P those on the parent, a and a_p the unknowns of body and parent:
 ///
 ///     M a + Phi^T lambda = F,   Phi a + P a_p = gamma,   a = Y (gamma - P a_p) + H q
 ///

@@ -73,7 +73,8 @@ class GraphSolver {
   /// Factors the matrix, which must outlive the factors. With DependentRows::detect it calls
   /// restore_independent_rows() if a candidate may be independent. A candidate of a
   /// closing may be independent if its pivot exceeds rounding. A candidate of a general joint of the tree
-  /// always may, since it can still constrain the parent. Throws SingularLink and NearlyDependentRows.
+  /// may always be independent, since it can still constrain the parent. Throws SingularLink and
+  /// NearlyDependentRows.
   void factor(const GraphMatrix<S>& matrix);
 
   /// Solves for a right side. Dependent rows have the multiplier 0, and their right sides are ignored.

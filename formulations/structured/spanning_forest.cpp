@@ -70,8 +70,8 @@ SpanningForest breadth_first(const Adjacency& graph) {
 /// more than `reach` edges. The search is breadth-first from both ends and continues at the end whose front
 /// has fewer edges. A body with many joints (the ground, a hub) is therefore met before its joints are
 /// searched. `reach` bounds the time per edge, so that planning stays linear in the size of the graph. 1000
-/// is chosen by experiment: a smaller value opens loops that could be kept short at an unfavourable edge, a
-/// larger one costs time.
+/// is chosen by experiment: with a smaller value some short loops are not found, and are opened at an
+/// unfavourable edge; a larger one costs time.
 std::vector<int> shortest_loop(const Adjacency& graph, int through) {
   constexpr std::size_t reach = 1000;
   struct Reached {

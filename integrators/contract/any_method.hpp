@@ -1,6 +1,7 @@
 #pragma once
-/// Type erasure of methods: AnyMethod is the interface behind which every method works on AnySystem, and the
-/// list of methods by name holds these. A step costs one virtual call, which is small compared with the step.
+/// Type erasure of methods: AnyMethod is the interface behind which every method works on AnySystem. The
+/// entries in the list of methods (MethodEntry) make them. A step costs one virtual call, which is small
+/// compared with the step.
 
 #include <memory>
 #include <utility>
@@ -31,10 +32,11 @@ class AnyMethod {
   /// Sets y, and the method's lambda(), to their values at a time t within the last step.
   virtual void interpolate(const S& /*t*/, StateVector<S>& /*y*/) {}
   /// The numbers that the method keeps from step to step (memory.hpp); empty if it keeps none, if it does
-  /// not show them (bdf, abm), or if it has not begun.
+  /// not show them (bdf, Odeint's and SUNDIALS' methods of several steps), or if it has not begun.
   virtual std::vector<double> memory() { return {}; }
   /// Begins at (t, y) with the memory of another object of the same method; `stop` is the end of the next
-  /// given step. Throws a std::invalid_argument if the memory is not from such a method.
+  /// given step. Throws a std::invalid_argument if the parts do not fit. A method without memory does
+  /// nothing.
   virtual void recall(AnySystem<S>& /*system*/, const S& /*t*/, const StateVector<S>& /*y*/,
                       const S& /*stop*/, const std::vector<double>& /*memory*/) {}
 };

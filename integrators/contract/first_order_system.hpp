@@ -32,7 +32,8 @@ void raise(Violation<S>& largest, const Violation<S>& next) {
 ///
 ///   size, start          the number of elements of y, and y at the start
 ///   derivative           from (t, y, y'): computes y' at (t, y). Throws a std::runtime_error if y is not a
-///                        possible state; the method then tries a smaller step
+///                        possible state. A method that chooses its steps then tries a smaller one; a run
+///                        with given steps ends
 ///   longest_step         the longest step from (t, y) that the model allows [s]
 ///
 /// The constraints:
@@ -41,8 +42,10 @@ void raise(Violation<S>& largest, const Violation<S>& next) {
 ///   velocity_violation   the Violation of the velocity constraints at (t, y)
 ///   row_name             the name of a row, for its number
 ///   correct_positions    from (t, y, factor): one Newton correction of the positions. If `factor`, the
-///                        matrix is factored at y; otherwise the factors of an earlier call are used
-///   correct_velocities   the same for the velocities
+///                        matrix is factored at y; otherwise the last factors are used
+///   correct_velocities   the same for the velocities. Both share their factors: with `factor` false, those
+///   of
+///                        the last call of either function with `factor` true are used
 ///   normalise            changes y so that it satisfies the internal rows, such as |p| = 1
 ///
 /// Decisions of the system that integrate.hpp asks for and acts on:

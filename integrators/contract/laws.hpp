@@ -149,9 +149,9 @@ class SystemLaws : StateLaws<System> {
     system_.solve(factors, at, left, rows, Y::Zero(system_.springs()), x_slack, mu_slack, stretch);
     equal("solve with slack 0 returns the solution without slack", x_slack, x);
   }
-  /// Let a and b be two solutions with right side 0 for the rows and different slacks. Multiplying the
-  /// equations of b by x_a gives x_a . left = x_a . M x_b + sum over springs of resistance * stretch_a *
-  /// (stretch_b - slack_b).
+  /// Let a and b be solutions, or the same one, with right side 0 for the rows. Multiplying the equations of
+  /// b by x_a gives x_a . force = x_a . M x_b + sum over springs of resistance * stretch_a * (stretch_b -
+  /// slack_b).
   void springs() {
     const S h(0.01);
     const Shares<S> shares{h * h / 4, h / 2};

@@ -1,6 +1,7 @@
 #pragma once
-/// The contract of a method in time: it takes one step of a system, and it can forget or shorten its last
-/// step. integrate.hpp walks through the time grid; step_size_control.hpp chooses step sizes.
+/// The contract of a method in time: it takes one step of a system. It can forget all earlier steps
+/// (restart), and make its next step shorter after the last one was taken back (shorten). integrate.hpp walks
+/// through the time grid; step_size_control.hpp chooses step sizes.
 
 #include <concepts>
 
@@ -15,11 +16,12 @@ struct Counters {
   long iterations = 0;  ///< Newton iterations
 };
 
-/// A method takes one accepted step at a time. `step` moves t and y by one step, at most to `stop`. A step
-/// that would end within rounding of `stop` ends on it exactly. `step` throws an IntegrationError if the
-/// method fails. `restart` forgets the solution so far, which is necessary where the solution is not smooth.
-/// `shorten` is called if the last step is taken back: the caller restores t and y, and the next step is
-/// shorter. It returns false if the method cannot shorten its steps.
+/// A method takes one accepted step at a time. `step` moves t and y by one step: with given steps
+/// exactly to `stop`, with chosen steps at most to it. A step that would end within rounding of `stop` ends
+/// on it exactly. `step` throws an IntegrationError if the method fails. `restart` forgets the solution so
+/// far, which is necessary where the solution is not smooth. `shorten` is called if the last step is taken
+/// back: the caller restores t and y, and the next step is shorter. It returns false if the method cannot
+/// shorten its steps.
 ///
 /// Optional functions, which AnyMethod asks for:
 ///

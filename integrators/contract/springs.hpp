@@ -13,9 +13,11 @@ namespace trivium::integrators {
 ///   springs              the number of springs in Newton's matrix
 ///   spring_constants     per spring the stiffness [N/m, N m/rad] and the damping [N s/m, N m s/rad]
 ///   solve                from (factors, at, left, rows, slack, x, mu, stretch): the `solve` of
-///                        HasNewtonMatrix for springs with slack. The solution of this call stretches a
-///                        spring by its gradient times the solution. Its force is (gamma' damping + beta'
-///                        stiffness) (stretch - slack). Sets `stretch` to the stretch of every spring
+///                        HasNewtonMatrix for springs with slack. The solution x of this call stretches a
+///                        spring by its gradient times x. The spring resists only the part of the stretch
+///                        beyond its slack, a given number per spring: its force is (gamma' damping + beta'
+///                        stiffness) (stretch - slack). Sets `stretch` to the stretch of every spring. Both
+///                        have the unit of the gradient times x, such as m/s^2 where x is a change of v'
 template <class System>
 concept HasSprings = HasNewtonMatrix<System> &&
     requires(System& system, const typename System::Evaluation& at, const typename System::Factors& factors,

@@ -2,14 +2,16 @@
 /// The two bounds of "small enough": tolerances that a user gives for the error of a step, and the level of
 /// rounding. Constraints have no tolerance: projections and Newton iterations correct them down to this
 /// level. An iteration that cannot reach it may accept more (a relative 1e-6 in projection_iteration.hpp,
-/// 1000 times the level in newton.hpp, radau.hpp, row_projection.hpp and half_explicit.hpp).
+/// 1000 times the level in newton.hpp, radau.hpp, row_projection.hpp and half_explicit.hpp, 64
+/// times in rattle.hpp).
 
 #include <limits>
 
 namespace trivium::integrators {
 
-/// The error of each element of y may be up to atol + rtol |element| per step; atol has the unit of the
-/// element.
+/// The error of a step in an element of y is measured in units of atol + rtol |element|; atol has the unit of
+/// the element. How the errors of all elements are combined depends on the method. Radau has other sizes than
+/// |element| for positions (integrators/contract/displacements.hpp).
 struct Tolerances {
   double rtol = 1e-8, atol = 1e-10;
 };

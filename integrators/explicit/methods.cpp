@@ -65,7 +65,7 @@ std::vector<MethodEntry<S>> explicit_methods() {
         .chooses_steps = true},
        [](Request request) -> Made {
          const Tolerances& tolerances = request.tolerances.value();
-         // the order varies; the first step is chosen as for order 8
+         // the order varies from 4 to 16; the first step is chosen for a middle value
          return adapt<S>(ChosenSteps<S, BulirschStoer<S>>(
              BulirschStoer<S>(S(tolerances.atol), S(tolerances.rtol)), 8, tolerances));
        }},

@@ -19,9 +19,9 @@ namespace trivium::integrators {
 template <class S>
 class Anderson {
  public:
-  /// Forgets all changes: before the iteration for other equations, and when a new matrix replaces one that
-  /// served several iterates, as the kept changes belong to the old matrix. Iterations that factor a matrix
-  /// at every iterate do not call it in between.
+  /// Forgets all changes. Call it before the iteration of another step. Call it also when a matrix that
+  /// served several iterates is replaced, because the kept changes belong to that matrix. If every iterate
+  /// has a matrix of its own, do not call it within the iteration.
   void clear() { kept_ = 0; }
 
   /// The accelerated step, in place of the step `change` by the matrix alone.

@@ -4,10 +4,10 @@
 ///   q_n+1 = sum c_j q_n-j + b h q'_n+1,   v_n+1 = sum c_j v_n-j + b h v'_n+1
 ///   M v'_n+1 + Phi_q^T lambda_n+1 = Q,    Phi(q_n+1, t_n+1) = 0
 ///
-/// On a Lie group the formula is applied to the displacement theta from q_n, whose rate is T(theta)^-1 v:
-/// this is the formula in a chart about q_n, so that its order holds. The first steps, and those after a
-/// restart, are taken by Radau IIA: its order 5 is no lower than any order here, and it needs no shorter
-/// steps where springs are stiff.
+/// On a Lie group the formula is applied to the displacement theta from q_n, whose rate is T(theta)^-1 v
+/// (displacement_rate of the system): this is the formula in a chart about q_n, so that its order holds. The
+/// first steps, and those after a restart, are taken by Radau IIA: its order 5 is no lower than any order
+/// here, and it needs no shorter steps where springs are stiff.
 
 #include <algorithm>
 #include <array>

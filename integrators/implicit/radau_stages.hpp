@@ -157,8 +157,8 @@ class RadauStages {
     }
   }
   /// Moves the stages onto the internal rows (such as |p| = 1). The corrections are multiplied by A^-1 as
-  /// those of the other rows are. Only their part normal to the internal rows is added: a tangential part
-  /// would be a shift that no row asks for.
+  /// those of the other rows are. Only their part along the gradients of the internal rows is added: a
+  /// tangential part would be a shift that no row asks for.
   void normalise(System& system, const S& h, const StateVector<S>& y, const StateVector<S>& v) {
     S before = std::numeric_limits<S>::max();
     // 20 is a safety limit
@@ -216,7 +216,8 @@ class RadauStages {
   static auto mixed(const std::array<S, s>& row, const std::array<StateVector<S>, s>& stages) {
     return mix(row, [&](int j) -> const StateVector<S>& { return stages[j]; });
   }
-  /// The part of a displacement that is normal to the internal rows at y. Overwrites the velocities in y.
+  /// The part of a displacement along the gradients of the internal rows at y. Overwrites the velocities in
+  /// y.
   template <class Displacement>
   const StateVector<S>& normal_part(System& system, const Displacement& displacement, StateVector<S>& y) {
     y.segment(nq_, nv_) = displacement;

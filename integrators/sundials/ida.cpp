@@ -34,8 +34,9 @@ const Functions ida{.free = IDAFree,
 ///
 /// Here s is the smallest motion, in the metric of M, that moves the rows by sigma: M s + Phi_q^T mu = 0 and
 /// Phi_q s = sigma. M and Phi_q in these two equations are those of the matrix factored last, where M
-/// contains the resistance C/c + K/c^2 of springs. In the solution sigma is 0. Internal rows are met by v'
-/// and by the projection after each step.
+/// contains the resistance C/c + K/c^2 of springs with stiffness K and damping C; c is the derivative of y'
+/// by y in IDA's formula. In the solution sigma is 0. Internal rows are met by v' and by the projection after
+/// each step.
 class Ida final : public Stepper {
  public:
   explicit Ida(const Tolerances& tolerances) : Stepper(ida), tolerances_(tolerances) {}

@@ -61,11 +61,11 @@ class AcceleratedNewton {
       const auto w = flat(weights);
       change_ = flat(left_.get()).cwiseProduct(w);
       // The first change removes the error that the matrix describes. Later changes come from terms that the
-      // matrix leaves out, and these changes are accelerated.
+      // matrix leaves out. The second one is recorded, and from the third on changes are accelerated.
       if (iteration > 0) flat(left_.get()) = anderson_.step(change_, change_.size()).cwiseQuotient(w);
       flat(y) += flat(left_.get());
       // The test reports divergence if the changes grow. Such a report is ignored at the first two changes,
-      // because only from the third change on are changes accelerated.
+      // which are not accelerated.
       const int code = test(solver, y, left_.get(), tolerance, weights, test_data);
       if (code != SUN_NLS_CONTINUE && !(code == SUN_NLS_CONV_RECVR && iteration < 2)) return code;
     }

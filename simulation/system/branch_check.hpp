@@ -1,8 +1,8 @@
 #pragma once
 /// Decides whether the projection of a step may have left the branch of the motion. Constraints can be
-/// satisfied on several branches: a four-bar, for example, closes in two ways. A correct projection is a
-/// small correction of its step. It is rejected if, in some component (set of bodies connected by rows), it
-/// changes the state by more than a tenth of the change made by the step plus a small share of the state
+/// satisfied on several branches: a four-bar, for example, closes in two ways. A correct projection is
+/// small beside its step. A projection is rejected if, in some component (set of bodies connected by rows),
+/// it changes the state by more than a tenth of the change made by the step plus a small share of the state
 /// itself. integrators/integrate.cpp then rejects the step and asks the method for a shorter one.
 
 #include <algorithm>
@@ -56,8 +56,8 @@ class BranchCheck {
   static constexpr double little_position = 1e-4, little_velocity = 1e-2;
 
   /// Sums of squares over a component: change by the projection, change by the step, and values of the state.
-  /// `least` is a thousandth of its fastest speed so far: a component at rest has velocities of rounding
-  /// size.
+  /// The velocities of a component at rest are rounding errors and give no scale: the scale is at least
+  /// `least`, a thousandth of the component's fastest speed so far. The factor is chosen by experiment.
   struct Way {
     S back{0}, step{0}, size{0}, least{0};
   };

@@ -1,8 +1,9 @@
 #pragma once
 /// Measures how far a state violates its constraints. The absolute measure is the largest |Phi_k| or |Phi_k'|
 /// divided by the row's scale [m or rad, m/s or rad/s]. The relative measure divides further by the size of
-/// the component, which is the set of bodies connected by rows. For a row of lengths this size is a length of
-/// the component, or a speed for Phi_k'. For a row of angles it is 1, or an angular velocity for Phi_k'. The
+/// the component, which is the set of bodies connected by rows. For a row of lengths this size is the bound
+/// of the distance of the component's points from the origin, and for Phi_k' its fastest speed. For a row of
+/// angles it is 1, and for Phi_k' the fastest angular velocity. The
 /// relative violation caused by rounding is then a few u, whatever the size of the mechanism.
 /// integrators/projection_iteration.hpp decides by the relative measure.
 
@@ -86,10 +87,10 @@ class ConstraintViolation {
     }
     return true;
   }
-  /// The motion has reached the state given to `move`: its speeds count among the fastest. So does the speed
-  /// that the loads on a body would give to it over the length of its component, sqrt(a length), if it were
-  /// free. A component that its constraints lock would otherwise have no scale but the rounding of its
-  /// velocities.
+  /// The motion has reached the state given to `move`: its speeds count among the fastest. So does
+  /// sqrt(W / m) for each body of mass m, where W is the work of its loads over the length of its component
+  /// and over 1 rad: this is the order of the speed that the body would reach if it were free. A component
+  /// that its constraints lock would otherwise have no scale but the rounding of its velocities.
   void accept_state(const std::vector<RigidBody<S>>& bodies, const std::vector<Wrench<S>>& loads) {
     using std::sqrt;
     for (int b = 0; b < nb_; ++b) {

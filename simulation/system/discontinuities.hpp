@@ -16,8 +16,9 @@
 
 namespace trivium {
 
-/// The jump of nu, relative to the speeds of the row's component, up to which a jump counts as rounding. The
-/// value is far above the rounding of nu at two times a few epsilons apart.
+/// The jump of nu, relative to the speeds of the row's component, up to which a jump counts as rounding.
+/// `before` and t differ by a few epsilons; where there is no jump, nu differs by rounding only, which is far
+/// below this value.
 inline constexpr double smallest_jump = 1e-9;
 
 /// Passes the time t, where functions of time may have a kink; `before` is a time just before t. Changes the

@@ -255,9 +255,9 @@ class FirstOrderEquations {
   }
   /// The name of every body's chart; empty in formulations without charts.
   std::vector<std::string> charts() const { return chart_names(state_); }
-  /// The joint angles that effects counted at the last accepted state [rad], in the order of the effects.
+  /// The joint angles that effects counted last [rad] (saved_numbers.hpp).
   std::vector<double> counted_angles() { return trivium::counted_angles(mechanism_); }
-  /// The same angles at (t, y) [rad].
+  /// The joint angles of effects at (t, y) [rad].
   std::vector<double> joint_angles(const S& t, const StateVector& y) {
     load(y);
     projection_.move(state_, t);

@@ -35,7 +35,7 @@ struct BodyInMotion {
 struct LocalErrorSums {
   double position = 0;  ///< [m]
   double velocity = 0;  ///< [m/s]
-  long steps = 0;       ///< number of steps in the sums; the first ones have too few states before them
+  long steps = 0;       ///< in the sums; the first steps, which have too few states before them, are left out
 };
 
 template <class S>
@@ -50,7 +50,8 @@ class LocalError {
   /// The motion is not smooth at the last state: earlier ones are forgotten.
   void restart() { known_ = std::min(known_, 1); }
 
-  /// Adds the end of a step of length h [s]; the first state has no step. A step of another length restarts.
+  /// Adds the end of a step of length h [s]; the first state has no step. A step of another length restarts;
+  /// a relative change of h by 1e-6 changes the estimate as little, and is far above the rounding of times.
   void add(std::vector<BodyInMotion<S>>& bodies, const S& h) {
     using std::abs;
     if (known_ > 1 && !(abs(h - h_) <= S(1e-6) * h)) restart();
@@ -87,7 +88,8 @@ class LocalError {
     const Vector3<S> turn = integral(&B::omega_bar) + h_ * h_ / 12 * before.omega_bar.cross(now.omega_bar);
     const Matrix3<S> off =
         rotation_matrix(exponential_parameters(turn)).transpose() * before.A.transpose() * now.A;
-    const Vector3<S> angle(off(2, 1) - off(1, 2), off(0, 2) - off(2, 0), off(1, 0) - off(0, 1));  // twice
+    const Vector3<S> angle(off(2, 1) - off(1, 2), off(0, 2) - off(2, 0),
+                           off(1, 0) - off(0, 1));  // 2 sin(angle) axis
     sums_[b].first += (now.r - before.r - integral(&B::v)).norm() + reach_[b] * angle.norm() / 2;
     sums_[b].second += (now.v - before.v - integral(&B::a)).norm() +
                        reach_[b] * (now.omega_bar - before.omega_bar - integral(&B::omega_bar_dot)).norm();

@@ -21,7 +21,8 @@ std::vector<std::string> chart_names(const std::vector<BodyState<F>>& bodies) {
   return names;
 }
 
-/// The joint angles that effects counted at the last accepted state [rad], in the order of the effects.
+/// The joint angles that effects counted last [rad], in the order of the effects. They are within 1 rad of
+/// the angles at the last accepted state (JointAngle::tracked).
 template <class S, class Types>
 std::vector<double> counted_angles(Mechanism<S, Types>& mechanism) {
   std::vector<double> angles;

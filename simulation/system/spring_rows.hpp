@@ -5,9 +5,11 @@
 ///
 ///     g x - f / (gamma' c + beta' k) = slack,   gamma' = dv/dv',  beta' = dq/dv'  in the step
 ///
-/// The primes of gamma' and beta' are part of these names (integrators::Shares). The compliance of the row is
-/// 1 / (gamma' c + beta' k). Elimination of f adds the spring's part of gamma' C + beta' K to M. As a row, a
-/// stiff spring worsens the condition number no more than a constraint does.
+/// x is the solution of Newton's system, a change of v', and g x the stretch that it causes. slack is the
+/// part of the stretch that meets no resistance, as a rule 0. The primes of gamma' and beta' are part of
+/// these names (integrators::Shares). The compliance of the row is 1 / (gamma' c + beta' k). Elimination of f
+/// adds the spring's part of gamma' C + beta' K to M. As a row, a stiff spring worsens the condition number
+/// no more than a constraint does.
 
 #include <algorithm>
 #include <utility>
