@@ -9,10 +9,9 @@ namespace trivium::integrators {
 
 /// v' and lambda at a state, solved from the equations of index 1 (constraints differentiated twice), and
 /// their rates along the motion. The rates are one-sided differences over the states at h / 16 and h / 8
-/// after the start, since the start may be an event, before which functions of time have
-/// another piece. These fractions of the step
-/// size h keep the truncation error small and are large compared with rounding. `work_rate` is the rate of
-/// the work [W], 0 in a system without work.
+/// after the start, since the start may be an event, before which functions of time have another piece. These
+/// fractions of the step size h keep the truncation error small and are large compared with rounding.
+/// `work_rate` is the rate of the work [W], 0 in a system without work.
 template <class S>
 struct InitialAcceleration {
   StateVector<S> v_dot, lambda, v_ddot, lambda_dot;

@@ -39,7 +39,7 @@ std::vector<double> motion_numbers(const MotionSample& sample, bool has_raw_lamb
   }
   put(sample.lambda);
   numbers.insert(numbers.end(), {sample.energy, sample.phi, sample.phi_dot});
-  // at the start an implicit method has not computed a raw lambda: lambda of (q, v) is written instead
+  // at the start and after a restart a method has computed no raw lambda: lambda of (q, v) is written instead
   if (has_raw_lambda) put(sample.raw_lambda.size() > 0 ? sample.raw_lambda : sample.lambda);
   return numbers;
 }

@@ -59,13 +59,14 @@ struct Output : Instant {
   std::vector<double> raw_lambda;
   double energy = 0;  ///< kinetic plus potential energy [J]; for its zero see Check
   /// Largest |Phi| of a row, divided by the scale of the row [m or rad]. The scale is |c| for cd, |a_i| for
-  /// dp2, |a_i| |a_j| for dp1, 2 sqrt(f) for d, the length for the joint distance, and 1 for all other
-  /// joints. RowCheck::position_violation is another measure.
+  /// dp2, |a_i| |a_j| for dp1, 2 sqrt(f) for d with f at the start (of the first run, if runs are continued),
+  /// twice the distance for the joint distance, and 1 for all other joints. RowCheck::position_violation is
+  /// another measure.
   double phi = 0;
   double phi_dot = 0;  ///< largest |Phi'| of a row, divided by the scale of the row [m/s or rad/s]
 };
 
-/// Called at every output, with the state there; false ends the run. Methods of SUNDIALS step over outputs:
+/// Called at every output, with the state there; false ends the run. CVODE and IDA step over outputs:
 /// the run then ends at the end of the present step, and the observer is called there once more, as it is
 /// where at_step ends the run. Its exceptions pass through simulate().
 using Observer = std::function<bool(const Output&)>;

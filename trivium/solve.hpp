@@ -37,7 +37,7 @@ struct Check {
   Names names;                 ///< names of bodies, joints and rows
   double t = 0;                ///< time of the state [s]
   std::vector<RowCheck> rows;  ///< [nc], in the order of names.rows
-  /// Rank of Phi_q [-]. None if the structured solver cannot decide: the state violates its rows.
+  /// Rank of Phi_q [-]. None from the structured solver if the state is not consistent (is_consistent).
   std::optional<int> rank;
   std::optional<int> degrees_of_freedom;  ///< 6 nb - rank [-]; none if there is no rank
   /// kappa [-], condition number of E^-1 Phi_q M^-1 Phi_q^T E^-1 over its nonzero singular values, where E^2
@@ -105,9 +105,11 @@ struct Solutions {
   /// Largest relative difference of lambda between two formulations [-], as in ComparedOutput. This and the
   /// next two are NaN if their norm is not known.
   double lambda_difference = 0;
-  /// Largest relative difference of r'' between two formulations, in the metric of the mass matrix [-].
+  /// Largest difference of r'' between two formulations in the metric of the mass matrix [-]. It is relative
+  /// to all accelerations, r'' and omega_bar' together, or to those that the magnitudes of Q and gamma would
+  /// cause if these are larger.
   double r_ddot_difference = 0;
-  /// Largest relative difference of omega_bar' between two formulations, in the same metric [-].
+  /// Largest relative difference of omega_bar' between two formulations, in the same way [-].
   double omega_bar_dot_difference = 0;
   std::optional<double> lambda_bound;  ///< of lambda_difference: 100 u kappa [-]; none if kappa is not known
 };

@@ -11,7 +11,9 @@
 
 namespace trivium {
 
-/// What a formulation F must have for the structured solver, in addition to the printed equations.
+/// What a formulation F must have for the structured solver, in addition to the printed equations. F::Reduced
+/// is the kinematics of a body in the unknowns x: F::Kinematics itself, or a type that is derived from it and
+/// is made by Reduced{kinematics}. The functions that take a Kinematics receive it too.
 template <class F>
 concept ReducedEquations = BodyKinematics<typename F::Reduced> && F::Reduced::rotational_unknowns == 3 &&
                            requires(const Vector3<typename F::Scalar>& v,

@@ -30,8 +30,9 @@ struct Shares {
 ///                        evaluation of another state, such as a later iterate. x is in the velocity
 ///                        coordinates of the state of `at`
 ///   reduce               from (factors, force, left): eliminates the multipliers of internal rows from a
-///                        generalised force, at the state of the factors. The result is the upper part
-///                        `left` of the right side of `solve`; as a residual it is what is left of the forces
+///                        generalised force, at the state of the factors. The result has the form of the
+///                        upper part `left` of the right side of `solve`, and of the `left` of `residual`
+///                        (residual.hpp)
 ///   inertia_force        from (factors, x, force): M x with M at the state of the factors
 template <class System>
 concept HasNewtonMatrix = HasResidual<System> && std::default_initializable<typename System::Factors> &&
