@@ -36,7 +36,7 @@ concept Method = requires(M& method, const M& constant, System& system, typename
   method.step(system, t, y, stop);
   method.restart();
   { method.shorten() } -> std::same_as<bool>;
-  { constant.counters() } -> std::convertible_to<Counters>;
+  { constant.counters() } -> std::same_as<const Counters&>;
 };
 
 }  // namespace trivium::integrators
