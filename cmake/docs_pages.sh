@@ -200,8 +200,10 @@ run_commands() {
     [[ $command && $command != '#'* ]] || continue
     ! is_run_elsewhere "$command" || continue
     options_exist "$command" || problem "see above"
-    # a pipe into head ends the program silently, also where SIGPIPE is ignored outside
-    env --default-signal=PIPE bash -c "$command" >>shown.out 2>&1 </dev/null ||
+    # every part of a pipe must succeed; a pipe into head ends the program silently (141), also where SIGPIPE is
+    # ignored outside
+    env --default-signal=PIPE bash -c "$command
+      for code in \"\${PIPESTATUS[@]}\"; do ((code == 0 || code == 141)) || exit 1; done" >>shown.out 2>&1 </dev/null ||
       { problem "failed: $command"; tail -n 5 shown.out; }
   done < <(sed -e ':a' -e '/\\$/{N;s/\\\n *//;ba' -e '}' <<<"$1")
   sed -i 's/[ \t]*$//' shown.out

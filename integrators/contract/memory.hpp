@@ -1,7 +1,7 @@
 #pragma once
 /// The memory of a method: the numbers that it keeps from step to step. Saved together with a state, they
 /// allow a run with given steps, in double, to continue exactly as if it had not ended. A method with a
-/// memory has `show_memory(show)`, which calls show(part...) with each part: a number S or a StateVector<S>.
+/// memory has `show_memory(show)`, which calls show(part...) with each part: a number S or a StateVector.
 /// `begin` has set the length of each vector before. `show` is a MemorySaver or a MemoryReader.
 
 #include <cstddef>
