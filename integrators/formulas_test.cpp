@@ -15,19 +15,55 @@
 namespace trivium::integrators {
 namespace {
 
-// y = t^m at t = 1, 0, -1, ... with h = 1
-TEST(BackwardFormula, IsExactForPolynomialsOfItsOrder) {
-  for (int order = 1; order <= 5; ++order) {
-    const BackwardFormula f = BackwardFormula::of_order(order);
-    for (int m = 0; m <= order + 1; ++m) {
-      double sum = m * f.b;
-      for (int j = 0; j < order; ++j) sum += f.c[j] * std::pow(-j, m);
-      if (m <= order)
-        EXPECT_EQ(sum, f.divisor) << order << " " << m;
-      else
-        EXPECT_NE(sum, f.divisor) << order;
+/// The times 0, -1, ... of `n` values, or times of unequal distances.
+PolynomialNumbers<double> times(int n, bool are_equal) {
+  PolynomialNumbers<double> times;
+  for (int k = 0; k < n; ++k) times.add(are_equal ? -k : -k * (1 + 0.3 * k) / 1.3);
+  return times;
+}
+
+// y = (1 + t)^m
+TEST(BackwardFormula, IsExactForPolynomialsOfItsOrderAtAnyDistances) {
+  for (const bool are_equal : {true, false})
+    for (int order = 1; order <= 5; ++order) {
+      const PolynomialNumbers<double> at = times(order + 1, are_equal);
+      const BackwardFormula<double> f(at);
+      for (int m = 0; m <= order + 1; ++m) {
+        double sum = m * f.b;
+        for (int j = 0; j < order; ++j) sum += f.c[j] * std::pow(1 + at[j + 1], m);
+        if (m <= order)
+          EXPECT_NEAR(sum, 1, 1e-13) << order << " " << m;
+        else
+          EXPECT_GT(std::abs(sum - 1), 1e-3) << order;
+      }
+    }
+}
+
+TEST(BackwardFormula, HasThePublishedCoefficientsAtEqualDistances) {
+  const BackwardFormula<double> f(times(4, true));
+  EXPECT_NEAR(f.b, 6.0 / 11, 1e-15);
+  EXPECT_NEAR(f.c[0], 18.0 / 11, 1e-15);
+  EXPECT_NEAR(f.c[1], -9.0 / 11, 1e-15);
+  EXPECT_NEAR(f.c[2], 2.0 / 11, 1e-15);
+}
+
+TEST(Lagrange, IntegratesPolynomialsThroughItsPointsExactly) {
+  for (int n = 1; n <= 6; ++n) {
+    const PolynomialNumbers<double> at = times(n, false), weights = integral_weights(at, -1.0, 0.0);
+    for (int m = 0; m < n; ++m) {
+      double sum = 0;
+      for (int j = 0; j < n; ++j) sum += weights[j] * std::pow(1 + at[j], m);
+      EXPECT_NEAR(sum, 1.0 / (m + 1), 1e-11) << n << " " << m;
     }
   }
+}
+
+TEST(Lagrange, HasTheWeightsOfAdamsAndMoultonAtEqualDistances) {
+  const PolynomialNumbers<double> weights = integral_weights(times(4, true), -1.0, 0.0);
+  EXPECT_NEAR(weights[0], 9.0 / 24, 1e-15);
+  EXPECT_NEAR(weights[1], 19.0 / 24, 1e-15);
+  EXPECT_NEAR(weights[2], -5.0 / 24, 1e-15);
+  EXPECT_NEAR(weights[3], 1.0 / 24, 1e-15);
 }
 
 template <class Stages>

@@ -112,6 +112,7 @@ class Newton {
       is_fresh = k == 0 || options_.is_full || (!falls && !is_fresh);
       if (is_fresh) {
         system.factor(at_, shares, factors_);
+        has_factors_ = true;
         if (!options_.is_full) anderson_.clear();
       }
       change_.resize(nv + nc + x.shift.size());
@@ -143,6 +144,24 @@ class Newton {
   }
   /// The model at the last iterate.
   const typename System::Evaluation& at() const { return at_; }
+  /// Factors the matrix of M and Phi_q alone at (t, y), for `filter`.
+  void factor(System& system, const S& t, const StateVector<S>& y) {
+    system.evaluate(t, y, at_);
+    phi_.resize(system.multipliers());
+    system.factor(at_, {}, factors_);
+    has_factors_ = true;
+  }
+  /// Removes from a change of the motion the part that the rows do not admit, and damps the part that stiff
+  /// springs resist, by the matrix that was factored last. Does nothing before the first one.
+  void filter(System& system, StateVector<S>& change) {
+    if (!has_factors_) return;
+    system.inertia_force(factors_, change, force_);
+    system.reduce(factors_, force_, left_);
+    change.setZero();
+    mu_.setZero(phi_.size());
+    no_force_.setZero(phi_.size());
+    system.solve(factors_, at_, left_, no_force_, change, mu_);
+  }
 
  private:
   /// Chosen by experiment. Less would give up slow iterations; more only delays the end of divergent ones.
@@ -154,6 +173,7 @@ class Newton {
   Anderson<S> anderson_;
   typename System::Evaluation at_;
   typename System::Factors factors_;
+  bool has_factors_ = false;
   StateVector<S> force_, left_, phi_, phi_dot_;
   StateVector<S> change_, v_change_, lambda_change_, mu_, no_force_;
 };
