@@ -139,7 +139,9 @@ class MethodLaws {
     at_most("a chosen step goes forward and not beyond the requested end", loose.lands && tight.lands ? 0 : 1,
             0);
     if (!loose.lands || !tight.lands) return;
-    at_most("the error of y decreases with the tolerance", tight.y_error, std::min(1e-5, loose.y_error / 10));
+    // the errors of all steps add up
+    at_most("the error of y decreases with the tolerance", tight.y_error,
+            std::min(5e-8 * static_cast<double>(tight.method->counters().steps), loose.y_error / 10));
     own_multipliers(tight);
     at_most("the method's own multipliers are accurate at tight tolerances", tight.lambda_error, 1e-3);
     shortens();

@@ -136,14 +136,16 @@ template <FirstOrderSystem System>
 /// The factor from a step size to the next: 0.9 error^power, between 0.2 and `most`, for an estimated error
 /// in tolerances. The power is negative: -1 / (order of the estimate + 1). 0.9 makes the next step likely to
 /// be accepted. The bound 0.2 distrusts estimates far outside the asymptotic range (Hairer, Norsett, Wanner
-/// (1993), II.4).
+/// (1993), II.4). A factor between 1 and `least_growth` counts as 1, for methods that lose accuracy or time
+/// where the step size changes.
 template <class S>
 struct StepRule {
-  S power, most;
+  S power, most, least_growth = S(1);
 
   S operator()(const S& error) const {
     using std::pow;
     const S factor = error == S(0) ? most : S(S(0.9) * pow(error, power));
+    if (factor > S(1) && factor < least_growth) return S(1);
     return std::min(most, std::max(S(0.2), factor));
   }
 };

@@ -41,7 +41,7 @@ class HalfExplicit {
   using S = typename System::Scalar;
 
   /// With tolerances the method chooses its steps, which needs an embedded formula; without them it takes the
-  /// given steps.
+  /// given steps, or those of ErrorControl (error_control.hpp).
   explicit HalfExplicit(std::optional<Tolerances> tolerances = {}) : tolerances_(tolerances) {}
 
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
@@ -49,7 +49,7 @@ class HalfExplicit {
     if (!tolerances_) {
       advance(system, t, stop - t, y);
       require_finite(reached_, stop);
-      accept(stop - t, y);
+      accept(system, stop - t, y);
       t = stop;
       return;
     }
@@ -60,7 +60,28 @@ class HalfExplicit {
           advance(system, t, h, y);
           return error_of(h, y);
         },
-        [&](const S& h) { accept(h, y); });
+        [&](const S& h) { accept(system, h, y); });
+  }
+  /// Computes a step from (t, y) to `stop`, whose end is `reached`; nothing is remembered before `accept`.
+  void attempt(System& system, const S& t, const S& stop, const StateVector<S>& y, StateVector<S>& reached) {
+    advance(system, t, stop - t, y);
+    reached = reached_;
+  }
+  /// Accepts the step of length h that was computed last; `y` is set to its end.
+  void accept(System&, const S& h, StateVector<S>& y) {
+    const S work = y.size() > nq_ + nv_ ? y[nq_ + nv_] : S(0);
+    y = reached_;
+    if (y.size() > nq_ + nv_) {
+      y[nq_ + nv_] = work;
+      for (int j = 0; j < end; ++j) y[nq_ + nv_] += h * of_.a[end][j] * stage_[j].work_rate;
+    }
+    if constexpr (first_is_known) {
+      std::swap(stage_[0].v_dot, stage_[stages - 1].v_dot);
+      stage_[0].work_rate = stage_[stages - 1].work_rate;
+    }
+    last_lambda_ = lambda_;
+    has_stepped_ = true;
+    ++counters_.steps;
   }
   void restart() {
     has_begun_ = has_stepped_ = false;
@@ -130,21 +151,6 @@ class HalfExplicit {
       std::swap(at_, next_);
       if (i + 1 == end) reached_ = at_;
     }
-  }
-  void accept(const S& h, StateVector<S>& y) {
-    const S work = y.size() > nq_ + nv_ ? y[nq_ + nv_] : S(0);
-    y = reached_;
-    if (y.size() > nq_ + nv_) {
-      y[nq_ + nv_] = work;
-      for (int j = 0; j < end; ++j) y[nq_ + nv_] += h * of_.a[end][j] * stage_[j].work_rate;
-    }
-    if constexpr (first_is_known) {
-      std::swap(stage_[0].v_dot, stage_[stages - 1].v_dot);
-      stage_[0].work_rate = stage_[stages - 1].work_rate;
-    }
-    last_lambda_ = lambda_;
-    has_stepped_ = true;
-    ++counters_.steps;
   }
   /// The estimated error of a step [tolerances]; 0 without an embedded formula.
   S error_of(const S& h, const StateVector<S>& y) {

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "integrators/chosen_steps.hpp"
 #include "integrators/explicit/half_explicit.hpp"
 #include "integrators/explicit/odeint.hpp"
 #include "integrators/quad.hpp"
@@ -92,9 +93,12 @@ std::vector<MethodEntry<S>> explicit_methods() {
         .summary = "half-explicit Runge-Kutta, index 2",
         .order = 4,
         .takes_given_steps = true,
+        .chooses_steps = true,
         .has_raw_lambda = true,
         .raw_lambda_order = 2},
-       [](Request) -> Made { return adapt<S>(HalfExplicit<AnySystem<S>, Hem4Coefficients<S>>()); }},
+       [](Request request) -> Made {
+         return with_steps<S>(request, 4, HalfExplicit<AnySystem<S>, Hem4Coefficients<S>>());
+       }},
   };
 }
 

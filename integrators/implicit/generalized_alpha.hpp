@@ -20,6 +20,7 @@
 #include "integrators/implicit/newton.hpp"
 #include "integrators/initial_acceleration.hpp"
 #include "integrators/linear_extrapolation.hpp"
+#include "integrators/time_grid.hpp"
 #include "integrators/work_quadrature.hpp"
 
 namespace trivium::integrators {
@@ -41,33 +42,51 @@ class GeneralizedAlpha {
         newton_(newton) {}
 
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
+    attempt(system, t, stop, y, reached_);
+    accept(system, stop - t, reached_);
+    y.swap(reached_);
+    t = stop;
+  }
+  /// Solves a step from (t, y) to `stop`, whose end is `reached`. Nothing is remembered before `accept`.
+  void attempt(System& system, const S& t, const S& stop, const StateVector<S>& y, StateVector<S>& reached) {
     const S h = stop - t;
     if (!last_h_) begin(system, t, y, stop);
+    // a_n approximates v' at t + (alpha_m - alpha_f) h with the last h; this h may be another one
+    a_now_ = a_;
+    if (!is_same_length(h, *last_h_)) {
+      system.accelerations(t, y, next_a_, x_.lambda);
+      ++counters_.right_sides;
+      a_now_ = next_a_ + h / *last_h_ * (a_ - next_a_);
+    }
     const S per_a = (1 - alpha_f_) / (1 - alpha_m_);
     const Shares<S> shares{h * h * beta_ * per_a, h * gamma_ * per_a};
     const int nq = system.position_size(), nv = system.velocity_size();
     v_ = y.segment(nq, nv);
-    from_ = y;
-    known_ = (alpha_f_ * v_dot_.now() - alpha_m_ * a_) / (1 - alpha_m_);
+    reached = y;
+    known_ = (alpha_f_ * v_dot_.now() - alpha_m_ * a_now_) / (1 - alpha_m_);
     const auto place = [&](const StepUnknowns<S>& x, StateVector<S>& to) {
       next_a_ = known_ + per_a * x.v_dot;
-      displacement_ = h * v_ + h * h * ((S(0.5) - beta_) * a_ + beta_ * next_a_);
+      displacement_ = h * v_ + h * h * ((S(0.5) - beta_) * a_now_ + beta_ * next_a_);
       if (is_stabilised_) displacement_ += x.shift;
-      system.displace(from_, displacement_, to);
-      to.segment(nq, nv) = v_ + h * ((1 - gamma_) * a_ + gamma_ * next_a_);
+      system.displace(y, displacement_, to);
+      to.segment(nq, nv) = v_ + h * ((1 - gamma_) * a_now_ + gamma_ * next_a_);
     };
     v_dot_.ahead(h / *last_h_, x_.v_dot);
     lambda_.ahead(h / *last_h_, x_.lambda);
     x_.shift.setZero(is_stabilised_ ? nv : 0);
-    newton_(system, stop, shares, place, y, x_, counters_);
-    work_.add(system, newton_.at(), x_.lambda, h, y);
+    newton_(system, stop, shares, place, reached, x_, counters_);
+  }
+  /// Accepts the step of length h that was solved last, and adds its work to `reached`.
+  void accept(System& system, const S& h, StateVector<S>& reached) {
+    work_.add(system, newton_.at(), x_.lambda, h, reached);
     v_dot_.push(x_.v_dot);
     lambda_.push(x_.lambda);
     a_ = next_a_;
     last_h_ = h;
-    t = stop;
     ++counters_.steps;
   }
+  /// Newton::filter with the matrix of the step that was solved last.
+  void filter(System& system, StateVector<S>& change) { newton_.filter(system, change); }
   void restart() {
     last_h_.reset();
     ++counters_.restarts;
@@ -98,7 +117,7 @@ class GeneralizedAlpha {
   const S alpha_m_, alpha_f_, gamma_, beta_;
   Newton<System> newton_;
   LinearExtrapolation<S> v_dot_, lambda_;
-  StateVector<S> a_, next_a_, displacement_, v_, from_, known_;
+  StateVector<S> a_, a_now_, next_a_, displacement_, v_, known_, reached_;
   StepUnknowns<S> x_;
   WorkQuadrature<S> work_;
   std::optional<S> last_h_;

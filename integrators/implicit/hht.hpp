@@ -14,6 +14,7 @@
 #include "integrators/implicit/newton.hpp"
 #include "integrators/initial_acceleration.hpp"
 #include "integrators/linear_extrapolation.hpp"
+#include "integrators/time_grid.hpp"
 #include "integrators/work_quadrature.hpp"
 
 namespace trivium::integrators {
@@ -28,18 +29,31 @@ class HHT {
       : alpha_(alpha), gamma_(S(0.5) - alpha_), beta_((1 - alpha_) * (1 - alpha_) / 4), newton_(newton) {}
 
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
+    attempt(system, t, stop, y, reached_);
+    accept(system, stop - t, reached_);
+    y.swap(reached_);
+    t = stop;
+  }
+  /// Solves a step from (t, y) to `stop`, whose end is `reached`. Nothing is remembered before `accept`.
+  void attempt(System& system, const S& t, const S& stop, const StateVector<S>& y, StateVector<S>& reached) {
     const S h = stop - t;
     if (!last_h_) begin(system, t, y, stop);
     const int nq = system.position_size(), nv = system.velocity_size();
     v_ = y.segment(nq, nv);
-    from_ = y;
-    const StateVector<S>& a = a_.now();
+    reached = y;
+    // a_n approximates v' at t + alpha h with the last h; this h may be another one
+    a_now_ = a_.now();
+    if (!is_same_length(h, *last_h_)) {
+      system.accelerations(t, y, v_dot_, x_.lambda);
+      ++counters_.right_sides;
+      a_now_ = v_dot_ + h / *last_h_ * (a_.now() - v_dot_);
+    }
     // Newton's unknown is a_n+1 / (1 + alpha), so that its factor in the equations is M
     const S per_x = 1 + alpha_;
     const auto place = [&](const StepUnknowns<S>& x, StateVector<S>& to) {
-      displacement_ = h * v_ + h * h * ((S(0.5) - beta_) * a + beta_ * per_x * x.v_dot);
-      system.displace(from_, displacement_, to);
-      to.segment(nq, nv) = v_ + h * ((1 - gamma_) * a + gamma_ * per_x * x.v_dot);
+      displacement_ = h * v_ + h * h * ((S(0.5) - beta_) * a_now_ + beta_ * per_x * x.v_dot);
+      system.displace(y, displacement_, to);
+      to.segment(nq, nv) = v_ + h * ((1 - gamma_) * a_now_ + gamma_ * per_x * x.v_dot);
     };
     const auto force = [&](const typename System::Evaluation& at, const StateVector<S>& x,
                            StateVector<S>& total) {
@@ -49,16 +63,20 @@ class HHT {
     a_.ahead(h / *last_h_, x_.v_dot);
     x_.v_dot /= per_x;
     lambda_.ahead(h / *last_h_, x_.lambda);
-    newton_(system, stop, {h * h * beta_ * per_x, h * gamma_ * per_x}, place, y, x_, counters_, force);
-    work_.add(system, newton_.at(), x_.lambda, h, y);
-    g_ = alpha_ / per_x * g_ - inertia_;
-    x_.v_dot *= per_x;
+    newton_(system, stop, {h * h * beta_ * per_x, h * gamma_ * per_x}, place, reached, x_, counters_, force);
+  }
+  /// Accepts the step of length h that was solved last, and adds its work to `reached`.
+  void accept(System& system, const S& h, StateVector<S>& reached) {
+    work_.add(system, newton_.at(), x_.lambda, h, reached);
+    g_ = alpha_ / (1 + alpha_) * g_ - inertia_;
+    x_.v_dot *= 1 + alpha_;
     a_.push(x_.v_dot);
     lambda_.push(x_.lambda);
     last_h_ = h;
-    t = stop;
     ++counters_.steps;
   }
+  /// Newton::filter with the matrix of the step that was solved last.
+  void filter(System& system, StateVector<S>& change) { newton_.filter(system, change); }
   void restart() {
     last_h_.reset();
     ++counters_.restarts;
@@ -91,7 +109,7 @@ class HHT {
   const S alpha_, gamma_, beta_;
   Newton<System> newton_;
   LinearExtrapolation<S> a_, lambda_;
-  StateVector<S> g_, displacement_, inertia_, v_, from_;
+  StateVector<S> g_, a_now_, v_dot_, displacement_, inertia_, v_, reached_;
   StepUnknowns<S> x_;
   WorkQuadrature<S> work_;
   std::optional<S> last_h_;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "integrators/chosen_steps.hpp"
 #include "integrators/implicit/bdf.hpp"
 #include "integrators/implicit/generalized_alpha.hpp"
 #include "integrators/implicit/hht.hpp"
@@ -37,14 +38,17 @@ std::vector<MethodEntry<S>> implicit_methods() {
     return NewtonOptions{.is_full = request.given.full_newton.value_or(false)};
   };
   static constexpr auto generalized_alpha = [](Request request, bool is_stabilised) -> Made {
-    return adapt<S>(GeneralizedAlpha<AnySystem<S>>(detail::checked("rho", request.given.rho, 0.8, 0.0, 1.0),
-                                                   is_stabilised, newton(request)));
+    return with_steps<S>(
+        request, 2,
+        GeneralizedAlpha<AnySystem<S>>(detail::checked("rho", request.given.rho, 0.8, 0.0, 1.0),
+                                       is_stabilised, newton(request)));
   };
   return {
       {{.name = "generalized-alpha",
         .summary = "generalised-alpha on Lie groups, index 3",
         .order = 2,
         .takes_given_steps = true,
+        .chooses_steps = true,
         .meets_constraints = true,
         .takes_rho = true,
         .takes_full_newton = true},
@@ -53,6 +57,7 @@ std::vector<MethodEntry<S>> implicit_methods() {
         .summary = "generalised-alpha on Lie groups, stabilised index 2",
         .order = 2,
         .takes_given_steps = true,
+        .chooses_steps = true,
         .meets_constraints = true,
         .takes_rho = true,
         .takes_full_newton = true},
@@ -61,12 +66,15 @@ std::vector<MethodEntry<S>> implicit_methods() {
         .summary = "Hilber-Hughes-Taylor, index 3",
         .order = 2,
         .takes_given_steps = true,
+        .chooses_steps = true,
         .meets_constraints = true,
         .takes_alpha = true,
         .takes_full_newton = true},
        [](Request request) -> Made {
-         return adapt<S>(HHT<AnySystem<S>>(detail::checked("alpha", request.given.alpha, -0.2, -1.0 / 3, 0.0),
-                                           newton(request)));
+         return with_steps<S>(
+             request, 2,
+             HHT<AnySystem<S>>(detail::checked("alpha", request.given.alpha, -0.2, -1.0 / 3, 0.0),
+                               newton(request)));
        }},
       {{.name = "radau5",
         .summary = "Radau IIA of 3 stages, stabilised index 2",
@@ -94,12 +102,13 @@ std::vector<MethodEntry<S>> implicit_methods() {
         .summary = "backward differentiation, orders 1 to 5, index 3",
         .standard_order = 2,
         .takes_given_steps = true,
+        .chooses_steps = true,
         .meets_constraints = true,
         .takes_order = true,
         .takes_full_newton = true},
        [](Request request) -> Made {
-         return adapt<S>(BDF<AnySystem<S>>(detail::checked("order of bdf", request.given.order, 2, 1, 5),
-                                           newton(request)));
+         const int order = detail::checked("order of bdf", request.given.order, 2, 1, 5);
+         return with_steps<S>(request, order, BDF<AnySystem<S>>(order, newton(request)));
        }},
   };
 }

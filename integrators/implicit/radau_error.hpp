@@ -3,11 +3,8 @@
 /// iteration by the first norm; take_chosen_step accepts or rejects a step by the second. Hairer and Wanner,
 /// Solving Ordinary Differential Equations II (1996), IV.8.
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/raise.hpp"
-#include "integrators/contract/tolerances.hpp"
+#include "integrators/error_norm.hpp"
 #include "integrators/implicit/radau_stages.hpp"
 
 namespace trivium::integrators {
@@ -65,19 +62,10 @@ class RadauError {
   }
 
  private:
-  /// Root mean square of a displacement and a change of velocities, each number divided by its tolerance.
   S in_tolerances(const Stages& stages, const StateVector<S>& y, const StateVector<S>& of_q,
                   const StateVector<S>& of_v) const {
-    using std::abs, std::sqrt;
-    const S atol(tolerances_.atol), rtol(tolerances_.rtol);
-    const int nq = stages.nq(), nv = stages.nv();
-    S sum(0);
-    for (int k = 0; k < nv; ++k) {
-      const S v = of_v[k] / (atol + rtol * std::max(S(abs(y[nq + k])), S(abs(stages.last().v[k])))),
-              q = of_q[k] / (atol + rtol * sizes_[k]);
-      sum += v * v + q * q;
-    }
-    return sqrt(sum / (2 * nv));
+    return integrators::in_tolerances<S>(tolerances_, sizes_, y.segment(stages.nq(), stages.nv()),
+                                         stages.last().v, of_q, of_v);
   }
 
   Tolerances tolerances_;
