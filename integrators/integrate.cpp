@@ -104,12 +104,17 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
     const S target = stop->is_event ? stop->t - little : stop->t;
     while (t < target) {
       checked_step(system, method, t, y, target, projects, project, report);
+      const bool looks_back = !passed.empty() && passed.front() < t;
       bool goes_on = true;  // if it is false after an output within the step, the run ends at the step's end
       for (; goes_on && !passed.empty() && passed.front() < t; passed.pop_front()) {
         StateVector<S> between;
         method.interpolate(passed.front(), between);
         if (projects) project(system, passed.front(), between, report);
         goes_on = at_output(passed.front(), between) == Continue::yes;
+      }
+      if (looks_back) {  // the method's lambda() is that of the step's end again
+        StateVector<S> at_end;
+        method.interpolate(t, at_end);
       }
       if (system.accept_state(t, y)) method.restart();
       if (at_step(t, y) == Continue::no) goes_on = false;

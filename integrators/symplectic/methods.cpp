@@ -2,8 +2,11 @@
 
 #include "integrators/symplectic/methods.hpp"
 
+#include <utility>
+
 #include "integrators/quad.hpp"
 #include "integrators/symplectic/rattle.hpp"
+#include "integrators/symplectic/reversible_steps.hpp"
 
 namespace trivium::integrators {
 
@@ -14,9 +17,14 @@ std::vector<MethodEntry<S>> symplectic_methods() {
         .summary = "RATTLE on Lie groups, symplectic if M is constant",
         .order = 2,
         .takes_given_steps = true,
+        .chooses_steps = true,
         .meets_constraints = true,
         .needs_constant_inertia = true},
-       [](const MethodRequest&) { return adapt<S>(Rattle<AnySystem<S>>(2)); }},
+       [](const MethodRequest& request) {
+         Rattle<AnySystem<S>> rattle(2);
+         if (!request.tolerances) return adapt<S>(std::move(rattle));
+         return adapt<S>(ReversibleSteps<AnySystem<S>>(std::move(rattle), *request.tolerances));
+       }},
       {{.name = "rattle4",
         .summary = "RATTLE composed to order 4, symplectic if M is constant",
         .order = 4,

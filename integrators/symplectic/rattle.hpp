@@ -63,26 +63,40 @@ class Rattle {
   }
   bool shorten() { return false; }
   const Counters& counters() const { return counters_; }
-  const StateVector<S>* lambda() const { return has_begun_ ? &lambda_ : nullptr; }
+  const StateVector<S>* lambda() const { return has_begun_ ? &memory_.lambda : nullptr; }
+
+  /// The numbers that are kept from step to step.
+  struct Memory {
+    StateVector<S> held, lambda;  ///< force [N, N m] and multipliers of the constraints at the last state
+    S last_h{0};                  ///< length of the last step [s]
+    WorkQuadrature<S> work;
+  };
+  const Memory& memory() const { return memory_; }
+  /// Goes on from (t, y) with the memory that the method had there.
+  void recall(System& system, const S& t, const StateVector<S>& y, const Memory& memory) {
+    memory_ = memory;
+    system.evaluate(t, y, at_);
+    factor(system);
+  }
 
   bool has_begun() const { return has_begun_; }
   void begin(System& system, const S& t, const StateVector<S>& y, const S& stop) {
     const InitialAcceleration<S> start(system, t, y, stop - t, counters_);
     none_.setZero(system.velocity_size());
-    lambda_ = last_mu_ = start.lambda;
-    last_h_ = S(0);
-    // held_ = -Phi_q^T lambda, as the difference of the residuals with and without multipliers
+    memory_.lambda = start.lambda;
+    memory_.last_h = S(0);
+    // memory_.held = -Phi_q^T lambda, as the difference of the residuals with and without multipliers
     system.evaluate(t, y, at_);
-    system.residual(at_, none_, lambda_, held_);
+    system.residual(at_, none_, memory_.lambda, memory_.held);
     system.residual(at_, none_, StateVector<S>::Zero(system.multipliers()), left_);
-    held_ -= left_;
+    memory_.held -= left_;
     factor(system);
-    work_.begin(start.work_rate);
+    memory_.work.begin(start.work_rate);
     has_begun_ = true;
   }
   void show_memory(auto&& show) {
-    work_.show_memory(show);
-    show(held_, lambda_, last_h_);
+    memory_.work.show_memory(show);
+    show(memory_.held, memory_.lambda, memory_.last_h);
   }
 
  private:
@@ -94,11 +108,11 @@ class Rattle {
     system.evaluate(t, y, at_);
     system.applied_force(at_, force_);
     system.inertia_force(at_, v_, momentum_);
-    known_ = h * momentum_ + h * h / 2 * (force_ + held_);
+    known_ = h * momentum_ + h * h / 2 * (force_ + memory_.held);
     theta_ = h * v_;
     mu_.setZero(system.multipliers());
     const S length = h > S(0) ? h : S(-h);  // a composed step has one part that goes back
-    const S size = length * momentum_.norm() + h * h / 2 * (force_.norm() + held_.norm());
+    const S size = length * momentum_.norm() + h * h / 2 * (force_.norm() + memory_.held.norm());
     approach(
         system, t_next,
         [&] {
@@ -114,10 +128,11 @@ class Rattle {
           theta_ += change_;
           known_ += force_change_;
         });
-    // The error of mu_n is c last_h_ with an unknown factor c, where last_h_ is the length of the step before
-    // t_n. The error of lambda_n is -c h. The iteration above has found 2 / h^2 mu_ = lambda_n - mu_n, which
-    // is therefore -c (h + last_h_). Hence off_ = -c h, and lambda_ = mu_n+1 + off_ has no error of order h.
-    off_ = h / (h + last_h_) * 2 / (h * h) * mu_;
+    // The error of mu_n is c memory_.last_h with an unknown factor c, where memory_.last_h is the length of
+    // the step before t_n. The error of lambda_n is -c h. The iteration above has found 2 / h^2 mu_ =
+    // lambda_n - mu_n, which is therefore -c (h + memory_.last_h). Hence off_ = -c h, and memory_.lambda =
+    // mu_n+1 + off_ has no error of order h.
+    off_ = h / (h + memory_.last_h) * 2 / (h * h) * mu_;
     system.inertia_force(at_, theta_, momentum_);
     y.segment(nq, nv) = theta_ / h;
     theta_ = -theta_;
@@ -125,29 +140,28 @@ class Rattle {
     arriving_ = rate_ / h;
     system.evaluate(t_next, y, at_);
     factor(system);
-    held_.setZero(nv);
+    memory_.held.setZero(nv);
     mu_.setZero();
     approach(
         system, t_next,
         [&] {
           system.evaluate(t_next, y, at_);
           system.applied_force(at_, force_);
-          size_ = arriving_.norm() + length / 2 * (force_.norm() + held_.norm());
+          size_ = arriving_.norm() + length / 2 * (force_.norm() + memory_.held.norm());
           v_ = y.segment(nq, nv);
-          left_ = arriving_ + h / 2 * (force_ + held_) - momentum_of(system, v_);
+          left_ = arriving_ + h / 2 * (force_ + memory_.held) - momentum_of(system, v_);
           return system.velocity_rows(at_, rows_);
         },
         [&] {
           y.segment(nq, nv) += change_;
-          held_ += 2 / h * force_change_;
+          memory_.held += 2 / h * force_change_;
         });
-    last_mu_ = 2 / h * mu_;
-    last_h_ = h;
-    lambda_ = last_mu_ + off_;
+    memory_.last_h = h;
+    memory_.lambda = 2 / h * mu_ + off_;
     if (y.size() == nq + nv) return;
     system.derivative(t_next, y, y_dot_);
     ++counters_.right_sides;
-    work_.add(y_dot_[nq + nv], h, y[nq + nv]);
+    memory_.work.add(y_dot_[nq + nv], h, y[nq + nv]);
   }
 
   /// Solves one half of the step to rounding, with the factors made last. `look` puts the residual of the
@@ -208,13 +222,12 @@ class Rattle {
   bool has_begun_ = false;
   typename System::Evaluation at_;
   typename System::Factors factors_;
-  StateVector<S> lambda_, mu_, rows_, reduced_, force_, momentum_, rate_, left_, none_, y_dot_;
+  StateVector<S> mu_, rows_, reduced_, force_, momentum_, rate_, left_, none_, y_dot_;
   StateVector<S> change_, force_change_, mu_change_, changes_;  ///< within one iteration
   Anderson<S> anderson_;
   StateVector<S> from_, v_, theta_, known_, arriving_, off_;  ///< within one step
-  StateVector<S> held_, last_mu_;  ///< force [N, N m] and multipliers of the constraints at the last state
-  S last_h_{0}, size_{0};
-  WorkQuadrature<S> work_;
+  S size_{0};
+  Memory memory_;
   Counters counters_;
 };
 

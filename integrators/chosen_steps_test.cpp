@@ -1,0 +1,147 @@
+/// Chosen steps of methods without an error estimate of their own, on the spherical pendulum.
+
+#include "integrators/chosen_steps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "integrators/contract/spherical_pendulum.hpp"
+#include "integrators/integrate.hpp"
+#include "integrators/methods.hpp"
+
+namespace trivium::integrators {
+namespace {
+
+/// A pendulum that hardly moves near its highest point, and passes the lowest one fast.
+SphericalPendulum<double> from_the_top() {
+  SphericalPendulum<double> pendulum;
+  pendulum.r0 = {std::sin(0.02), 0, std::cos(0.02)};
+  pendulum.v0 = {0, 0.01, 0};
+  return pendulum;
+}
+
+double energy(const SphericalPendulum<double>& pendulum, const StateVector<double>& y) {
+  return pendulum.m * (y.tail(3).squaredNorm() / 2 + pendulum.g * y[2]);
+}
+
+struct Walked {
+  std::vector<double> t, step_ends;
+  std::vector<StateVector<double>> y;
+  std::vector<double> lambda;
+  Counters counters;
+};
+
+Walked run(SphericalPendulum<double>&& pendulum, const std::string& name, double end,
+           std::optional<double> output_step, double tolerance) {
+  SystemAdapter<SphericalPendulum<double>> system(pendulum);
+  const auto method = make_method<double>(name, Steps::chosen, {tolerance, tolerance});
+  ProjectionReport<double> report;
+  Walked walked;
+  integrate<double>(
+      system, *method, TimeGrid(0, end, output_step), !find_method(name)->meets_constraints, report,
+      [&](const double& t, const StateVector<double>&) {
+        walked.step_ends.push_back(t);
+        return Continue::yes;
+      },
+      [&](const double& t, const StateVector<double>& y) {
+        walked.t.push_back(t);
+        walked.y.push_back(y);
+        walked.lambda.push_back(method->lambda() ? (*method->lambda())[0] : 0);
+        return Continue::yes;
+      });
+  walked.counters = method->counters();
+  return walked;
+}
+
+class ErrorControlled : public testing::TestWithParam<std::pair<const char*, int>> {};
+
+TEST_P(ErrorControlled, TakesStepsThatGrowWithTheToleranceAsTheOrderSays) {
+  const auto [name, order] = GetParam();
+  const auto steps = [&](double tolerance) {
+    return static_cast<double>(run(SphericalPendulum<double>(), name, 2, {}, tolerance).counters.steps);
+  };
+  const double expected = std::pow(1e3, 1.0 / (order + 1)), found = steps(1e-8) / steps(1e-5);
+  EXPECT_GT(found, 0.7 * expected);
+  EXPECT_LT(found, 1.5 * expected);
+}
+
+TEST_P(ErrorControlled, RejectsFewSteps) {
+  const Counters counters = run(from_the_top(), GetParam().first, 20, {}, 1e-6).counters;
+  EXPECT_LE(counters.rejected_steps, counters.steps / 10);
+}
+
+TEST_P(ErrorControlled, StaysNearTheExactMotion) {
+  const StateVector<double> exact = run(SphericalPendulum<double>(), "rkf78", 2, {}, 1e-13).y.back();
+  for (const double tolerance : {1e-4, 1e-7}) {
+    const Walked walked = run(SphericalPendulum<double>(), GetParam().first, 2, {}, tolerance);
+    // the errors of all steps add up, and the motion enlarges them
+    EXPECT_LE((walked.y.back() - exact).norm(), 10 * tolerance * static_cast<double>(walked.counters.steps))
+        << tolerance;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, ErrorControlled,
+                         testing::Values(std::pair("generalized-alpha", 2),
+                                         std::pair("generalized-alpha-gl2", 2), std::pair("hht", 2),
+                                         std::pair("bdf", 2), std::pair("hem4", 4)),
+                         [](const auto& method) {
+                           std::string name = method.param.first;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(ReversibleSteps, KeepTheEnergyErrorBounded) {
+  const auto pendulum = from_the_top();
+  const Walked walked = run(from_the_top(), "rattle", 400, 0.1, 1e-5);
+  const double at_start = energy(pendulum, walked.y.front());
+  const auto largest = [&](double from, double to) {
+    double error = 0;
+    for (std::size_t k = 0; k < walked.t.size(); ++k)
+      if (walked.t[k] >= from && walked.t[k] <= to)
+        error = std::max(error, std::abs(energy(pendulum, walked.y[k]) - at_start));
+    return error;
+  };
+  const double early = largest(0, 40);
+  EXPECT_GT(early, 1e-6);
+  EXPECT_LE(largest(360, 400), 1.5 * early);
+}
+
+TEST(ReversibleSteps, AreShortWhereTheMotionIsFast) {
+  const Walked walked = run(from_the_top(), "rattle", 20, {}, 1e-5);
+  double shortest = 1, longest = 0;
+  for (std::size_t k = 1; k + 1 < walked.step_ends.size(); ++k) {
+    const double h = walked.step_ends[k] - walked.step_ends[k - 1];
+    shortest = std::min(shortest, h);
+    longest = std::max(longest, h);
+  }
+  EXPECT_GT(longest, 3 * shortest);
+}
+
+TEST(ReversibleSteps, DoNotDependOnOutputs) {
+  const Walked with = run(from_the_top(), "rattle", 20, 0.05, 1e-4),
+               without = run(from_the_top(), "rattle", 20, {}, 1e-4);
+  EXPECT_EQ(with.step_ends, without.step_ends);
+  EXPECT_EQ(with.y.back(), without.y.back());
+  EXPECT_EQ(with.lambda.back(), without.lambda.back());
+}
+
+TEST(ReversibleSteps, SatisfyTheConstraintsAtOutputsWithinAStep) {
+  SphericalPendulum<double> pendulum;
+  const Walked walked = run(SphericalPendulum<double>(), "rattle", 2, 0.01, 1e-4);
+  EXPECT_GT(walked.t.size(), 2 * walked.step_ends.size());
+  for (std::size_t k = 1; k < walked.t.size(); ++k) {
+    EXPECT_LE(pendulum.position_violation(0, walked.y[k]).size, 1e-13);
+    EXPECT_LE(pendulum.velocity_violation(0, walked.y[k]).size, 1e-12);
+    StateVector<double> v_dot, lambda;
+    pendulum.accelerations(0, walked.y[k], v_dot, lambda);
+    EXPECT_NEAR(walked.lambda[k], lambda[0], 0.02 * std::abs(lambda[0])) << walked.t[k];
+  }
+}
+
+}  // namespace
+}  // namespace trivium::integrators
