@@ -1,5 +1,6 @@
 #pragma once
-/// The choice between given and chosen steps for methods whose steps ErrorControl can choose.
+/// The choice between given and chosen steps for methods without an error estimate of their own. Without
+/// tolerances such a method takes given steps; with them ErrorControl chooses its steps.
 
 #include <memory>
 #include <utility>

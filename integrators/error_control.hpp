@@ -47,6 +47,7 @@ class ErrorControl {
 
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
     if (past_.empty()) begin(system, t, y);
+    past_.front().y = y;  // the end of the last step may have been projected since
     // A step may be at most twice as long as the one before, which keeps formulas of several steps stable.
     // The choice is common for such formulas (Hairer, Norsett, Wanner (1993), III.5). Growth by less than a
     // fifth is not worth the acceleration that generalised-alpha and HHT solve for where the length changes.

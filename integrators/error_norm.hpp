@@ -1,5 +1,6 @@
 #pragma once
-/// The size of an error in units of the tolerances, by which methods on displacements accept a step.
+/// The size of an error in units of the tolerances, by which methods on displacements accept a step. Positions
+/// and velocities count alike.
 
 #include <algorithm>
 #include <cmath>

@@ -55,7 +55,9 @@ TEST_P(InEveryFormulation, EveryMethodGoesOverAJumpOfVelocities) {
                              "generalized-alpha-gl2", "bdf", "hem4", "hedop5", "rattle", "rattle4"}) {
     if (!goes_with(*integrators::find_method(method), GetParam())) continue;
     SimulationOptions options = tight(GetParam(), method, 1, 1e-9);
-    const bool steps = !integrators::find_method(method)->chooses_steps;
+    // methods of low order take given steps: their own multipliers are not exact to 1e-5 at chosen ones
+    const integrators::MethodInfo& info = *integrators::find_method(method);
+    const bool steps = info.takes_given_steps && info.standard_order <= 4;
     if (steps) options.step = 0.001;
     const Motion motion(scene, options);
     ASSERT_EQ(motion.report.impulses.size(), 2u) << method;
