@@ -1,25 +1,27 @@
 #pragma once
 /// Steps of RATTLE that are chosen by a rule which is the same forwards and backwards in time. The energy
-/// error of a symmetric method with such steps stays bounded, as with constant steps; it would grow with
-/// steps that follow an error estimate of the last step. The rule is that of Hairer and Soederlind, SIAM
-/// Journal on Scientific Computing 26 (2005). The density rho [1/s] of the steps follows the step Q(y) [s]
-/// that meets the tolerances at a state:
+/// error of a symmetric method with such steps stays bounded, as with constant steps, if the motion itself is
+/// the same forwards and backwards, as a swing is. With steps that follow an error estimate of the last step
+/// it would grow in any case. The rule is that of Hut, Makino and McMillan, The Astrophysical Journal 443
+/// (1995): a step is as long as the mean of the steps that suit its two ends,
 ///
-///   rho_n+1/2 = rho_n-1/2 + G(y_n),   h_n+1/2 = 1 / rho_n+1/2,   G = -d ln Q / dt along the motion
+///   h = (Q(y_n) + Q(y_n+1)) / 2,
 ///
-/// Q makes the leading terms of the local error, h^3 v''/6 of positions and h^3 v'''/12 of velocities, as
-/// large as the tolerances. The derivatives are differences of v' over the states at -2 d ... 2 d from the
-/// present one. The spacing d stays the same until the next restart: it must not depend on the direction of
-/// time.
+/// which is solved by iteration. Q(y) [s] is the step whose error of positions h^3 v''/6 would be a thirtieth
+/// of the tolerances; v'' is a difference of v' over states at -d, d from the present one. The thirtieth is
+/// chosen by experiment, so that the velocities too have errors of the size of the tolerances. v'' alone
+/// would vanish where a body turns back: the cubes of |v| / l and of (|v'| / l)^1/2, rates of the motion,
+/// count in the same way, with the distances l of the bodies from the origin. d and l stay the same until the
+/// next restart, so that Q depends on the state alone.
 ///
-/// A step that ends at a stop of the run (an event, the end) is shorter than the rule says, and a step that
-/// cannot be solved is tried again with a quarter of its length. The rule begins anew after both. Outputs do
-/// not limit steps: a step of its own leads from the start of the step to the time of an output.
+/// A step that ends at a stop of the run (an event, the end) is shorter than the rule says, and so is a step
+/// after one that could not be solved. Outputs do not limit steps: a step of its own leads from the start of
+/// the step to the time of an output.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -40,34 +42,46 @@ class ReversibleSteps {
 
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
     system_ = &system;
-    if (!method_.has_begun()) {
-      longest_ = stop - t;
-      method_.begin(system, t, y, t + std::min(first_length(system, t, y), S(stop - t)));
-      density_.reset();
-    }
-    choose(system, t, y);
+    if (!method_.has_begun()) begin(system, t, y, stop);
+    if (std::exchange(is_between_, false)) method_.recall(system, t, y, end_.memory);
     start_ = {t, y, method_.memory()};
-    for (std::string trouble;;) {
-      const S room = stop - t, h = 1 / *density_;
+    const S at_start = suited_, room = stop - t;
+    S h = std::exchange(shortened_, S(0)), tried = h;
+    bool is_free = !(h > S(0));  // to follow the rule
+    if (is_free) h = at_start;
+    std::string trouble;
+    for (int k = 0; k < most_iterations; ++k) {
       if (!(h > 4 * std::numeric_limits<S>::epsilon() * std::max(absolute(t), absolute(stop))))
-        give_up(system, t, y, trouble);
+        give_up(system, t, start_.y, trouble);
+      if (k > 0) method_.recall(system, t, y, start_.memory);
       // a rest below 1e-10 of a step comes from the rounding of t
       const bool lands = h >= room * S(1 - 1e-10);
+      S time = t;
       try {
-        S time = t;
         method_.step(system, time, y, lands ? stop : S(t + h));
         require_finite(y, time);
-        t = time;
-        break;
+        suited_ = suited(system, time, y);
       } catch (const UsageError&) {
         throw;
       } catch (const std::runtime_error& failure) {
         trouble = failure.what();
-        y = start_.y;
-        method_.recall(system, t, y, start_.memory);
-        *density_ *= 4;
+        is_free = false;
+        h /= 4;
         ++rejected_;
+        y = start_.y;
+        continue;
       }
+      const S next = (at_start + suited_) / 2, change = next - h, last = h - tried;
+      if (lands || !is_free || k == most_iterations - 1 || absolute(change) <= S(enough) * h) {
+        t = time;
+        break;
+      }
+      --not_kept_;
+      y = start_.y;
+      tried = h;
+      h = next;
+      // Aitken's extrapolation of the last three lengths, where they converge
+      if (k % 2 == 1 && absolute(change) < absolute(last) / 2) h += change * change / (last - change);
     }
     end_ = {t, y, method_.memory()};
     count();
@@ -76,12 +90,14 @@ class ReversibleSteps {
     method_.restart();
     count();
   }
-  /// Takes back the last step; the next one has a quarter of its length.
+  /// The last step is taken back; the next one has a quarter of its length.
   bool shorten() {
-    method_.recall(*system_, start_.t, start_.y, start_.memory);
-    --taken_back_;
+    shortened_ = (end_.t - start_.t) / 4;
+    end_ = start_;
+    is_between_ = true;
+    suited_ = suited(*system_, start_.t, start_.y);
+    --not_kept_;
     ++rejected_;
-    pending_ = 4 * *density_;
     count();
     return true;
   }
@@ -91,16 +107,13 @@ class ReversibleSteps {
   bool interpolates() const { return true; }
   /// A step from the start of the last step to t, or the end of the last step.
   void interpolate(const S& t, StateVector<S>& y) {
-    if (t == end_.t) {
-      y = end_.y;
-      method_.recall(*system_, end_.t, end_.y, end_.memory);
-      return;
-    }
-    y = start_.y;
-    method_.recall(*system_, start_.t, start_.y, start_.memory);
-    S time = start_.t;
+    const Point& from = t == end_.t ? end_ : start_;
+    y = from.y;
+    method_.recall(*system_, from.t, y, from.memory);
+    if (t == end_.t) return;
+    S time = from.t;
     method_.step(*system_, time, y, t);
-    --taken_back_;
+    --not_kept_;
     is_between_ = true;
     count();
   }
@@ -111,62 +124,50 @@ class ReversibleSteps {
     StateVector<S> y;
     typename Rattle<System>::Memory memory;
   };
-  /// v' at five states along the motion.
-  using Accelerations = std::array<StateVector<S>, 5>;
+
+  /// Relative change [-] of the length at which the iteration ends. Lengths that miss the rule by this much
+  /// change the energy error of a step by the same share; chosen by experiment. 20 is a safety limit.
+  static constexpr double enough = 1e-6;
+  static constexpr int most_iterations = 20;
 
   static S absolute(const S& x) { return x < S(0) ? S(-x) : x; }
 
-  /// The length of a step that meets the tolerances at (t, y), before the spacing is known.
-  S first_length(System& system, const S& t, const StateVector<S>& y) {
-    spacing_ = first_step(system, t, y, 2, tolerances_, right_sides_);
-    look(system, t, y);
-    const S length = step_of(system, y, 1);
-    spacing_ = length / 32;
-    return length;
-  }
-  /// Chooses the density of the next step.
-  void choose(System& system, const S& t, const StateVector<S>& y) {
-    if (is_between_) {
-      method_.recall(system, t, y, end_.memory);
-      is_between_ = false;
-    }
-    look(system, t, y);
-    using std::log;
-    const S ahead = step_of(system, y, 2), behind = step_of(system, y, 0), now = step_of(system, y, 1);
-    const S change = (log(behind) - log(ahead)) / (2 * spacing_);
-    density_ = density_ ? S(*density_ + change) : S(1 / now + change / 2);
-    // where Q changes by more than its size within a step, the rule could even give a negative density
-    if (!(*density_ > 1 / (4 * now)) || !(*density_ < 4 / now)) density_ = 1 / now;
-    if (pending_) density_ = std::exchange(pending_, std::nullopt);
-  }
-  /// v' at the states -2 d ... 2 d from (t, y).
-  void look(System& system, const S& t, const StateVector<S>& y) {
-    const int nq = system.position_size(), nv = system.velocity_size();
-    v_ = y.segment(nq, nv);
-    system.accelerations(t, y, v_dot_[2], lambda_);
-    near_ = y;
-    for (const int k : {0, 1, 3, 4}) {
-      const S by = (k - 2) * spacing_;
-      system.displace(y, by * v_ + by * by / 2 * v_dot_[2], near_);
-      near_.segment(nq, nv) = v_ + by * v_dot_[2];
-      system.accelerations(t + by, near_, v_dot_[k], lambda_);
-    }
-    right_sides_ += 5;
-  }
-  /// Q from the values k, k + 1 and k + 2 of v'.
-  S step_of(System& system, const StateVector<S>& y, int k) {
-    const int nq = system.position_size(), nv = system.velocity_size();
-    of_q_ = (v_dot_[k + 2] - v_dot_[k]) / (12 * spacing_);
-    of_v_ = (v_dot_[k + 2] - 2 * v_dot_[k + 1] + v_dot_[k]) / (12 * spacing_ * spacing_);
+  void begin(System& system, const S& t, const StateVector<S>& y, const S& stop) {
+    longest_ = stop - t;
     system.position_sizes(y, sizes_);
+    spacing_ = first_step(system, t, y, 2, tolerances_, right_sides_);
+    spacing_ = suited(system, t, y) / 8;
+    suited_ = suited(system, t, y);
+    method_.begin(system, t, y, t + std::min(suited_, longest_));
+    is_between_ = false;
+    shortened_ = S(0);
+  }
+  /// Q at (t, y); at most the length of the run.
+  S suited(System& system, const S& t, const StateVector<S>& y) {
+    using std::pow, std::sqrt;
+    const int nq = system.position_size(), nv = system.velocity_size();
     v_ = y.segment(nq, nv);
-    const S error = in_tolerances<S>(tolerances_, sizes_, v_, v_, of_q_, of_v_);
-    using std::pow;
+    system.accelerations(t, y, v_dot_, lambda_);
+    near_ = y;
+    for (const int k : {0, 1}) {
+      const S by = k == 0 ? S(-spacing_) : spacing_;
+      system.displace(y, by * v_ + by * by / 2 * v_dot_, near_);
+      near_.segment(nq, nv) = v_ + by * v_dot_;
+      system.accelerations(t + by, near_, v_dot_at_[k], lambda_);
+    }
+    right_sides_ += 3;
+    v_ddot_ = (v_dot_at_[1] - v_dot_at_[0]) / (2 * spacing_);
+    none_.setZero(nv);
+    const auto size = [&](const StateVector<S>& q) {
+      return in_tolerances<S>(tolerances_, sizes_, none_, none_, q, none_);
+    };
+    const S l = size(sizes_), by_v = size(v_) / l, by_a = size(v_dot_) / l, by_jerk = size(v_ddot_);
+    const S error = S(5) * sqrt(by_jerk * by_jerk + l * l * (pow(by_v, S(6)) + by_a * by_a * by_a));
     return pow(S(error + 1 / (longest_ * longest_ * longest_)), S(-1) / 3);
   }
   void count() {
     counters_ = method_.counters();
-    counters_.steps += taken_back_;
+    counters_.steps += not_kept_;
     counters_.rejected_steps = rejected_;
     counters_.right_sides += right_sides_;
   }
@@ -174,14 +175,15 @@ class ReversibleSteps {
   Rattle<System> method_;
   const Tolerances tolerances_;
   System* system_ = nullptr;
-  S longest_{0};  ///< bound of a step where v' does not change [s]
-  S spacing_{0};
-  std::optional<S> density_, pending_;
+  S longest_{0};             ///< bound of a step, the length of the run [s]
+  S spacing_{0};             ///< d [s]
+  S suited_{0};              ///< Q at the end of the last step [s]
+  S shortened_{0};           ///< length of the next step if the last one was taken back, else 0 [s]
   Point start_, end_;        ///< of the last step
-  bool is_between_ = false;  ///< the method was last used for an output within the step
-  Accelerations v_dot_;
-  StateVector<S> v_, near_, of_q_, of_v_, sizes_, lambda_;
-  long right_sides_ = 0, rejected_ = 0, taken_back_ = 0;
+  bool is_between_ = false;  ///< the method was last used for another state than end_
+  std::array<StateVector<S>, 2> v_dot_at_;
+  StateVector<S> v_, v_dot_, v_ddot_, near_, sizes_, none_, lambda_;
+  long right_sides_ = 0, rejected_ = 0, not_kept_ = 0;
   Counters counters_;
 };
 
