@@ -1,6 +1,6 @@
 #pragma once
-/// The size of an error in units of the tolerances, by which methods on displacements accept a step. Positions
-/// and velocities count alike.
+/// The size of an error in units of the tolerances, by which methods on displacements accept a step.
+/// Positions and velocities count alike.
 
 #include <algorithm>
 #include <cmath>

@@ -57,11 +57,10 @@ INSTANTIATE_TEST_SUITE_P(Methods, LowOrder, testing::ValuesIn(methods_of_low_ord
 
 TEST(LowOrder, AStiffSpringDoesNotShortenTheStepsOfImplicitMethods) {
   const scenes::Scene scene = catalogue_scene("flyball_governor");
-  for (const char* method : {"generalized-alpha", "generalized-alpha-gl2", "hht", "bdf"}) {
-    const Motion motion(scene, tight("r-omega", method, 1, 1e-5));
-    EXPECT_LE(motion.report.counters.steps, 1000) << method;  // explicit methods take ten times as many
-  }
-  EXPECT_GE(Motion(scene, tight("r-omega", "dopri5", 1, 1e-5)).report.counters.steps, 10000);
+  const long by_stability = Motion(scene, tight("r-omega", "dopri5", 1, 1e-4)).report.counters.steps;
+  for (const char* method : {"generalized-alpha", "generalized-alpha-gl2", "hht", "bdf"})
+    EXPECT_LE(Motion(scene, tight("r-omega", method, 1, 1e-4)).report.counters.steps, by_stability / 5)
+        << method;
 }
 
 // With steps of 1e-4 s generalised-alpha ends 0.09 m off, and the energy does not show it.
