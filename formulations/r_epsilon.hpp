@@ -100,6 +100,9 @@ struct REpsilon {
   }
   static Unknown from_reduced(const Kinematics&, const Vector3<S>& epsilon_ddot) { return epsilon_ddot; }
   static Unknown increment(const Kinematics&, const Vector3<S>& x) { return x; }
+  static Vector3<S> omega_bar_dot_from_reduced(const Kinematics& k, const Vector3<S>& x) {
+    return to_angular_acceleration(k, x);
+  }
 
   // unknown and angular acceleration: omega_bar' = D epsilon'' + D' epsilon'
   static Matrix3<S> lift(const Kinematics& k) { return k.D.inverse(); }

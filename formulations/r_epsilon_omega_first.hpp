@@ -75,6 +75,7 @@ struct REpsilonOmegaFirst {
   }
   static Unknown from_reduced(const Kinematics&, const Vector3<S>& omega_bar_dot) { return omega_bar_dot; }
   static Unknown increment(const Kinematics&, const Vector3<S>& x) { return x; }
+  static Vector3<S> omega_bar_dot_from_reduced(const Kinematics&, const Vector3<S>& x) { return x; }
 
   // unknown and angular acceleration: the unknown is omega_bar'
   static Matrix3<S> lift(const Kinematics& k) { return Rates::lift(k); }

@@ -106,11 +106,13 @@ struct RP {
   struct Reduced : Kinematics {
     static constexpr int rotational_unknowns = 3;
 
-    /// The bias is a'' at x = 0: B(p', a_bar) p' - |p'|^2 B(p, a_bar) p, where B(p, a_bar) p = 2 A a_bar.
+    /// The bias is a'' at x = 0: B(p', a_bar) p' - |p'|^2 B(p, a_bar) p, where the two terms cancel at a fast
+    /// spin and leave a rounding error of u |omega|^2. Their sum for unit p is A tilde(omega_bar)^2 a_bar
+    /// with omega_bar = 2 G p'. This is the only term that is not taken from p and p' as printed.
     BodyVector<S> vector(const Vector3<S>& a_bar) const {
-      BodyVector<S> v = Kinematics::vector(a_bar);
-      v.bias -= 2 * this->p_dot.squaredNorm() * v.a;
-      return v;
+      const Vector4<S> g = 2 * (G_matrix(this->p_dot).transpose() * a_bar);
+      return {a_bar, this->A * a_bar, E_matrix(this->p) * g,
+              this->A * this->omega_bar.cross(this->omega_bar.cross(a_bar))};
     }
     /// B(p, a_bar) 1/2 G^T = -A tilde(a_bar) for unit p.
     Matrix3<S> jacobian(const BodyVector<S>& v) const { return -times_tilde<S>(this->A, v.a_bar); }
@@ -131,6 +133,7 @@ struct RP {
     return increment(k, x) - k.p_dot.squaredNorm() * k.p;
   }
   static Unknown increment(const Kinematics& k, const Vector3<S>& x) { return k.G.transpose() * x / 2; }
+  static Vector3<S> omega_bar_dot_from_reduced(const Kinematics&, const Vector3<S>& x) { return x; }
 
   // unknown and angular acceleration: omega_bar' = 2 G p'', p'' = 1/2 G^T omega_bar' - 1/4 |omega_bar|^2 p
   static Matrix<S, 4, 3> lift(const Kinematics& k) { return k.G.transpose() / 2; }

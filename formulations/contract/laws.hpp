@@ -172,6 +172,8 @@ class FormulationLaws {
             F::internal_gamma(s.body));
     equal("increment is the change of the unknown with the reduced unknown", Unknown(q_ddot - at_0),
           Unknown(F::increment(s.body, x)));
+    equal("omega_bar_dot_from_reduced is the angular acceleration of the unknown",
+          V(F::omega_bar_dot_from_reduced(s.body, x)), V(F::to_angular_acceleration(s.body, q_ddot)));
     const Unknown inertia_force = F::mass_block(s.body, J_bar) * F::increment(s.body, x);
     equal("reduced_mass_block is the reduction of mass_block", V(F::reduced(body, inertia_force)),
           V(F::reduced_mass_block(s.body, J_bar) * x));

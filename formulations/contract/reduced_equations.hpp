@@ -27,6 +27,8 @@ concept ReducedEquations = BodyKinematics<typename F::Reduced> && F::Reduced::ro
   { F::reduced_mass_block(body, J_bar) } -> std::convertible_to<Matrix3<typename F::Scalar>>;
   { F::reduced_force(body, J_bar, v) } -> std::convertible_to<Vector3<typename F::Scalar>>;
   { F::from_reduced(body, v) } -> std::convertible_to<typename F::Unknown>;
+  // omega_bar' from x
+  { F::omega_bar_dot_from_reduced(body, v) } -> std::convertible_to<Vector3<typename F::Scalar>>;
   // the linear part of from_reduced: the change of q'' with x
   { F::increment(body, v) } -> std::convertible_to<typename F::Unknown>;
   // a generalized force reduced to x, without its part along the internal row; and a reduced force as a

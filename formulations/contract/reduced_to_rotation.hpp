@@ -95,6 +95,7 @@ struct ReducedToRotation {
   }
   static Unknown from_reduced(const Kinematics&, const Vector3<S>& x) { return x; }
   static Unknown increment(const Kinematics&, const Vector3<S>& x) { return x; }
+  static Vector3<S> omega_bar_dot_from_reduced(const Kinematics&, const Vector3<S>& x) { return x; }
   static Vector3<S> reduced(const Reduced&, const Unknown& force) { return force; }
   static Vector3<S> moment(const Reduced&, const Vector3<S>& n_bar) { return n_bar; }
 

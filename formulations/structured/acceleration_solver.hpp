@@ -84,7 +84,9 @@ class AccelerationSolver {
     return F::from_reduced(assembly_.body()[b], unpadded<S>(solution_.body[b].x));
   }
   /// Angular acceleration of body b [rad/s^2, body frame].
-  Vector3<S> omega_bar_dot(int b) const { return F::to_angular_acceleration(assembly_.body()[b], q_ddot(b)); }
+  Vector3<S> omega_bar_dot(int b) const {
+    return F::omega_bar_dot_from_reduced(assembly_.body()[b], unpadded<S>(solution_.body[b].x));
+  }
   /// One multiplier per row of the mechanism; 0 in dependent rows.
   VectorX<S> lambda() const {
     VectorX<S> all(mechanism_.nc());
