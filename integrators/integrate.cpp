@@ -72,6 +72,33 @@ void checked_step(AnySystem<S>& system, AnyMethod<S>& method, S& t, StateVector<
   }
 }
 
+/// Ends a run that no longer gets on: 100 000 steps in a row have moved it by less than 1e-7 of its length.
+/// At this rate it would take 1e12 steps, which is years.
+template <class S>
+class Progress {
+ public:
+  Progress(const S& t, const S& length) : since_(t), least_(S(1e-7) * length) {}
+
+  void step(AnySystem<S>& system, const S& t, const StateVector<S>& y) {
+    if (++steps_ < judged_steps) return;
+    if (!(t - since_ >= least_)) {
+      const std::string diagnose = system.diagnose(t, y);
+      throw IntegrationError(
+          {{}, static_cast<double>(t)},
+          fmt::format("the run does not get on: its last {} steps have moved it by {:.2e} s; {}",
+                      judged_steps, static_cast<double>(S(t - since_)),
+                      diagnose.empty() ? "looser tolerances or another method may succeed" : diagnose));
+    }
+    steps_ = 0;
+    since_ = t;
+  }
+
+ private:
+  static constexpr long judged_steps = 100000;
+  S since_, least_;
+  long steps_ = 0;
+};
+
 }  // namespace
 
 template <class S>
@@ -92,6 +119,7 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
   std::deque<S> passed;                      // output times that steps may step over
   constexpr std::size_t most_passed = 1000;  // bounds the memory of runs with very many outputs
   using std::abs, std::max;
+  Progress<S> progress(t, S(grid.end()) - t);
   while (auto stop = walk.next()) {
     while (method.interpolates() && !stop->is_event && stop->t < S(grid.end()) &&
            passed.size() < most_passed) {
@@ -117,6 +145,7 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
         method.interpolate(t, at_end);
       }
       if (system.accept_state(t, y)) method.restart();
+      progress.step(system, t, y);
       if (at_step(t, y) == Continue::no) goes_on = false;
       const bool is_output = !passed.empty() && !(t < passed.front());
       if (is_output) passed.pop_front();

@@ -190,6 +190,35 @@ TEST(Methods, AreFoundByTheirNames) {
   EXPECT_EQ(find_method("euler"), nullptr);
 }
 
+/// Its steps get shorter and shorter.
+struct Creeping {
+  Counters counted;
+  double h = 1e-6;
+  void step(AnySystem<double>&, double& t, StateVector<double>&, double stop) {
+    t = std::min(t + h, stop);
+    h = std::max(h / 2, 1e-14);
+    ++counted.steps;
+  }
+  void restart() {}
+  bool shorten() { return false; }
+  const Counters& counters() const { return counted; }
+};
+
+TEST(Integrate, EndsARunThatNoLongerGetsOn) {
+  Free system = oscillator();
+  SystemAdapter<Free> erased(system);
+  const auto method = adapt<double>(Creeping());
+  ProjectionReport<double> projection;
+  const auto go_on = [](double, const StateVector<double>&) { return Continue::yes; };
+  try {
+    integrate<double>(erased, *method, TimeGrid(0, 1), false, projection, go_on, go_on);
+    FAIL();
+  } catch (const IntegrationError& error) {
+    EXPECT_NE(std::string(error.what()).find("does not get on"), std::string::npos) << error.what();
+    EXPECT_LE(method->counters().steps, 200000);
+  }
+}
+
 TEST(Projection, MeetsPositionsAndVelocitiesByOneFactorisation) {
   OnACircle system;
   StateVector<double> y = Eigen::Vector4d(0.6 + 1e-4, 0.8, -0.8, 0.6 + 1e-3);
