@@ -73,6 +73,7 @@ struct SimulationReport {
   double fastest_energy = 0;   ///< kinetic energy of all bodies at the fastest speed of their components [J]
   double largest_kinetic = 0;  ///< largest kinetic energy, to compare unaccounted_energy with [J]
   std::vector<SingularPassage> passages;  ///< singular positions that the motion passed, in time order
+  std::vector<std::string> narrow_rows;   ///< narrow_row_warnings at the start
   std::string near_singular_chart;  ///< if charts are kept: the first body near a singularity, and the time
   std::vector<Impulse<double>> impulses;  ///< jumps of velocities by kinks of drivers, in time order
   RunEnd end;

@@ -5,7 +5,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <type_traits>
+
 #include "bodies/numbers/quad.hpp"
+#include "formulations/analysis/row_analysis.hpp"
+#include "formulations/analysis/tangent_system.hpp"
 #include "formulations/formulation_list.hpp"
 #include "integrators/methods.hpp"
 #include "simulation/simulate_in.hpp"
@@ -31,6 +35,19 @@ void check_that_it_goes(const integrators::MethodInfo& method, const std::string
       method.name, formulation, fmt::join(accepted, ", ")));
 }
 
+/// The narrow rows of the start. A mechanism of more than 300 unknowns is not analysed, since this would cost
+/// more than a short motion, nor one that the dense analysis refuses.
+std::vector<std::string> narrow_rows_at(const Model<double>& model) {
+  constexpr int most_unknowns = 300;
+  if (6 * model.mechanism.nb() + model.mechanism.nc() > most_unknowns) return {};
+  try {
+    return narrow_row_warnings(model.mechanism.row_names,
+                               analyse_rows(tangent_system(model.mechanism, model.state)));
+  } catch (const ModelError&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -39,8 +56,11 @@ SimulationReport simulate(const Model<Scalar>& model, const SimulationOptions& o
   check_that_it_goes(options.own_method ? options.own_method->info
                                         : integrators::method_entry<double>(options.integrator).info,
                      options.formulation);
-  return with_formulation<Scalar>(options.formulation,
-                                  [&]<Formulation F>() { return simulate_in<F>(model, options, observer); });
+  SimulationReport report = with_formulation<Scalar>(
+      options.formulation, [&]<Formulation F>() { return simulate_in<F>(model, options, observer); });
+  if constexpr (std::is_same_v<Scalar, double>)
+    if (options.watches) report.narrow_rows = narrow_rows_at(model);
+  return report;
 }
 
 template SimulationReport simulate<double>(const Model<double>&, const SimulationOptions&,

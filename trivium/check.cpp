@@ -61,6 +61,7 @@ Check check_state(const scenes::Scene& scene, const Model<double>& model) {
                         consistency.positions[k].size, consistency.velocities[k].size, rows.unique[k],
                         std::binary_search(rows.dependent.begin(), rows.dependent.end(), k)});
   for (const int k : rows.contradictory) out.contradictory.push_back(mechanism.row_names[k]);
+  out.warnings = narrow_row_warnings(mechanism.row_names, rows);
   out.wrong_branches = consistency.wrong_branches;
   for (const scenes::Body& body : scene.bodies)
     if (body.unphysical_inertia) out.unphysical_inertia.push_back(body.name);

@@ -25,7 +25,7 @@ bool loses_energy(const SimulationReport& report) {
 }  // namespace
 
 std::vector<std::string> warnings_of(const SimulationReport& report) {
-  std::vector<std::string> out;
+  std::vector<std::string> out = report.narrow_rows;
   if (!report.passages.empty()) {
     out.push_back(
         fmt::format("the motion passed {}, the first near t = {:.6g}: dependent rows were left out there, "

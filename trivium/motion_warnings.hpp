@@ -1,6 +1,7 @@
 #pragma once
-/// Warnings about a run: singular positions that it passed, energy that is not accounted for, constraint
-/// drift, large local errors of given steps. The public interface and the program report the same warnings.
+/// Warnings about a run: rows for which the rank tolerance decides narrowly at the start, singular positions
+/// that it passed, energy that is not accounted for, constraint drift, large local errors of given steps. The
+/// public interface and the program report the same warnings.
 
 #include <string>
 #include <vector>

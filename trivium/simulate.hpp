@@ -101,7 +101,8 @@ struct Motion {
   std::vector<double> singular_positions;  ///< times of the singular positions that the motion passed [s]
   std::vector<Jump> jumps;                 ///< sudden changes of velocities, in time order
   double seconds = 0;                      ///< CPU time of the thread for the run [s]
-  /// Singular positions passed, energy lost, constraint drift, large local errors of given steps.
+  /// Rows for which the rank tolerance decides narrowly at the start, singular positions passed, energy lost,
+  /// constraint drift, large local errors of given steps.
   std::vector<std::string> warnings;
   /// The scene at the end of the motion. It can be written to a file, and simulate() continues from it.
   /// solve() needs velocities that satisfy their rows: after a method that does not enforce them (index 3),

@@ -50,6 +50,7 @@ struct Check {
   /// Empty if the structured solver does not compute the weights.
   std::vector<double> mu;
   std::vector<std::string> contradictory;       ///< dependent rows that contradict those on which they depend
+  std::vector<std::string> warnings;            ///< rows for which the rank tolerance decides narrowly
   std::vector<std::string> wrong_branches;      ///< joints on a wrong branch (antiparallel axes), and why
   std::vector<std::string> unphysical_inertia;  ///< bodies that declare an unphysical inertia
   /// Whether the state satisfies its constraints. Every position_violation must be at most 1e-8 times the

@@ -93,6 +93,7 @@ std::vector<std::string> warnings_of(const scenes::Scene& scene, const SideBySid
       out.push_back(fmt::format("{}: the equations of motion are not satisfied: matrix-free residual {:.1e}",
                                 f.name, residual));
   }
+  out.insert(out.end(), answer.rows.warnings.begin(), answer.rows.warnings.end());
   for (const scenes::Body& body : scene.bodies)
     if (body.unphysical_inertia)
       out.push_back(fmt::format("body \"{}\" declares an unphysical inertia", body.name));

@@ -35,8 +35,8 @@ struct SolvedState {
 };
 SolvedState solve_state(const scenes::Scene& scene, const Model<double>& model, const SolveOptions& options);
 
-/// Warnings about a solution: large estimated errors, equations of motion with a large residual, bodies that
-/// declare an unphysical inertia.
+/// Warnings about a solution: large estimated errors, equations of motion with a large residual, rows
+/// for which the rank tolerance decides narrowly, bodies that declare an unphysical inertia.
 template <class Scalar>
 std::vector<std::string> warnings_of(const scenes::Scene& scene, const SideBySide<Scalar>& answer);
 

@@ -115,6 +115,12 @@ void decide_rank(const ScaledJacobian& scaled, RowAnalysis& out) {
   qr.compute(scaled.Phi.transpose());
   const int rank = static_cast<int>(qr.rank()), defect = nc - rank;
   out.rank = rank;
+  constexpr double decades = 100;
+  for (int k = 0; k < std::min<int>(nc, static_cast<int>(scaled.Phi.cols())); ++k) {
+    const double share = std::abs(qr.matrixR()(k, k)) / qr.maxPivot();
+    if (share > rank_tolerance / decades && share < rank_tolerance * decades)
+      out.narrow.push_back({static_cast<int>(qr.colsPermutation().indices()[k]), share});
+  }
 
   // a row without a gradient constrains nothing: it is dependent and has no column in the null basis
   std::vector<Eigen::Index> dependent;
@@ -211,6 +217,33 @@ RowAnalysis analyse_rows(const TangentSystem& s) {
   }
   out.kappa = condition_number(W * inverse_or_zero(out.E).asDiagonal(), out.rank);
   return out;
+}
+
+std::vector<std::string> narrow_row_warnings(const std::vector<std::string>& row_names,
+                                             const RowAnalysis& rows) {
+  std::vector<std::string> out;
+  for (const NarrowRow& narrow : rows.narrow)
+    out.push_back(fmt::format(
+        "row \"{}\" {}: {:.1e} of its gradient is independent of the other rows, and the limit is {:.0e}; {}",
+        row_names[narrow.row],
+        narrow.counts() ? "counts as independent by a narrow margin" : "is left out by a narrow margin",
+        narrow.share, rank_tolerance,
+        narrow.counts()
+            ? "if it should follow from the others, give its points and axes more digits"
+            : "if it should hold, move its points and axes farther from those of the other rows"));
+  return out;
+}
+
+double free_gradient(const TangentSystem& s, int row) {
+  const ScaledJacobian scaled(s);
+  MatrixX<double> others = scaled.Phi.transpose();
+  others.col(row).setZero();
+  Eigen::ColPivHouseholderQR<MatrixX<double>> qr;
+  qr.setThreshold(rank_tolerance);
+  qr.compute(others);
+  VectorX<double> gradient =
+      qr.householderQ().transpose() * (s.Phi.row(row) * scaled.columns.asDiagonal()).transpose();
+  return gradient.tail(gradient.size() - qr.rank()).norm();
 }
 
 template RowAnalysis analyse_rows<StandardTypes>(const Model<double>&);

@@ -4,6 +4,7 @@
 /// decided once, in double, by the pivots of a QR factorisation of the scaled tangent Jacobian, relative to
 /// rank_tolerance.
 
+#include <string>
 #include <vector>
 
 #include "bodies/numbers/scalar.hpp"
@@ -12,6 +13,14 @@
 #include "mechanism/model.hpp"
 
 namespace trivium {
+
+/// A row for which the rank tolerance decides narrowly: `share` of its scaled gradient is independent of the
+/// rows that count before it, which is within two decades of rank_tolerance.
+struct NarrowRow {
+  int row = 0;
+  double share = 0;
+  bool counts() const { return share > rank_tolerance; }  ///< as independent
+};
 
 /// The result of the analysis; rows in file order.
 struct RowAnalysis : RowNorms {
@@ -29,12 +38,18 @@ struct RowAnalysis : RowNorms {
   /// Dependent rows whose right side contradicts the rows that they are a combination of: no acceleration
   /// satisfies them all.
   std::vector<int> contradictory;
+  std::vector<NarrowRow> narrow;      ///< not known from the structured solver
+  std::vector<std::string> warnings;  ///< one sentence per narrow row, if the names of the rows are known
   double kappa = 1;  ///< condition number of E^-1 S E^-1 over its nonzero singular values [-]
 };
 
 /// The row analysis of a tangent system. Contradictory rows are reported in the result and are no error here.
 /// Throws a ModelError if the metric is singular (MassMetric) or the dependent rows cannot be chosen.
 RowAnalysis analyse_rows(const TangentSystem& system);
+
+/// One sentence for each narrow row, which says what keeps the row or leaves it out.
+std::vector<std::string> narrow_row_warnings(const std::vector<std::string>& row_names,
+                                             const RowAnalysis& rows);
 
 /// Largest number of unknowns (6 nb + nc) for the dense row analysis and the printed form. Larger problems
 /// take minutes and gigabytes and are refused.
@@ -45,5 +60,10 @@ inline constexpr int most_dense_unknowns = 6000;
 /// types of constraints and effects include row_analysis_impl.hpp.
 template <class Types>
 RowAnalysis analyse_rows(const Model<double, Types>& model);
+
+/// The size of the part of a row's gradient that the other rows leave free, with rotations in metres by the
+/// geometric scaling (rank_tolerance.hpp) [unit of the row per m]. It falls to 0 where the row becomes
+/// dependent, as that of a driver does at a dead point or at the end of its reach.
+double free_gradient(const TangentSystem& system, int row);
 
 }  // namespace trivium

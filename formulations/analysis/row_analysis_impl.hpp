@@ -40,6 +40,7 @@ RowAnalysis analyse_rows(const Model<double, Types>& model) {
     TangentSystem system = tangent_system(mechanism, state);
     add_magnitude_bounds(mechanism, state, system);
     RowAnalysis rows = analyse_rows(system);
+    rows.warnings = narrow_row_warnings(mechanism.row_names, rows);
     if (!rows.contradictory.empty()) throw ModelError(detail::contradiction(mechanism.row_names, rows));
     return rows;
   } catch (const ModelError& error) {

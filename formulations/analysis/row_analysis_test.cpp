@@ -4,6 +4,7 @@
 
 #include "bodies/testing/properties.hpp"
 #include "bodies/testing/random.hpp"
+#include "formulations/analysis/tangent_system.hpp"
 #include "formulations/side_by_side.hpp"
 #include "formulations/testing/random_mechanism.hpp"
 #include "formulations/testing/solve_scene.hpp"
@@ -213,6 +214,64 @@ TEST(RowAnalysis, KappaAndEAreThoseOfTheirDefinition) {
   // 60 degrees apart: the equilibrated S is [1, 1/2; 1/2, 1]
   scene.constraints[1] = rope("slanted", {2 * std::sqrt(0.75), 0, 1});
   EXPECT_NEAR(analyse_rows(make_model<double>(scene)).kappa, 3, 1e-14);
+}
+
+/// A body on three spherical joints in one line, the last one off it by `off` [m].
+scenes::Scene three_pins(double off) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("b", 1, {0.1, 0.2, 0.15}, {1, 0, 0})};
+  for (int k = 0; k < 3; ++k) {
+    const double y = k == 2 ? off : 0.0, z = k;
+    scene.constraints.push_back(test::joint(JointType::spherical, "s" + std::to_string(k),
+                                            test::side(scenes::ground, scenes::Vector3{0, y, z}),
+                                            test::side(0, scenes::Vector3{-1, y, z})));
+  }
+  return scene;
+}
+
+TEST(RowAnalysis, SaysWhichRowTheToleranceKeepsOrLeavesOutByANarrowMargin) {
+  struct Case {
+    double off;
+    int rank;
+    bool is_narrow;
+  };
+  for (const Case& c : {Case{0, 5, false}, Case{1e-12, 5, false}, Case{3e-9, 5, true}, Case{3e-8, 5, true},
+                        Case{3e-7, 6, true}, Case{1e-4, 6, false}}) {
+    const RowAnalysis rows = analyse_rows(make_model<double>(three_pins(c.off)));
+    EXPECT_EQ(rows.rank, c.rank) << c.off;
+    ASSERT_EQ(rows.narrow.size(), c.is_narrow ? 1u : 0u) << c.off;
+    ASSERT_EQ(rows.warnings.size(), rows.narrow.size());
+    if (!c.is_narrow) continue;
+    EXPECT_EQ(rows.narrow[0].counts(), c.rank == 6);
+    // the share of the gradient is about the misalignment over the size of the body
+    EXPECT_GT(rows.narrow[0].share, 0.02 * c.off);
+    EXPECT_LT(rows.narrow[0].share, c.off);
+    EXPECT_NE(rows.warnings[0].find(c.rank == 6 ? "counts as independent" : "is left out"), std::string::npos)
+        << rows.warnings[0];
+  }
+}
+
+TEST(FreeGradient, OfADriverFallsToZeroAtTheEndOfItsReach) {
+  // two links in a line reach no farther; bent by a little they reach a little less
+  const auto grip = [](double bend) {
+    scenes::Scene scene;
+    scene.bodies = {test::body("a", 1, {1, 1, 1}, {0.5, 0, 0}),
+                    test::body("b", 1, {1, 1, 1}, {1 + 0.5 * std::cos(bend), 0.5 * std::sin(bend), 0})};
+    scene.bodies[1].orientation = scenes::AxisAngle{{0, 0, 1}, bend};
+    const scenes::Vector3 z{0, 0, 1};
+    scene.constraints = {
+        test::joint(JointType::revolute, "A", test::side(scenes::ground, scenes::Vector3{}, z),
+                    test::side(0, scenes::Vector3{-0.5, 0, 0}, z)),
+        test::joint(JointType::revolute, "B", test::side(0, scenes::Vector3{0.5, 0, 0}, z),
+                    test::side(1, scenes::Vector3{-0.5, 0, 0}, z)),
+        test::joint(basic_type<D>, "drive", test::side(scenes::ground, scenes::Vector3{}),
+                    test::side(1, scenes::Vector3{0.5, 0, 0}))};
+    const Model<double> model = make_model<double>(scene);
+    return free_gradient(tangent_system(model.mechanism, model.state), model.mechanism.nc() - 1);
+  };
+  EXPECT_GT(grip(1), 0.1);
+  EXPECT_NEAR(grip(1e-3) / grip(1e-4), 10, 0.1);
+  EXPECT_LE(grip(0), 1e-15);
 }
 
 TEST(RowAnalysis, OfNothingIsEmpty) {

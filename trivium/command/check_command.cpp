@@ -25,6 +25,7 @@ int run_check(const CheckArguments& arguments) {
   const LoadedScene loaded = load(arguments);
   const Check check = check_state(loaded.scene, loaded.model);
   const CheckReport report{loaded.scene, check, augmented_sparsity(loaded.model)};
+  for (const std::string& warning : check.warnings) fmt::print(stderr, "warning: {}\n", warning);
   fmt::print("{}", arguments.json ? report.json() : report.text());
   if (!check.contradictory.empty()) {
     fmt::print(stderr,

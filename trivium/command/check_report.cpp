@@ -58,6 +58,7 @@ std::string CheckReport::json() const {
       .texts("dependent", dependent())
       .texts("not_unique", not_unique())
       .texts("contradictory", check.contradictory)
+      .texts("warnings", check.warnings)
       .texts("unphysical_inertia", check.unphysical_inertia)
       .flag("consistent", check.is_consistent)
       .texts("wrong_branches", check.wrong_branches)
