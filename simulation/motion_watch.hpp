@@ -72,7 +72,7 @@ class MotionWatch {
     report_.work = static_cast<double>(S(seen.energy.work - at_start_.work));
     // with kept charts, a step across a singularity can end in a wrong state without an error
     if (!options_.charts.reframe && report_.near_singular_chart.empty())
-      report_.near_singular_chart = first_order().diagnose(t, y);
+      report_.near_singular_chart = first_order().near_singular_chart(t, y);
     return seen;
   }
 

@@ -34,6 +34,42 @@ TEST_P(InEveryFormulation, ADriverWhoseSpeedJumpsStrikesWithAnImpulse) {
   EXPECT_LE(struck.report.unaccounted_energy, 1e-10);
 }
 
+/// A two-link arm whose end a row of distance drives away from the base, as far as it reaches at t = 2.
+scenes::Scene reaching_arm() {
+  const scenes::Vector3 z{0, 0, 1};
+  scenes::Scene scene;
+  scene.name = "reaching arm";
+  scene.bodies = {test::body("a", 1, {0.02, 0.03, 0.025}, {0.5, 0, 0}),
+                  test::body("b", 1, {0.02, 0.03, 0.025}, {1, 0.5, 0})};
+  scene.bodies[1].orientation = scenes::AxisAngle{z, std::acos(0.0)};
+  scene.constraints = {test::joint(JointType::revolute, "A", test::side(scenes::ground, scenes::Vector3{}, z),
+                                   test::side(0, scenes::Vector3{-0.5, 0, 0}, z)),
+                       test::joint(JointType::revolute, "B", test::side(0, scenes::Vector3{0.5, 0, 0}, z),
+                                   test::side(1, scenes::Vector3{-0.5, 0, 0}, z)),
+                       test::joint(basic_type<D>, "drive", test::side(scenes::ground, scenes::Vector3{}),
+                                   test::side(1, scenes::Vector3{0.5, 0, 0}))};
+  scene.constraints[2].f = TimeFunction(TimeFunction::Polynomial{{2, 0, 0.5}});
+  scene.effects = {Gravity<double>{"", {0, -9.81, 0}}};
+  return scene;
+}
+
+TEST_P(InEveryFormulation, ADriverThatDemandsTooMuchIsNamedAtTheEndOfItsReach) {
+  for (const integrators::MethodInfo& method : integrators::methods()) {
+    if (!goes_with(method, GetParam())) continue;
+    SimulationOptions options = tight(GetParam(), std::string(method.name), 3, 1e-6);
+    if (!method.chooses_steps) options.step = 1e-3;
+    try {
+      const Motion motion(reaching_arm(), options);
+      ADD_FAILURE() << method.name;
+    } catch (const Error& error) {
+      const std::string what = error.what();
+      EXPECT_NE(what.find("driver \"drive\" demands f = "), std::string::npos) << method.name << ": " << what;
+      ASSERT_TRUE(error.when().has_value()) << method.name;
+      EXPECT_NEAR(*error.when(), 2, 2e-3) << method.name;
+    }
+  }
+}
+
 // The state at the end is the state after the jump.
 TEST_P(InEveryFormulation, AJumpAtTheEndOfTheRunIsStillPassed) {
   for (const char* method :

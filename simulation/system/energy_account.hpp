@@ -52,6 +52,8 @@ class EnergyAccount {
   }
 
   bool has_drivers() const { return !drivers_.empty(); }
+  /// The rows with a function of time.
+  const std::vector<int>& drivers() const { return drivers_; }
   bool does_work() const { return does_work_; }
 
   /// T and V of the bodies in view; the work is left 0.

@@ -17,6 +17,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,7 @@
 #include "simulation/system/chart_switching.hpp"
 #include "simulation/system/constraint_projection.hpp"
 #include "simulation/system/discontinuities.hpp"
+#include "simulation/system/driver_grip.hpp"
 #include "simulation/system/energy_account.hpp"
 #include "simulation/system/motion_log.hpp"
 #include "simulation/system/saved_numbers.hpp"
@@ -64,7 +66,8 @@ class FirstOrderEquations {
         account_(mechanism_),
         charts_(options.charts),
         branches_(mechanism_.nb()),
-        lambda_(mechanism_.nc()) {
+        lambda_(mechanism_.nc()),
+        start_state_(start) {
     if (options.baumgarte) solver_.stabilise(*options.baumgarte);
     limits_steps_ = mechanism_.effects.limit_steps();
     start_ = StateVector::Zero(size());
@@ -227,8 +230,16 @@ class FirstOrderEquations {
     return twice / 2;
   }
 
-  /// A message if a singular chart near (t, y) may have made an integrator fail; empty if there is none.
+  /// A message if a singular chart near (t, y) or a driver may have made an integrator fail; empty if not.
   std::string diagnose(const S& t, const StateVector& y) {
+    std::string message = near_singular_chart(t, y);
+    if constexpr (std::is_same_v<S, double>)
+      if (message.empty())
+        message = lost_grip(mechanism_, account_.drivers(), start_state_, to_mechanism_state(t, y));
+    return message;
+  }
+  /// A message about a body near the singularity of its chart; empty if there is none.
+  std::string near_singular_chart(const S& t, const StateVector& y) {
     load(y);
     return charts_.near_singularity(mechanism_, state_, t);
   }
@@ -335,6 +346,7 @@ class FirstOrderEquations {
   VectorX<S> lambda_;
   bool limits_steps_ = false;
   StateVector start_;
+  const MechanismState<S> start_state_;
   /// If refinement at the last accepted state corrected the accelerations by this relative amount or less,
   /// solutions between accepted states are not refined: their errors are then far below those of a step.
   /// 1e-13 is about 1000 u of double, and is used in all Scalars. In float nearly all solutions are refined.
