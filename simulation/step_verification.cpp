@@ -79,6 +79,7 @@ std::vector<ErrorByHalving> verify_steps(const Model<double>& model, const Simul
   const auto repeated = [&](int parts) {
     SimulationOptions finer = options;
     finer.step = *options.step / parts;
+    if (finer.from) finer.from->memory.clear();  // it belongs to steps of the coarse length
     Samples samples;
     simulate(model, finer, samples);
     return samples.all;

@@ -23,6 +23,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "integrators/quad.hpp"
 #include "integrators/step_size_control.hpp"
 #include "integrators/time_grid.hpp"
 
@@ -52,7 +53,33 @@ using DormandPrince5 = odeint::runge_kutta_dopri5<StateVector<S>, S, StateVector
 template <class S>
 using Fehlberg78 = odeint::runge_kutta_fehlberg78<StateVector<S>, S, StateVector<S>, S, StateVectorAlgebra>;
 template <class S>
-using BulirschStoer = odeint::bulirsch_stoer<StateVector<S>, S, StateVector<S>, S, StateVectorAlgebra>;
+using OdeintBulirschStoer = odeint::bulirsch_stoer<StateVector<S>, S, StateVector<S>, S, StateVectorAlgebra>;
+
+/// The private member of a class of Odeint that its constructor (1.74) leaves unwritten: the last step size,
+/// which the first step compares with its own. An explicit instantiation may name private members.
+template <class S>
+struct LastStepSize;
+template <>
+struct LastStepSize<double> {
+  friend double& last_step_size(LastStepSize, OdeintBulirschStoer<double>& of);
+};
+template <>
+struct LastStepSize<Quad> {
+  friend Quad& last_step_size(LastStepSize, OdeintBulirschStoer<Quad>& of);
+};
+template <class S, S OdeintBulirschStoer<S>::*member>
+struct OpenLastStepSize {
+  friend S& last_step_size(LastStepSize<S>, OdeintBulirschStoer<S>& of) { return of.*member; }
+};
+template struct OpenLastStepSize<double, &OdeintBulirschStoer<double>::m_dt_last>;
+template struct OpenLastStepSize<Quad, &OdeintBulirschStoer<Quad>::m_dt_last>;
+
+template <class S>
+struct BulirschStoer : OdeintBulirschStoer<S> {
+  BulirschStoer(const S& atol, const S& rtol) : OdeintBulirschStoer<S>(atol, rtol) {
+    last_step_size(LastStepSize<S>(), *this) = S(0);
+  }
+};
 /// For given steps: predictor and corrector of 5 steps, started by Fehlberg 7(8).
 template <class S>
 using AdamsBashforthMoulton =
