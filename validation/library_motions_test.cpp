@@ -9,7 +9,7 @@
 namespace trivium {
 namespace {
 
-using test::apart, test::catalogue_scene, test::Implicit, test::Motion, test::tight;
+using test::apart, test::catalogue_scene, test::Implicit, test::InEveryFormulation, test::Motion, test::tight;
 
 class Libraries : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Motions, Libraries, testing::ValuesIn(formulation_names()),
@@ -32,6 +32,30 @@ TEST_P(Implicit, BackwardDifferencesOfLibrariesChooseLongStepsInAStiffMotion) {
                                                    : 5.0 * static_cast<double>(motion.report.counters.steps))
         << method;
   }
+}
+
+// The tolerance of numbers that pass zero must not fall below the rounding of the others.
+TEST_P(InEveryFormulation, IdaFollowsABillionTimesTheGravityOnTheSamePath) {
+  scenes::Scene scene = catalogue_scene("four_bar");
+  constexpr double gravity = 1e9, end = 3;
+  const Motion exact(scene, tight("r-omega", "rkf78", end, 1e-12));
+  const double speed = std::sqrt(gravity);
+  for (scenes::Body& body : scene.bodies)
+    for (int k = 0; k < 3; ++k) {
+      body.velocity[k] *= speed;
+      body.angular_velocity[k] *= speed;
+    }
+  for (double& g : std::get<Gravity<double>>(scene.effects[0]).acceleration) g *= gravity;
+  const Motion motion(scene, tight(GetParam(), "ida", end / speed, 1e-8));
+  EXPECT_LE(apart(motion, exact), 1e-3);
+}
+
+// In a short step the rounding of a heavy body's momentum is a large part of a light body's multiplier.
+TEST_P(InEveryFormulation, IdaStartsLightBodiesBesideHeavyOnes) {
+  const scenes::Scene scene =
+      scenes::read_scene_file(std::string(TRIVIUM_TEST_SCENES_DIR) + "/hard/ill_scaled.json");
+  const Motion exact(scene, tight("r-omega", "rkf78", 0.3, 1e-11));
+  EXPECT_LE(apart(Motion(scene, tight(GetParam(), "ida", 0.3, 1e-8)), exact), 1e-4);
 }
 
 TEST_P(Libraries, MotionsFollowTheToleranceOnTheirConstraints) {

@@ -2,6 +2,8 @@
 
 #include <ida/ida.h>
 
+#include <limits>
+
 #include "integrators/projection_iteration.hpp"
 #include "integrators/step_size_control.hpp"
 #include "integrators/sundials/methods.hpp"
@@ -62,6 +64,8 @@ class Ida final : public Stepper {
     system().accelerations(t, y, v_dot_, lambda_);
     system().evaluate(t, y, linearised_);
     system().applied_force(linearised_, force_at_);
+    system().inertia_force(linearised_, y.segment(nq_, nv_), force_);
+    momentum_ = nv_ > 0 ? force_.cwiseAbs().maxCoeff() : 0.0;
     system().factor(linearised_, {}, factors_);
     counters_.right_sides += 2;
     flat(numbers()) << y, lambda_, StateVectorD::Zero(nc_);
@@ -70,7 +74,9 @@ class Ida final : public Stepper {
       make(t);
     else
       accept(IDAReInit(library_memory(), t, numbers(), rates_.get()), "restart");
-    begin_with(first_step > 0 ? first_step : first_step_of(t, y));
+    const double first = first_step > 0 ? first_step : first_step_of(t, y);
+    c_ = 1 / first;
+    begin_with(first);
   }
   double first_step_of(double t, const StateVectorD& y) {
     return integrators::first_step(system(), t, y, 1, tolerances_, counters_.right_sides);
@@ -212,6 +218,7 @@ class Ida final : public Stepper {
     Ida& self = of(stepper);
     Eigen::Map<StateVectorD> w = flat(weights);
     self.weigh(self.state(numbers), self.tolerances_, w);
+    self.keep_above_rounding(self.state(numbers), w);
     // The work follows from q and v, and sigma is 0: neither counts in error estimates and convergence tests.
     // IDA's norm is the root mean square over all unknowns. The factor makes it the one over q and v, so that
     // the error of a step does not depend on the number of multipliers.
@@ -222,20 +229,40 @@ class Ida final : public Stepper {
     return 0;
   }
 
+  /// Newton's iteration must reach a hundredth of the tolerance in every number. A number far smaller than
+  /// the others, whose tolerance would be below their rounding, has a thousand roundings of the largest
+  /// position or velocity as its tolerance.
+  void keep_above_rounding(const StateVectorD& y, Eigen::Ref<StateVectorD> weights) const {
+    constexpr double roundings = 1000 * std::numeric_limits<double>::epsilon();
+    const auto bound = [&](int first, int size) {
+      const double least = roundings * y.segment(first, size).cwiseAbs().maxCoeff();
+      if (least > 0) weights.segment(first, size) = weights.segment(first, size).cwiseMin(1 / least);
+    };
+    bound(0, nq_);
+    bound(nq_, nv_);
+  }
+
   /// Sets the weights of lambda, which count in convergence tests only. The tolerance is 1e-4 of a multiplier
   /// plus 1e-7 of the sum of the largest multiplier and the largest force. Both are chosen by experiment:
   /// tighter tolerances cost Newton iterations that q and v do not need, looser ones show in lambda at the
-  /// outputs.
+  /// outputs. lambda follows from
+  /// the velocity rows at the end of a step: in a short step, rounding of the momenta is a large part of it.
+  /// The tolerance is at least a million times this rounding, so that a hundredth of it can be reached. A
+  /// million is chosen by experiment, with masses of 1 kg beside 1e6 kg.
   void weigh_multipliers(const Eigen::Ref<const StateVectorD>& lambda,
                          Eigen::Ref<StateVectorD> weights) const {
     if (lambda.size() == 0) return;
-    constexpr double share = 1e-4;
+    constexpr double share = 1e-4, roundings = 1e6;
     const double largest = lambda.cwiseAbs().maxCoeff() + force_at_.cwiseAbs().maxCoeff();
-    if (largest > 0) weights = (share * (lambda.array().abs() + 1e-3 * largest)).inverse();
+    if (largest > 0)
+      weights = (share * (lambda.array().abs() + 1e-3 * largest))
+                    .max(roundings * std::numeric_limits<double>::epsilon() * c_ * momentum_)
+                    .inverse();
   }
 
   Tolerances tolerances_;
   int nq_ = 0, nv_ = 0, nc_ = 0, ny_ = 0;
+  double momentum_ = 0;  ///< largest component of M v at the start
   Owned<N_Vector> rates_, is_differential_;
   ProjectionIteration<AnySystem<double>> projection_;
   StateVectorD lambda_, y_dot_, v_dot_, force_, mu_, moved_, rate_, displacement_;
