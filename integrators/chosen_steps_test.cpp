@@ -61,7 +61,8 @@ Walked run(SphericalPendulum<double>&& pendulum, const std::string& name, double
 class ErrorControlled : public testing::TestWithParam<std::pair<const char*, int>> {};
 
 TEST_P(ErrorControlled, TakesStepsThatGrowWithTheToleranceAsTheOrderSays) {
-  const auto [name, order] = GetParam();
+  const std::string name = GetParam().first;
+  const int order = GetParam().second;
   const auto steps = [&](double tolerance) {
     return static_cast<double>(run(SphericalPendulum<double>(), name, 2, {}, tolerance).counters.steps);
   };
