@@ -6,9 +6,9 @@
 ///     theta_n+1 = integral of T(theta)^-1 v,   v_n+1 = v_n + integral of v'
 ///
 /// with theta the displacement from q_n, T(theta)^-1 v its rate (displacement_rate), and v' solved from the
-/// equations of index 1. Only the part of the difference that the constraints admit counts. The steps may
-/// differ in length. The first steps, which have fewer states before them, are compared with formulas of
-/// lower order.
+/// equations of index 1. Of the velocities, only the part of the difference that the constraints admit
+/// counts. The steps may differ in length. The first steps, which have fewer states before them, are compared
+/// with formulas of lower order.
 
 #include <algorithm>
 #include <utility>
@@ -138,10 +138,7 @@ class ErrorControl {
     }
     // With index 3 the velocities miss their rows by an amount that depends on h^2. Its change from a step to
     // the next does not add up over the steps, and would not get smaller with this h.
-    if constexpr (requires { method_.filter(system, of_v_); }) {
-      method_.filter(system, of_q_);
-      method_.filter(system, of_v_);
-    }
+    if constexpr (requires { method_.filter(system, of_v_); }) method_.filter(system, of_v_);
     system.position_sizes(start, sizes_);
     return in_tolerances<S>(tolerances_, sizes_, start.segment(nq, nv), end_.y.segment(nq, nv), of_q_, of_v_);
   }
