@@ -53,6 +53,21 @@ typename System::Scalar first_step(System& system, const typename System::Scalar
   return 100 * h0 < h1 ? S(100 * h0) : h1;
 }
 
+/// Whether a step size is within the rounding of the times. A step of 4 epsilon contains only a few
+/// representable times, too few for its stages.
+template <class S>
+bool is_within_rounding(const S& h, const S& t, const S& stop) {
+  using std::abs, std::max;
+  return !(h > 4 * std::numeric_limits<S>::epsilon() * max(S(abs(t)), S(abs(stop))));
+}
+
+/// Whether a step of this size ends on a stop that is `room` ahead. A rest below 1e-10 of a step comes from
+/// the rounding of t and must not become a step of its own.
+template <class S>
+bool lands_on_stop(const S& h, const S& room) {
+  return h >= room * S(1 - 1e-10);
+}
+
 /// The size of the next step, for all methods that choose their steps.
 template <class S>
 class StepSizeControl {
@@ -60,8 +75,7 @@ class StepSizeControl {
   /// The step size to try next; the step does not go beyond `stop`.
   S length(const S& t, const S& stop) {
     const S room = stop - t;
-    // a rest below 1e-10 of a step comes from the rounding of t and must not become a step of its own
-    lands_ = proposed_ >= room * S(1 - 1e-10);
+    lands_ = lands_on_stop(proposed_, room);
     cut_ = proposed_ > room / 2;
     tried_ = lands_ ? room : cut_ ? S(room / 2) : proposed_;  // two halves: no tiny last step
     return tried_;
@@ -96,12 +110,7 @@ class StepSizeControl {
   void begin(const S& h) { proposed_ = h; }
   /// Forgets all sizes.
   void restart() { *this = {}; }
-  /// Whether the proposed step size is within the rounding of the times. A step of 4 epsilon contains only a
-  /// few representable times, too few for its stages.
-  bool is_too_small(const S& t, const S& stop) const {
-    using std::abs, std::max;
-    return !(proposed_ > 4 * std::numeric_limits<S>::epsilon() * max(S(abs(t)), S(abs(stop))));
-  }
+  bool is_too_small(const S& t, const S& stop) const { return is_within_rounding(proposed_, t, stop); }
 
  private:
   S proposed_{0}, tried_{0};                ///< size of the next step; size of the step tried last

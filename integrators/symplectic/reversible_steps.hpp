@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -41,6 +40,7 @@ class ReversibleSteps {
       : method_(std::move(method)), tolerances_(tolerances) {}
 
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
+    using std::abs;
     system_ = &system;
     if (!method_.has_begun()) begin(system, t, y, stop);
     if (std::exchange(is_between_, false)) method_.recall(system, t, y, end_.memory);
@@ -51,11 +51,9 @@ class ReversibleSteps {
     if (is_free) h = at_start;
     std::string trouble;
     for (int k = 0; k < most_iterations; ++k) {
-      if (!(h > 4 * std::numeric_limits<S>::epsilon() * std::max(absolute(t), absolute(stop))))
-        give_up(system, t, start_.y, trouble);
+      if (is_within_rounding(h, t, stop)) give_up(system, t, start_.y, trouble);
       if (k > 0) method_.recall(system, t, y, start_.memory);
-      // a rest below 1e-10 of a step comes from the rounding of t
-      const bool lands = h >= room * S(1 - 1e-10);
+      const bool lands = lands_on_stop(h, room);
       S time = t;
       try {
         method_.step(system, time, y, lands ? stop : S(t + h));
@@ -72,7 +70,7 @@ class ReversibleSteps {
         continue;
       }
       const S next = (at_start + suited_) / 2, change = next - h, last = h - tried;
-      if (lands || !is_free || k == most_iterations - 1 || absolute(change) <= S(enough) * h) {
+      if (lands || !is_free || k == most_iterations - 1 || abs(change) <= S(enough) * h) {
         t = time;
         break;
       }
@@ -81,7 +79,7 @@ class ReversibleSteps {
       tried = h;
       h = next;
       // Aitken's extrapolation of the last three lengths, where they converge
-      if (k % 2 == 1 && absolute(change) < absolute(last) / 2) h += change * change / (last - change);
+      if (k % 2 == 1 && abs(change) < abs(last) / 2) h += change * change / (last - change);
     }
     end_ = {t, y, method_.memory()};
     count();
@@ -129,8 +127,6 @@ class ReversibleSteps {
   /// change the energy error of a step by the same share; chosen by experiment. 20 is a safety limit.
   static constexpr double enough = 1e-6;
   static constexpr int most_iterations = 20;
-
-  static S absolute(const S& x) { return x < S(0) ? S(-x) : x; }
 
   void begin(System& system, const S& t, const StateVector<S>& y, const S& stop) {
     longest_ = stop - t;
