@@ -20,6 +20,7 @@
 
 #include "base/raise.hpp"
 #include "bodies/rotations/so3.hpp"
+#include "integrators/lagrange.hpp"
 
 namespace trivium {
 
@@ -45,7 +46,11 @@ class LocalError {
 
   /// `order` of the method, 1 to 3. `reach` of each body: how far its points move by a rotation of 1 rad [m].
   LocalError(int order, std::vector<S> reach)
-      : order_(order), reach_(std::move(reach)), sums_(reach_.size()) {}
+      : order_(order), reach_(std::move(reach)), sums_(reach_.size()) {
+    integrators::PolynomialNumbers<S> ends;  // of the last steps, in steps
+    for (int j = 0; j <= order; ++j) ends.add(S(-j));
+    beta_ = integral_weights(ends, S(-1), S(0));
+  }
 
   /// The motion is not smooth at the last state: earlier ones are forgotten.
   void restart() { known_ = std::min(known_, 1); }
@@ -75,13 +80,10 @@ class LocalError {
 
  private:
   void measure(std::size_t b) {
-    // Adams and Moulton, orders 2 to 4; the latest value first
-    static constexpr std::array<std::array<double, 4>, 3> beta{
-        {{1. / 2, 1. / 2, 0, 0}, {5. / 12, 8. / 12, -1. / 12, 0}, {9. / 24, 19. / 24, -5. / 24, 1. / 24}}};
     using B = BodyInMotion<S>;
     const auto integral = [&](Vector3<S> B::*rate) {
       Vector3<S> sum = Vector3<S>::Zero();
-      for (int j = 0; j <= order_; ++j) sum += S(beta[order_ - 1][j]) * (past_[j][b].*rate);
+      for (int j = 0; j <= order_; ++j) sum += beta_[j] * (past_[j][b].*rate);
       return Vector3<S>(h_ * sum);
     };
     const B &now = past_[0][b], &before = past_[1][b];
@@ -98,6 +100,7 @@ class LocalError {
   int order_, known_ = 0;
   long steps_ = 0;
   S h_{0};
+  integrators::PolynomialNumbers<S> beta_;  ///< of Adams and Moulton, the latest value first
   std::vector<S> reach_;
   std::array<std::vector<BodyInMotion<S>>, highest_order + 1> past_;  ///< the latest first
   std::vector<std::pair<S, S>> sums_;  ///< per body: of positions [m], of velocities [m/s]
