@@ -43,9 +43,8 @@ void raise(Violation<S>& largest, const Violation<S>& next) {
 ///   row_name             the name of a row, for its number
 ///   correct_positions    from (t, y, factor): one Newton correction of the positions. If `factor`, the
 ///                        matrix is factored at y; otherwise the last factors are used
-///   correct_velocities   the same for the velocities. Both share their factors: with `factor` false, those
-///   of
-///                        the last call of either function with `factor` true are used
+///   correct_velocities   the same for the velocities. Both share their factors: with `factor` false,
+///                        those of the last call of either with `factor` true are used
 ///   normalise            changes y so that it satisfies the internal rows, such as |p| = 1
 ///
 /// Decisions of the system that integrate.hpp asks for and acts on:
