@@ -55,6 +55,17 @@ INSTANTIATE_TEST_SUITE_P(Methods, LowOrder, testing::ValuesIn(methods_of_low_ord
                            return name;
                          });
 
+// The rows of a driven mechanism admit no motion but one: all errors are along the rows.
+TEST(LowOrder, StepsOfADrivenMechanismFollowTheTolerance) {
+  const scenes::Scene scene = catalogue_scene("driven_crank");
+  for (const integrators::MethodInfo& method : methods_of_low_order()) {
+    const auto steps = [&](double rtol) {
+      return Motion(scene, tight("r-omega", std::string(method.name), 2, rtol)).report.counters.steps;
+    };
+    EXPECT_GE(steps(1e-8), 5 * steps(1e-3)) << method.name;
+  }
+}
+
 TEST(LowOrder, AStiffSpringDoesNotShortenTheStepsOfImplicitMethods) {
   const scenes::Scene scene = catalogue_scene("flyball_governor");
   const long by_stability = Motion(scene, tight("r-omega", "dopri5", 1, 1e-4)).report.counters.steps;
