@@ -10,11 +10,13 @@
 
 namespace trivium::integrators {
 
-/// The method with given steps, or with steps that ErrorControl chooses; `order` is the method's.
+/// The method with given steps, or with steps that ErrorControl chooses; `order` is the method's. A step is
+/// at most `most_growth` times as long as the one before.
 template <class S, class M>
-std::unique_ptr<AnyMethod<S>> with_steps(const MethodRequest& request, int order, M method) {
+std::unique_ptr<AnyMethod<S>> with_steps(const MethodRequest& request, int order, M method,
+                                         double most_growth = 2) {
   if (!request.tolerances) return adapt<S>(std::move(method));
-  return adapt<S>(ErrorControl<M, AnySystem<S>>(std::move(method), order, *request.tolerances));
+  return adapt<S>(ErrorControl<M, AnySystem<S>>(std::move(method), order, *request.tolerances, most_growth));
 }
 
 }  // namespace trivium::integrators

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,10 +38,11 @@ struct Walked {
   Counters counters;
 };
 
-Walked run(SphericalPendulum<double>&& pendulum, const std::string& name, double end,
-           std::optional<double> output_step, double tolerance) {
-  SystemAdapter<SphericalPendulum<double>> system(pendulum);
-  const auto method = make_method<double>(name, Steps::chosen, {tolerance, tolerance});
+template <class Model>
+Walked run(Model&& pendulum, const std::string& name, double end, std::optional<double> output_step,
+           double tolerance, const MethodParameters& parameters = {}) {
+  SystemAdapter<Model> system(pendulum);
+  const auto method = make_method<double>(name, Steps::chosen, {tolerance, tolerance}, parameters);
   ProjectionReport<double> report;
   Walked walked;
   integrate<double>(
@@ -86,6 +89,44 @@ TEST_P(ErrorControlled, StaysNearTheExactMotion) {
   }
 }
 
+TEST(ErrorControl, TakesAboutAsManyStepsWithIndex3AsWithStabilisedIndex2) {
+  const auto steps = [](const char* name) {
+    return static_cast<double>(run(from_the_top(), name, 20, {}, 1e-4).counters.steps);
+  };
+  const double stabilised = steps("generalized-alpha-gl2");
+  EXPECT_LE(steps("generalized-alpha"), 1.2 * stabilised);
+  EXPECT_LE(steps("hht"), 1.2 * stabilised);
+}
+
+TEST(ErrorControl, TakesFewStepsWithIndex3ForEveryDampingThatIsAccepted) {
+  const auto steps = [](const char* name, const MethodParameters& parameters) {
+    return static_cast<double>(run(from_the_top(), name, 20, {}, 1e-4, parameters).counters.steps);
+  };
+  const double with_default = steps("generalized-alpha", {});
+  for (const double rho : {0.0, 0.5, 0.95})
+    EXPECT_LE(steps("generalized-alpha", {.rho = rho}), 2 * with_default) << rho;
+  for (const double alpha : {-1.0 / 3, -0.05})
+    EXPECT_LE(steps("hht", {.alpha = alpha}), 2 * with_default) << alpha;
+  EXPECT_THROW(steps("generalized-alpha", {.rho = 1.0}), UsageError);
+  EXPECT_THROW(steps("hht", {.alpha = 0.0}), UsageError);
+}
+
+class BdfOfOrder : public testing::TestWithParam<int> {};
+
+TEST_P(BdfOfOrder, ShowsItsRawLambdaAndBeginsOnce) {
+  const Walked walked = run(SphericalPendulum<double>(), "bdf", 2, 0.5, 1e-4, {.order = GetParam()});
+  SphericalPendulum<double> pendulum;
+  StateVector<double> v_dot, lambda;
+  for (std::size_t k = 1; k < walked.t.size(); ++k) {
+    pendulum.accelerations(0, walked.y[k], v_dot, lambda);
+    EXPECT_NE(walked.lambda[k], 0);
+    EXPECT_NEAR(walked.lambda[k], lambda[0], 0.1 * std::abs(lambda[0]));
+  }
+  EXPECT_LE(walked.counters.right_sides, 10 * walked.counters.steps);
+}
+
+INSTANTIATE_TEST_SUITE_P(Orders, BdfOfOrder, testing::Values(1, 2, 3, 4, 5));
+
 INSTANTIATE_TEST_SUITE_P(Methods, ErrorControlled,
                          testing::Values(std::pair("generalized-alpha", 2),
                                          std::pair("generalized-alpha-gl2", 2), std::pair("hht", 2),
@@ -124,11 +165,49 @@ TEST(ReversibleSteps, AreShortWhereTheMotionIsFast) {
 }
 
 TEST(ReversibleSteps, DoNotDependOnOutputs) {
-  const Walked with = run(from_the_top(), "rattle", 20, 0.05, 1e-4),
+  const Walked with = run(from_the_top(), "rattle", 20, 0.002, 1e-4),
                without = run(from_the_top(), "rattle", 20, {}, 1e-4);
   EXPECT_EQ(with.step_ends, without.step_ends);
   EXPECT_EQ(with.y.back(), without.y.back());
   EXPECT_EQ(with.lambda.back(), without.lambda.back());
+}
+
+/// Keeps the times at which it was asked for accelerations; beyond `wall` there are none.
+struct Watched : SphericalPendulum<double> {
+  double wall = 1e9;
+  double *earliest, *latest;
+
+  Watched(double& from, double& to) : earliest(&from), latest(&to) {}
+  void accelerations(double t, const Y& y, Y& v_dot, Y& lambda) const {
+    *earliest = std::min(*earliest, t);
+    *latest = std::max(*latest, t);
+    if (t > wall) throw std::runtime_error("the wall");
+    SphericalPendulum<double>::accelerations(t, y, v_dot, lambda);
+  }
+};
+
+TEST(ReversibleSteps, AskForNothingBeforeTheStartOrBeyondTheEnd) {
+  double earliest = 0, latest = 0;
+  run(Watched(earliest, latest), "rattle", 2, {}, 1e-4);
+  EXPECT_EQ(earliest, 0);
+  EXPECT_EQ(latest, 2);
+}
+
+TEST(ReversibleSteps, EndTheRunWhereNoStepCanBeTaken) {
+  double earliest = 0, latest = 0;
+  Watched pendulum(earliest, latest);
+  pendulum.wall = 1;
+  EXPECT_THROW(run(std::move(pendulum), "rattle", 2, {}, 1e-4), IntegrationError);
+}
+
+TEST(ReversibleSteps, GiveMultipliersBetweenThoseOfTheEndsOfTheStepAtOutputs) {
+  const Walked walked = run(from_the_top(), "rattle", 20, 1e-3, 1e-3);
+  SphericalPendulum<double> pendulum;
+  StateVector<double> v_dot, lambda;
+  for (std::size_t k = 1; k < walked.t.size(); ++k) {
+    pendulum.accelerations(0, walked.y[k], v_dot, lambda);
+    EXPECT_NEAR(walked.lambda[k], lambda[0], 1) << walked.t[k];
+  }
 }
 
 TEST(ReversibleSteps, SatisfyTheConstraintsAtOutputsWithinAStep) {

@@ -41,20 +41,21 @@ class ErrorControl {
  public:
   using S = typename System::Scalar;
 
-  /// `order` of the method, 1 to 5.
-  ErrorControl(M method, int order, const Tolerances& tolerances)
-      : method_(std::move(method)), order_(order), tolerances_(tolerances) {}
+  /// `order` of the method, 1 to 5. A step is at most `most_growth` times as long as the one before, so that
+  /// formulas of several steps remain stable.
+  ErrorControl(M method, int order, const Tolerances& tolerances, double most_growth)
+      : method_(std::move(method)), order_(order), tolerances_(tolerances), most_growth_(most_growth) {}
 
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
     if (past_.empty()) begin(system, t, y);
     past_.front().y = y;  // the end of the last step may have been projected since
-    // A step may be at most twice as long as the one before, which keeps formulas of several steps stable.
-    // The choice is common for such formulas (Hairer, Norsett, Wanner (1993), III.5). Growth by less than a
-    // fifth is not worth the acceleration that generalised-alpha and HHT solve for where the length changes.
+    // Growth by less than a fifth of the most is not worth the acceleration that generalised-alpha and HHT
+    // solve for where the length changes.
+    const StepRule<S> rule{S(-1) / (order_ + 1), S(most_growth_), S(1) + S(most_growth_ - 1) / 5};
     take_chosen_step(
-        system, step_size_, {S(-1) / (order_ + 1), S(2), S(1.2)}, counters_, t, y, stop,
+        system, step_size_, rule, counters_, t, y, stop,
         [&](const S& h) {
-          if (past_.size() == 1) method_.begin(system, t, y, S(t + h));
+          if (!has_stepped_) method_.begin(system, t, y, S(t + h));
           method_.attempt(system, t, S(t + h), y, end_.y);
           require_finite(end_.y, S(t + h));
           return with_last(error_of(system, t, h), h);
@@ -64,6 +65,7 @@ class ErrorControl {
           y = end_.y;
           end_.h = h;
           last_error_ = error_;
+          has_stepped_ = true;
           remember();
         });
     count();
@@ -82,7 +84,7 @@ class ErrorControl {
     return true;
   }
   const Counters& counters() const { return counters_; }
-  auto lambda() const { return past_.size() > 1 ? method_.lambda() : nullptr; }
+  auto lambda() const { return has_stepped_ ? method_.lambda() : nullptr; }
 
  private:
   struct Point {
@@ -92,6 +94,7 @@ class ErrorControl {
 
   void forget() {
     past_.clear();
+    has_stepped_ = false;
     method_.restart();
   }
   void begin(System& system, const S& t, const StateVector<S>& y) {
@@ -149,7 +152,7 @@ class ErrorControl {
   S with_last(const S& error, const S& h) {
     using std::pow;
     error_ = error;
-    if (past_.size() == 1) return error;
+    if (!has_stepped_) return error;
     const S last = last_error_ * pow(S(h / past_.front().h), S(order_ + 1));
     return std::max(error, std::min(S(1), last));
   }
@@ -165,9 +168,11 @@ class ErrorControl {
   M method_;
   const int order_;
   const Tolerances tolerances_;
+  const double most_growth_;
   StepSizeControl<S> step_size_;
-  std::vector<Point> past_;  ///< states that the motion has reached, the latest first
-  Point end_;                ///< end of the step that is tried
+  bool has_stepped_ = false;  ///< since the last restart
+  std::vector<Point> past_;   ///< states that the motion has reached, the latest first
+  Point end_;                 ///< end of the step that is tried
   StateVector<S> of_q_, of_v_, theta_, v_, rate_, sizes_, lambda_;
   S error_{0}, last_error_{0};  ///< of this step and of the last one [tolerances]
   long own_right_sides_ = 0, taken_back_ = 0;

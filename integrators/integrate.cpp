@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -115,30 +115,28 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
     system.accept_state(t, y);
   }
   if (at_output(t, y) == Continue::no) return false;
-  TimeGrid::Walk<S> walk(grid);
-  std::deque<S> passed;                      // output times that steps may step over
-  constexpr std::size_t most_passed = 1000;  // bounds the memory of runs with very many outputs
+  // Steps of a method that interpolates pass outputs: `walk` goes ahead to the next event or the end, and
+  // `due`, of a walk that follows, is the next output to be interpolated.
+  TimeGrid::Walk<S> walk(grid), following(grid);
+  std::optional<Stop<S>> due;
+  if (method.interpolates()) due = following.next();
   using std::abs, std::max;
   Progress<S> progress(t, S(grid.end()) - t);
   while (auto stop = walk.next()) {
-    while (method.interpolates() && !stop->is_event && stop->t < S(grid.end()) &&
-           passed.size() < most_passed) {
-      passed.push_back(stop->t);
-      stop = walk.next();
-    }
+    while (due && !stop->is_event && stop->t < S(grid.end())) stop = walk.next();
     // The run stops just before the event, so that quantities that jump have their earlier value. 8 epsilon
     // exceed the rounding of times: no evaluation of the last step lies beyond the event.
     const S little = 8 * std::numeric_limits<S>::epsilon() * max(S(abs(S(grid.start()))), S(abs(stop->t)));
     const S target = stop->is_event ? stop->t - little : stop->t;
     while (t < target) {
       checked_step(system, method, t, y, target, projects, project, report);
-      const bool looks_back = !passed.empty() && passed.front() < t;
+      const bool looks_back = due && due->t < t;
       bool goes_on = true;  // if it is false after an output within the step, the run ends at the step's end
-      for (; goes_on && !passed.empty() && passed.front() < t; passed.pop_front()) {
+      for (; goes_on && due && due->t < t; due = following.next()) {
         StateVector<S> between;
-        method.interpolate(passed.front(), between);
-        if (projects) project(system, passed.front(), between, report);
-        goes_on = at_output(passed.front(), between) == Continue::yes;
+        method.interpolate(due->t, between);
+        if (projects) project(system, due->t, between, report);
+        goes_on = at_output(due->t, between) == Continue::yes;
       }
       if (looks_back) {  // the method's lambda() is that of the step's end again
         StateVector<S> at_end;
@@ -147,8 +145,8 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
       if (system.accept_state(t, y)) method.restart();
       progress.step(system, t, y);
       if (at_step(t, y) == Continue::no) goes_on = false;
-      const bool is_output = !passed.empty() && !(t < passed.front());
-      if (is_output) passed.pop_front();
+      const bool is_output = due && due->t == t && due->t < stop->t;
+      if (is_output) due = following.next();
       if ((is_output || !goes_on) && at_output(t, y) == Continue::no) goes_on = false;
       if (!goes_on) return false;
     }
@@ -158,6 +156,7 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
       system.accept_state(t, y);  // the motion starts anew here, as a run continued from here does
       method.restart();
     }
+    if (due) due = following.next();  // beyond this stop
     if (stop->is_output && at_output(t, y) == Continue::no && !walk.is_done()) return false;
   }
   return true;

@@ -22,6 +22,7 @@
 #include "formulations/joint_reaction.hpp"
 #include "integrators/contract/any_method.hpp"
 #include "integrators/contract/errors.hpp"
+#include "mechanism/reach.hpp"
 #include "simulation/simulate.hpp"
 #include "simulation/system/constrained_equations.hpp"
 
@@ -145,18 +146,6 @@ class MotionWatch {
  private:
   FirstOrderEquations<F>& first_order() { return equations_.first_order(); }
 
-  /// By body, how far its points move by a rotation of 1 rad: the distance of the farthest joint point, or
-  /// the radius of gyration if this is larger [m].
-  static std::vector<S> reaches(const MechanismOf<F>& mechanism) {
-    using std::sqrt;
-    std::vector<S> reach;
-    for (const RigidBody<S>& body : mechanism.bodies)
-      reach.push_back(sqrt(body.inertia.trace() / (2 * body.mass)));
-    for (const Joint<S>& joint : mechanism.joints)
-      for (const auto& [b, point] : {std::pair(joint.i, joint.frame_i.point), {joint.j, joint.frame_j.point}})
-        if (b < mechanism.nb()) raise(reach[b], S(point.norm()));
-    return reach;
-  }
   /// Adds the step that ended at an accepted state to the sums of local errors.
   void measure_step(const S& t, const StateVector& y) {
     if (!measured_.empty() && t == measured_t_) return;  // an output at the end of a step

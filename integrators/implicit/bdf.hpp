@@ -84,6 +84,13 @@ class BDF {
     forget();
     ++counters_.restarts;
   }
+  /// The formulas are unstable if each step is longer than the one before by more than the
+  /// factors 2.41, 1.61, 1.28 and 1.12 (orders 2 to 5): the largest root of their first characteristic
+  /// polynomial, other than 1, then exceeds 1 in magnitude. These factors are below.
+  static double most_growth(int order) {
+    constexpr std::array<double, 5> most{2, 2, 1.5, 1.25, 1.1};
+    return most[static_cast<std::size_t>(order - 1)];
+  }
   bool shorten() { return false; }
   const Counters& counters() const { return counters_; }
   const StateVector<S>* lambda() const { return past_.empty() ? nullptr : &past_.front().lambda; }

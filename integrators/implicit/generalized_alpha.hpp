@@ -61,8 +61,12 @@ class GeneralizedAlpha {
     const S per_a = (1 - alpha_f_) / (1 - alpha_m_);
     const Shares<S> shares{h * h * beta_ * per_a, h * gamma_ * per_a};
     const int nq = system.position_size(), nv = system.velocity_size();
-    v_ = y.segment(nq, nv);
     reached = y;
+    if (!is_stabilised_ && !is_same_length(h, *last_h_)) {
+      const S ratio = h / *last_h_;
+      newton_.scale_velocity_violation(system, t, ratio * ratio, reached);
+    }
+    v_ = reached.segment(nq, nv);
     known_ = (alpha_f_ * v_dot_.now() - alpha_m_ * a_now_) / (1 - alpha_m_);
     const auto place = [&](const StepUnknowns<S>& x, StateVector<S>& to) {
       next_a_ = known_ + per_a * x.v_dot;

@@ -39,8 +39,12 @@ class HHT {
     const S h = stop - t;
     if (!last_h_) begin(system, t, y, stop);
     const int nq = system.position_size(), nv = system.velocity_size();
-    v_ = y.segment(nq, nv);
     reached = y;
+    if (!is_same_length(h, *last_h_)) {
+      const S ratio = h / *last_h_;
+      newton_.scale_velocity_violation(system, t, ratio * ratio, reached);
+    }
+    v_ = reached.segment(nq, nv);
     // a_n approximates v' at t + alpha h with the last h; this h may be another one
     a_now_ = a_.now();
     if (!is_same_length(h, *last_h_)) {

@@ -162,6 +162,19 @@ class Newton {
     no_force_.setZero(phi_.size());
     system.solve(factors_, at_, left_, no_force_, change, mu_);
   }
+  /// Changes the velocities of y at time t such that they miss their rows by `share` times as much as before,
+  /// by the matrix that was factored last.
+  void scale_velocity_violation(System& system, const S& t, const S& share, StateVector<S>& y) {
+    if (!has_factors_) return;
+    system.evaluate(t, y, at_);
+    system.velocity_rows(at_, phi_dot_);
+    phi_dot_ *= share - 1;
+    v_change_.setZero(system.velocity_size());
+    mu_.setZero(phi_dot_.size());
+    no_force_.setZero(v_change_.size());
+    system.solve(factors_, at_, no_force_, phi_dot_, v_change_, mu_);
+    y.segment(system.position_size(), v_change_.size()) += v_change_;
+  }
 
  private:
   /// Chosen by experiment. Less would give up slow iterations; more only delays the end of divergent ones.

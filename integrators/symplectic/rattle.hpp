@@ -194,7 +194,7 @@ class Rattle {
                           rows.relative > S(0.999) * before && rows.relative < S(1.001) * before;
       still = stands ? still + 1 : 0;
       if (still == 3) return;
-      if (k > 5 && !(now <= before)) break;
+      if (k > 5 && !stands && !(now <= before)) break;
       before = now;
       const Eigen::Index nv = none_.size(), nc = mu_.size();
       change_.setZero(nv);

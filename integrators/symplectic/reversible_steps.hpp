@@ -11,12 +11,13 @@
 /// of the tolerances; v'' is a difference of v' over states at -d, d from the present one. The thirtieth is
 /// chosen by experiment, so that the velocities too have errors of the size of the tolerances. v'' alone
 /// would vanish where a body turns back: the cubes of |v| / l and of (|v'| / l)^1/2, rates of the motion,
-/// count in the same way, with the distances l of the bodies from the origin. d and l stay the same until the
+/// count in the same way, with the sizes l of the positions (position_sizes). d and l stay the same until the
 /// next restart, so that Q depends on the state alone.
 ///
 /// A step that ends at a stop of the run (an event, the end) is shorter than the rule says, and so is a step
-/// after one that could not be solved. Outputs do not limit steps: a step of its own leads from the start of
-/// the step to the time of an output.
+/// after one that could not be solved. Outputs do not limit steps: the state at an output within a step is
+/// Hermite's cubic polynomial through the two ends of the step and their rates, projected onto the
+/// constraints.
 
 #include <algorithm>
 #include <array>
@@ -26,6 +27,7 @@
 #include <utility>
 
 #include "integrators/error_norm.hpp"
+#include "integrators/projection_iteration.hpp"
 #include "integrators/step_size_control.hpp"
 #include "integrators/symplectic/rattle.hpp"
 
@@ -43,18 +45,24 @@ class ReversibleSteps {
     using std::abs;
     system_ = &system;
     if (!method_.has_begun()) begin(system, t, y, stop);
-    if (std::exchange(is_between_, false)) method_.recall(system, t, y, end_.memory);
+    if (std::exchange(is_taken_back_, false)) method_.recall(system, t, y, end_.memory);
+    is_between_ = false;
     start_ = {t, y, method_.memory()};
+    smooth_until_ = stop;
     const S at_start = suited_, room = stop - t;
     S h = std::exchange(shortened_, S(0)), tried = h;
     bool is_free = !(h > S(0));  // to follow the rule
     if (is_free) h = at_start;
     std::string trouble;
-    for (int k = 0; k < most_iterations; ++k) {
+    for (int k = 0, attempts = 0;; ++attempts) {
       if (is_within_rounding(h, t, stop)) give_up(system, t, start_.y, trouble);
-      if (k > 0) method_.recall(system, t, y, start_.memory);
+      if (attempts > 0) {
+        y = start_.y;
+        method_.recall(system, t, y, start_.memory);
+      }
       const bool lands = lands_on_stop(h, room);
       S time = t;
+      const long steps_before = method_.counters().steps;
       try {
         method_.step(system, time, y, lands ? stop : S(t + h));
         require_finite(y, time);
@@ -66,20 +74,20 @@ class ReversibleSteps {
         is_free = false;
         h /= 4;
         ++rejected_;
-        y = start_.y;
+        not_kept_ -= method_.counters().steps - steps_before;
         continue;
       }
       const S next = (at_start + suited_) / 2, change = next - h, last = h - tried;
-      if (lands || !is_free || k == most_iterations - 1 || abs(change) <= S(enough) * h) {
+      if (lands || !is_free || ++k == most_iterations || abs(change) <= S(enough) * h) {
         t = time;
         break;
       }
       --not_kept_;
-      y = start_.y;
       tried = h;
       h = next;
       // Aitken's extrapolation of the last three lengths, where they converge
-      if (k % 2 == 1 && abs(change) < abs(last) / 2) h += change * change / (last - change);
+      if (k % 2 == 0 && abs(change) < abs(last) / 2)
+        h = std::clamp(S(h + change * change / (last - change)), S(next / 2), S(2 * next));
     }
     end_ = {t, y, method_.memory()};
     count();
@@ -92,7 +100,8 @@ class ReversibleSteps {
   bool shorten() {
     shortened_ = (end_.t - start_.t) / 4;
     end_ = start_;
-    is_between_ = true;
+    is_taken_back_ = true;
+    is_between_ = false;
     suited_ = suited(*system_, start_.t, start_.y);
     --not_kept_;
     ++rejected_;
@@ -100,19 +109,25 @@ class ReversibleSteps {
     return true;
   }
   const Counters& counters() const { return counters_; }
-  const StateVector<S>* lambda() const { return method_.lambda(); }
+  const StateVector<S>* lambda() const { return is_between_ ? &lambda_between_ : method_.lambda(); }
 
   bool interpolates() const { return true; }
-  /// A step from the start of the last step to t, or the end of the last step.
+  /// The state at a time within the last step, or at its end.
   void interpolate(const S& t, StateVector<S>& y) {
-    const Point& from = t == end_.t ? end_ : start_;
-    y = from.y;
-    method_.recall(*system_, from.t, y, from.memory);
-    if (t == end_.t) return;
-    S time = from.t;
-    method_.step(*system_, time, y, t);
-    --not_kept_;
-    is_between_ = true;
+    is_between_ = t != end_.t;
+    if (!is_between_) {
+      y = end_.y;
+      return;
+    }
+    const S h = end_.t - start_.t, s = (t - start_.t) / h, left = 1 - s;
+    system_->derivative(start_.t, start_.y, rate_at_[0]);
+    system_->derivative(end_.t, end_.y, rate_at_[1]);
+    right_sides_ += 2;
+    y = left * left * (1 + 2 * s) * start_.y + s * s * (1 + 2 * left) * end_.y +
+        h * s * left * (left * rate_at_[0] - s * rate_at_[1]);
+    ProjectionReport<S> of_interpolation;  // not part of the report: steps are not projected
+    project_(*system_, t, y, of_interpolation);
+    lambda_between_ = left * start_.memory.lambda + s * end_.memory.lambda;
     count();
   }
 
@@ -129,30 +144,35 @@ class ReversibleSteps {
   static constexpr int most_iterations = 20;
 
   void begin(System& system, const S& t, const StateVector<S>& y, const S& stop) {
+    smooth_from_ = t;
+    smooth_until_ = stop;
     longest_ = stop - t;
     system.position_sizes(y, sizes_);
     spacing_ = first_step(system, t, y, 2, tolerances_, right_sides_);
     spacing_ = suited(system, t, y) / 8;
     suited_ = suited(system, t, y);
     method_.begin(system, t, y, t + std::min(suited_, longest_));
-    is_between_ = false;
+    is_taken_back_ = is_between_ = false;
     shortened_ = S(0);
   }
-  /// Q at (t, y); at most the length of the run.
+  /// Q at (t, y); at most the time from the last restart to the next event or the end.
   S suited(System& system, const S& t, const StateVector<S>& y) {
     using std::pow, std::sqrt;
     const int nq = system.position_size(), nv = system.velocity_size();
     v_ = y.segment(nq, nv);
     system.accelerations(t, y, v_dot_, lambda_);
     near_ = y;
+    // no model from before the last event or beyond the next one
+    const std::array<S, 2> at{std::max(S(t - spacing_), smooth_from_),
+                              std::min(S(t + spacing_), smooth_until_)};
     for (const int k : {0, 1}) {
-      const S by = k == 0 ? S(-spacing_) : spacing_;
+      const S by = at[k] - t;
       system.displace(y, by * v_ + by * by / 2 * v_dot_, near_);
       near_.segment(nq, nv) = v_ + by * v_dot_;
-      system.accelerations(t + by, near_, v_dot_at_[k], lambda_);
+      system.accelerations(at[k], near_, v_dot_at_[k], lambda_);
     }
     right_sides_ += 3;
-    v_ddot_ = (v_dot_at_[1] - v_dot_at_[0]) / (2 * spacing_);
+    v_ddot_ = (v_dot_at_[1] - v_dot_at_[0]) / (at[1] - at[0]);
     none_.setZero(nv);
     const auto size = [&](const StateVector<S>& q) {
       return in_tolerances<S>(tolerances_, sizes_, none_, none_, q, none_);
@@ -171,13 +191,17 @@ class ReversibleSteps {
   Rattle<System> method_;
   const Tolerances tolerances_;
   System* system_ = nullptr;
-  S longest_{0};             ///< bound of a step, the length of the run [s]
-  S spacing_{0};             ///< d [s]
-  S suited_{0};              ///< Q at the end of the last step [s]
-  S shortened_{0};           ///< length of the next step if the last one was taken back, else 0 [s]
-  Point start_, end_;        ///< of the last step
-  bool is_between_ = false;  ///< the method was last used for another state than end_
-  std::array<StateVector<S>, 2> v_dot_at_;
+  S longest_{0};                        ///< bound of a step [s]
+  S spacing_{0};                        ///< d [s]
+  S smooth_from_{0}, smooth_until_{0};  ///< the last restart; the next event or the end [s]
+  S suited_{0};                         ///< Q at the end of the last step [s]
+  S shortened_{0};              ///< length of the next step if the last one was taken back, else 0 [s]
+  Point start_, end_;           ///< of the last step
+  bool is_taken_back_ = false;  ///< the method was last used for another state than end_
+  bool is_between_ = false;     ///< the state asked for last was within a step
+  ProjectionIteration<System> project_;
+  std::array<StateVector<S>, 2> v_dot_at_, rate_at_;
+  StateVector<S> lambda_between_;
   StateVector<S> v_, v_dot_, v_ddot_, near_, sizes_, none_, lambda_;
   long right_sides_ = 0, rejected_ = 0, not_kept_ = 0;
   Counters counters_;

@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "integrators/contract/constrained_system.hpp"
+#include "mechanism/reach.hpp"
 #include "simulation/system/displacements.hpp"
 #include "simulation/system/first_order_equations.hpp"
 #include "simulation/system/force_balance.hpp"
@@ -52,7 +53,7 @@ class ConstrainedEquations {
       : first_order_(mechanism, start, options),
         mechanism_(first_order_.mechanism()),
         layout_(first_order_.layout()),
-        displacements_(layout_, first_order_.state()),
+        displacements_(layout_, first_order_.state(), reaches(mechanism_)),
         plan_(std::make_shared<const EliminationPlan>(plan_elimination(graph_with_springs(mechanism_)))),
         springs_(mechanism_, *plan_),
         matrix_(mechanism_, *plan_),

@@ -4,6 +4,8 @@
 /// vector in Lie-group formulations, by addition in the others. This file also changes v' such that internal
 /// rows, such as p . p = 1 in r-p, hold within a step.
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "simulation/system/state_layout.hpp"
@@ -17,9 +19,10 @@ class Displacements {
   using StateVector = VectorX<S>;
   using Layout = StateLayout<F>;
 
-  /// Charts are those of the body states. Both arguments must outlive this object.
-  Displacements(const Layout& layout, const std::vector<BodyState<F>>& state)
-      : layout_(layout), state_(state) {}
+  /// Charts are those of the body states; `reach` of each body: how far its points move by a rotation of 1
+  /// rad [m]. The first two arguments must outlive this object.
+  Displacements(const Layout& layout, const std::vector<BodyState<F>>& state, std::vector<S> reach)
+      : layout_(layout), state_(state), reach_(std::move(reach)) {}
 
   /// Sets the positions of y to those of `from`, moved by the displacement. A displacement equals the motion
   /// with the constant velocity v = d during one unit of time.
@@ -49,10 +52,12 @@ class Displacements {
       layout_.place(rate, b) << Layout::r_of(v, b),
           F::orientation_rate(state_[b].chart, layout_.orientation(y, b), Layout::q_of(v, b));
   }
-  /// Sizes for tolerances, per number of a displacement: |r| [m] for translations of a body, 1 for rotations.
+  /// Sizes for tolerances, per number of a displacement: 1 for rotations; for translations of a body |r| [m],
+  /// or how far its points move by a rotation of 1 rad, if this is larger.
   void position_sizes(const StateVector& y, StateVector& sizes) const {
     sizes.setOnes(layout_.velocity_size());
-    for (int b = 0; b < nb(); ++b) Layout::of(sizes, b).template head<3>().setConstant(r_at(y, b).norm());
+    for (int b = 0; b < nb(); ++b)
+      Layout::of(sizes, b).template head<3>().setConstant(std::max(S(r_at(y, b).norm()), reach_[b]));
   }
   /// Moves the positions of y onto the internal rows, and changes v' accordingly: q moves by `share` = dq/dv'
   /// times the change of v'. Returns whether the formulation has internal rows.
@@ -107,6 +112,7 @@ class Displacements {
 
   const Layout& layout_;
   const std::vector<BodyState<F>>& state_;
+  const std::vector<S> reach_;
 };
 
 }  // namespace trivium
