@@ -4,6 +4,7 @@
 
 namespace trivium {
 
+/// Exit code of an executable.
 enum ExitCode : int {
   exit_done = 0,
   exit_criterion_failed = 1,

@@ -14,8 +14,11 @@ namespace trivium {
 
 /// `x` with enough digits to be read back unchanged. Finite numbers are valid JSON.
 inline std::string number_text(float x) { return fmt::format("{}", x); }
+/// The same for double.
 inline std::string number_text(double x) { return fmt::format("{}", x); }
+/// The same for long double.
 inline std::string number_text(long double x) { return fmt::format("{:.21g}", x); }  // max_digits10 is 21
+/// The same for a number of Boost.Multiprecision.
 template <class Number>
 requires requires(const Number& x) {
   { x.str(1, std::ios_base::fmtflags(0)) } -> std::convertible_to<std::string>;

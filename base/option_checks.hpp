@@ -8,6 +8,7 @@
 
 namespace trivium {
 
+/// The check of an option's value.
 struct OptionCheck {
   std::function<std::string(const std::string&)> error_of;  ///< message on a typed value; empty: accepted
   std::string name;                                         ///< kind of value shown in the help text

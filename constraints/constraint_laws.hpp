@@ -20,6 +20,7 @@ namespace trivium {
 
 namespace detail {
 
+/// Evaluates the laws of a constraint at one state and lists those that do not hold.
 template <class C, class S>
 class ConstraintLaws {
  public:

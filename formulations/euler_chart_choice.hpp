@@ -28,6 +28,7 @@ struct Reframing {
   std::string_view name;
   int axis;
 };
+/// The re-framing rotations in the order of preference.
 inline constexpr std::array<Reframing, 4> reframings{
     {{"I", -1}, {"Rx(90)", 0}, {"Ry(90)", 1}, {"Rz(90)", 2}}};
 /// Least distance of a chart from its singularity. The error of lambda grows as u / theta^3 (r_epsilon.hpp),

@@ -22,16 +22,20 @@ template <class F>
 concept Formulation = EquationsAsPrinted<F> && ReducedEquations<F> && MovingCoordinates<F>;
 
 namespace detail {
+/// Defines InScalarT.
 template <class F, class Scalar>
 struct InScalar;
+/// InScalarT of a template over its Scalar alone.
 template <template <class> class F, class S, class Scalar>
 struct InScalar<F<S>, Scalar> {
   using type = F<Scalar>;
 };
+/// MechanismTypesOf an F without Types.
 template <class F>
 struct TypesOf {
   using type = StandardTypes;
 };
+/// MechanismTypesOf an F with Types.
 template <class F>
 requires requires { typename F::Types; }
 struct TypesOf<F> {
@@ -54,6 +58,7 @@ using ModelOf = Model<typename F::Scalar, MechanismTypesOf<F>>;
 /// that its solvers accept changes.
 template <template <class> class F, class OfTypes>
 struct Retyped {
+  /// The formulation in the scalar S.
   template <class S>
   struct In : F<S> {
     using Types = OfTypes;

@@ -36,7 +36,9 @@ struct Formulations {
   X(REpsilon, __VA_ARGS__)           \
   X(REpsilonOmegaFirst, __VA_ARGS__)
 
+/// Appends F to a list.
 #define TRIVIUM_WITH(F, ...) ::With<F>
+/// The formulations of the library.
 using AllFormulations = Formulations<> TRIVIUM_FORMULATIONS(TRIVIUM_WITH);
 #undef TRIVIUM_WITH
 
@@ -47,6 +49,7 @@ namespace detail {
 /// Throws a ModelError that lists the accepted names.
 [[noreturn]] void throw_no_formulation(const std::string& name, const std::vector<std::string>& names);
 
+/// with_formulation among the formulations of List from `place` on.
 template <class Scalar, class List, std::size_t place, class Use>
 auto with_formulation_from(const std::string& name, const Use& use) {
   using In = typename List::template In<Scalar>;

@@ -39,6 +39,7 @@ struct REpsilon {
   };
 
   // orientation: A = R_1 R_2 R_3 C; R_k is the rotation by epsilon_k about axis e_k of the sequence
+  /// Motion of a body and of the vectors fixed in it; a model of the concept BodyKinematics.
   struct Kinematics : BodyMotion<S> {
     using Scalar = S;
     static constexpr int rotational_unknowns = 3;

@@ -35,6 +35,7 @@ struct REpsilonOmegaFirst {
 
   // orientation: A = A(epsilon) C; a body vector has the rate and the Jacobian of r-omega, with omega_bar =
   // D epsilon'
+  /// The kinematics of r-omega, with D to convert omega_bar' to epsilon''.
   struct Kinematics : Rates::Kinematics {
     Matrix3<S> D;            ///< omega_bar = D epsilon' [3x3, -]
     Vector3<S> D_dot_rates;  ///< D' epsilon' [rad/s^2, body frame]

@@ -34,6 +34,7 @@ struct ROmega {
   };
 
   // orientation: A itself is the coordinate
+  /// Motion of a body and of the vectors fixed in it; a model of the concept BodyKinematics.
   struct Kinematics : BodyMotion<S> {
     using Scalar = S;
     static constexpr int rotational_unknowns = 3;

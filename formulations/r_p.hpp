@@ -53,6 +53,7 @@ struct RP {
   }
 
   // orientation: A = E G^T
+  /// Motion of a body and of the vectors fixed in it; a model of the concept BodyKinematics.
   struct Kinematics : BodyMotion<S> {
     using Scalar = S;
     static constexpr int rotational_unknowns = 4;
@@ -100,9 +101,10 @@ struct RP {
   static Matrix<S, 1, 4> internal_jacobian(const Kinematics& k) { return k.p.transpose(); }
   static Vector<S, 1> internal_gamma(const Kinematics& k) { return Vector<S, 1>(-k.p_dot.squaredNorm()); }
 
-  // reduced equations (internal row eliminated): p'' = 1/2 G^T x - |p'|^2 p satisfies the internal row for
-  // every x, where p is taken as a unit vector. The reduced mass block is (1/2 G) J^p (1/2 G^T) = J_bar, so
-  // x is omega_bar'
+  // reduced equations (internal row eliminated): x = omega_bar'
+  /// Kinematics with the unknown x: p'' = 1/2 G^T x - |p'|^2 p satisfies the internal row for every x, where
+  /// p is taken as a unit vector. The reduced mass block is (1/2 G) J^p (1/2 G^T) = J_bar, so x is
+  /// omega_bar'.
   struct Reduced : Kinematics {
     static constexpr int rotational_unknowns = 3;
 

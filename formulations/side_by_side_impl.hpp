@@ -66,7 +66,7 @@ void solve_each(const std::vector<std::string>& names, const SolveOptions& optio
   }
 }
 
-// instances for the formulations of the library are compiled in instances/
+/// Instances for the formulations of the library are compiled in instances/.
 #define TRIVIUM_SOLVE_ONE(F, S, kind)                                                                  \
   kind template FormulationResult<S> solve_one<F<S>>(const Model<S>&, const Model<NextPrecisionT<S>>*, \
                                                      const RowAnalysis&, const ChartOptions&);

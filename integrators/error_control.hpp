@@ -24,8 +24,9 @@ namespace trivium::integrators {
 /// A method whose steps can be solved without being accepted:
 ///
 ///   begin                from (t, y, stop): begins at (t, y), with `stop` as the end of the first step
-///   attempt              from (t, stop, y, reached): solves a step from (t, y) to `stop`; `reached` is its
-///   end accept               from (h, reached): accepts the step of length h that was solved last
+///   attempt              from (t, stop, y, reached): solves a step from (t, y) to `stop`, with `reached` as
+///                        its end
+///   accept               from (h, reached): accepts the step of length h that was solved last
 template <class M, class System>
 concept Attempts = requires(M& method, System& system, const typename System::Scalar& t,
                             const StateVector<typename System::Scalar>& y,
@@ -35,6 +36,7 @@ concept Attempts = requires(M& method, System& system, const typename System::Sc
   method.accept(system, t, reached);
 };
 
+/// The method M with chosen steps, as a model of the concept Method.
 template <class M, HasResidual System>
 requires Attempts<M, System>
 class ErrorControl {

@@ -20,6 +20,7 @@ namespace trivium::integrators {
 
 namespace detail {
 
+/// Evaluates the laws of a list entry and lists those that do not hold.
 class MethodLaws {
  public:
   explicit MethodLaws(const MethodEntry<double>& entry) : entry_(entry) {}

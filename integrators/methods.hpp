@@ -28,13 +28,14 @@ const MethodInfo* find_method(std::string_view name);
 template <class S>
 const MethodEntry<S>& method_entry(std::string_view name);
 
-/// Makes a method, from its entry or from its name. The tolerances are used if the steps are chosen. Throws a
-/// UsageError if the method does not take such steps or such a parameter, if a parameter is out of its range,
-/// or if both tolerances are below the rounding of S. With a name, throws as method_entry does.
+/// Makes a method from its entry. The tolerances are used if the steps are chosen. Throws a UsageError if the
+/// method does not take such steps or such a parameter, if a parameter is out of its range, or if both
+/// tolerances are below the rounding of S.
 template <class S>
 std::unique_ptr<AnyMethod<S>> make_method(const MethodEntry<S>& method, Steps steps,
                                           const Tolerances& tolerances,
                                           const MethodParameters& parameters = {});
+/// The same from the name of a method. Throws as method_entry does, too.
 template <class S>
 std::unique_ptr<AnyMethod<S>> make_method(std::string_view name, Steps steps, const Tolerances& tolerances,
                                           const MethodParameters& parameters = {});

@@ -6,6 +6,7 @@
 
 namespace trivium::integrators {
 
+/// IEEE binary128.
 using Quad =
     boost::multiprecision::number<boost::multiprecision::float128_backend, boost::multiprecision::et_off>;
 

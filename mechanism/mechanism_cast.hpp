@@ -40,6 +40,7 @@ Mechanism<To, ToTypes> same_structure(const Mechanism<From, FromTypes>& from) {
   return to;
 }
 
+/// A mechanism of the same structure, with all parts converted to To.
 template <class To, class ToTypes, class From, class FromTypes>
 Mechanism<To, ToTypes> cast_to(const Mechanism<From, FromTypes>& from) {
   Mechanism<To, ToTypes> to = same_structure<To, ToTypes>(from);

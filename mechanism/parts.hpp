@@ -17,11 +17,13 @@ namespace trivium {
 
 namespace detail {
 
+/// The parts of all bodies, or of all joints.
 template <class Use, class List, class... Lists>
 void show_parts_of_all(const Use& use, List& list, Lists&... lists) {
   for (std::size_t k = 0; k < list.size(); ++k) List::value_type::show_parts(use, list[k], lists[k]...);
 }
 
+/// The parts of all effects of one type.
 template <class Use, class List, class... Lists>
 void show_parts_of_effects(const Use& use, List& list, Lists&... lists) {
   for (std::size_t k = 0; k < list.size(); ++k) show_effect_parts(use, list[k], lists[k]...);

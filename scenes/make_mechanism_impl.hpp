@@ -45,6 +45,7 @@ std::array<double, n> of_moderate_size(std::array<double, n> direction) {
   return direction;
 }
 
+/// A matrix [3x3] from its rows. Throws a ModelError as RangeCheckedCast does.
 template <class Scalar>
 Matrix3<Scalar> matrix_of(const scenes::Matrix3& rows, const RangeCheckedCast<Scalar>& narrowed,
                           std::string_view key) {
@@ -65,6 +66,7 @@ inline Matrix3<double> lift_of_negative_moments(const Matrix3<double>& J) {
   return principal.eigenvectors() * lift.asDiagonal() * principal.eigenvectors().transpose();
 }
 
+/// J_bar of a body [3x3, kg m^2]: symmetric, without negative principal moments. Throws as matrix_of does.
 template <class Scalar>
 Matrix3<Scalar> inertia_of(const scenes::Body& body, const RangeCheckedCast<Scalar>& narrowed) {
   // A positive moment that would underflow to zero in Scalar is refused: the mass matrix would become
@@ -81,6 +83,7 @@ Matrix3<Scalar> inertia_of(const scenes::Body& body, const RangeCheckedCast<Scal
   return symmetric + scalar_cast<Scalar>(lift_of_negative_moments(scalar_cast<double>(symmetric)));
 }
 
+/// The joint frame of a side; a point alone if the side has no axis. `point_key` is for messages.
 template <class Scalar>
 JointFrame<Scalar> frame_of(const scenes::Side& side, const RangeCheckedCast<Scalar>& narrowed,
                             std::string_view point_key) {
@@ -114,6 +117,7 @@ struct StatedParts {
   void take(std::string_view key, Vector3<Scalar>& c) const { c = narrowed.vector(stated.direction, key); }
 };
 
+/// The row of a basic constraint, between the bodies of `joint`.
 template <class Scalar>
 BasicConstraint<Scalar> basic_row_of(const scenes::Constraint& stated, const Joint<Scalar>& joint,
                                      const RangeCheckedCast<Scalar>& narrowed) {
@@ -126,6 +130,7 @@ BasicConstraint<Scalar> basic_row_of(const scenes::Constraint& stated, const Joi
   return row;
 }
 
+/// The rows of a basic constraint or of a joint.
 template <class Scalar>
 JointRows<Scalar> stated_rows(const scenes::Constraint& stated, const Joint<Scalar>& joint,
                               const RangeCheckedCast<Scalar>& narrowed) {
@@ -188,6 +193,7 @@ void add_effect(const E<double>& from, std::string name, Mechanism<Scalar>& mech
   mechanism.effects.add(std::move(to));
 }
 
+/// Converts any form of an orientation to Euler parameters p, |p| = 1.
 template <class Scalar>
 struct ToEulerParameters {
   RangeCheckedCast<Scalar> narrowed;

@@ -1,7 +1,5 @@
 #pragma once
-/// Observation of a run. `watch` is called at every accepted state and enters constraint violations and
-/// energy into the report. `show` is called at every output: it does the same as `watch`, computes lambda and
-/// the joint reactions, and passes a sample to the observer.
+/// Observation of a run, for its report and its observer.
 ///
 /// If rows are dependent, lambda is the one with the least |E lambda|. Such a lambda does not exist if an
 /// inertia is singular, and may not exist near a singular position. The lambda of the acceleration solver is
@@ -28,6 +26,10 @@
 
 namespace trivium {
 
+/// Follows one run. `watch` is called at every accepted state and enters constraint violations and energy
+/// into the report. `show` is called at every output: it does the same as `watch`, computes lambda and the
+/// joint reactions, and passes a sample to the observer. In double, `show` throws an IntegrationError if the
+/// motion has changed to another branch.
 template <Formulation F>
 class MotionWatch {
  public:

@@ -10,6 +10,7 @@ namespace trivium {
 
 /// The numbers of another code's motion, in the units and frames of motion_csv.hpp.
 struct OtherMotion {
+  /// A recognised column.
   struct Column {
     std::string theirs, ours;   ///< the name in the file, and the library's name
     std::vector<double> value;  ///< one number per time

@@ -18,6 +18,7 @@ namespace trivium {
 
 namespace detail {
 
+/// The equations, the method and the report of one run.
 template <Formulation F>
 class Simulation {
  public:

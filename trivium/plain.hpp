@@ -8,12 +8,16 @@
 
 namespace trivium {
 
+/// The three components of v.
 inline Components plain(const Vector3<double>& v) { return {v[0], v[1], v[2]}; }
+/// The numbers of v.
 inline std::vector<double> plain(const VectorX<double>& v) { return {v.begin(), v.end()}; }
+/// A reaction, with its units and frames.
 inline JointReaction plain(const Reaction<double>& r) {
   return {plain(r.force), plain(r.torque), plain(r.point)};
 }
 
+/// The names of bodies, joints and rows, and the two bodies of every joint.
 inline Names names_of(const Mechanism<double>& mechanism) {
   Names names{{}, {}, mechanism.row_names, {}, {}};
   for (int b = 0; b < mechanism.nb(); ++b) names.bodies.push_back(mechanism.body_names[b]);

@@ -1,6 +1,6 @@
 #pragma once
-/// The contents of a public trivium::Scene: the scene in the library's own type. Only the library's own
-/// sources include this header; users include trivium/scene.hpp.
+/// The contents of a public trivium::Scene. Only the library's own sources include this header; users include
+/// trivium/scene.hpp.
 
 #include <string>
 
@@ -9,6 +9,7 @@
 
 namespace trivium {
 
+/// The scene in the library's own type.
 struct Scene::Contents {
   scenes::Scene scene;
   double t = 0;        ///< time of the state [s]

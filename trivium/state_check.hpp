@@ -33,6 +33,7 @@ struct SolvedState {
   const char* solver;  ///< "printed" or "structured"
   SideBySide<double> answer;
 };
+/// Solves the state of a model in the formulations of `options`.
 SolvedState solve_state(const scenes::Scene& scene, const Model<double>& model, const SolveOptions& options);
 
 /// Warnings about a solution: large estimated errors, equations of motion with a large residual, rows

@@ -1,8 +1,6 @@
 #pragma once
 /// `Batch<T, N>`: a scalar type that holds N numbers of type T, its lanes. Code over Batch computes N states
-/// of one scene at once, with the vector instructions of the processor. Every operation acts on each lane
-/// alone. The results therefore equal those of N separate computations, except where the compiler fuses a
-/// multiplication and an addition into one rounding.
+/// of one scene at once, with the vector instructions of the processor.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -26,6 +24,8 @@ inline constexpr int native_lanes =
     16 / sizeof(T);
 #endif
 
+/// N numbers of type T. Every operation acts on each lane alone. The results therefore equal those of N
+/// separate computations, except where the compiler fuses a multiplication and an addition into one rounding.
 template <class T, int N>
 class Batch {
  public:
@@ -148,6 +148,7 @@ class Batch {
 }  // namespace trivium
 
 namespace std {
+/// The limits of T, in every lane.
 template <class T, int N>
 class numeric_limits<trivium::Batch<T, N>> : public numeric_limits<T> {
   using Batch = trivium::Batch<T, N>;
@@ -164,6 +165,7 @@ class numeric_limits<trivium::Batch<T, N>> : public numeric_limits<T> {
 }  // namespace std
 
 namespace Eigen {
+/// Eigen's traits of a Batch: those of T.
 template <class T, int N>
 struct NumTraits<trivium::Batch<T, N>> : GenericNumTraits<T> {
   using Real = trivium::Batch<T, N>;

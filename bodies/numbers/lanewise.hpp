@@ -16,8 +16,11 @@ class MixedLanes : public std::runtime_error {
             "time") {}
 };
 
+/// Whether a condition holds in any lane.
 inline bool any(bool condition) { return condition; }
+/// Whether a condition holds in all lanes.
 inline bool all(bool condition) { return condition; }
+/// Whether one of two conditions holds, in each lane.
 inline bool either(bool one, bool other) { return one || other; }
 
 /// `a` if the condition holds, otherwise `b`, in each lane. Both are always evaluated.

@@ -14,6 +14,7 @@ namespace trivium {
 using Quad =
     boost::multiprecision::number<boost::multiprecision::float128_backend, boost::multiprecision::et_off>;
 
+/// After long double: Quad.
 template <>
 struct NextPrecision<long double> {
   using type = Quad;
@@ -52,6 +53,7 @@ struct MultiprecisionTraits : Eigen::GenericNumTraits<Number> {
 }  // namespace trivium
 
 namespace Eigen {
+/// Eigen's traits of Quad.
 template <>
 struct NumTraits<trivium::Quad> : trivium::detail::MultiprecisionTraits<trivium::Quad> {};
 }  // namespace Eigen

@@ -16,10 +16,12 @@ using Real50 =
 using Real100 =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 
+/// After Quad: Real50.
 template <>
 struct NextPrecision<Quad> {
   using type = Real50;
 };
+/// After Real50: Real100.
 template <>
 struct NextPrecision<Real50> {
   using type = Real100;
@@ -28,8 +30,10 @@ struct NextPrecision<Real50> {
 }  // namespace trivium
 
 namespace Eigen {
+/// Eigen's traits of Real50.
 template <>
 struct NumTraits<trivium::Real50> : trivium::detail::MultiprecisionTraits<trivium::Real50> {};
+/// Eigen's traits of Real100.
 template <>
 struct NumTraits<trivium::Real100> : trivium::detail::MultiprecisionTraits<trivium::Real100> {};
 }  // namespace Eigen

@@ -15,14 +15,17 @@
 
 namespace trivium {
 
+/// Number of entries of a padded vector over S.
 template <class S>
 inline constexpr int padded_size = std::is_floating_point_v<S> ? 4 : 3;
+/// A padded 3-vector.
 template <class S>
 using Padded = Vector<S, padded_size<S>>;
 /// A 3 x n matrix whose columns are padded vectors.
 template <class S, int n>
 using PaddedColumns = Matrix<S, padded_size<S>, n>;
 
+/// Size of the registers that Register may use.
 #ifdef __AVX__
 inline constexpr std::size_t register_bytes = 32;
 #else
@@ -79,6 +82,7 @@ struct Register {
   }
 };
 
+/// The padded vector of v.
 template <class S>
 TRIVIUM_INLINE Padded<S> padded(const Vector3<S>& v) {
   if constexpr (Register<S>::exists)
@@ -88,11 +92,13 @@ TRIVIUM_INLINE Padded<S> padded(const Vector3<S>& v) {
   else
     return v;
 }
+/// The first three entries of v.
 template <class S>
 TRIVIUM_INLINE Vector3<S> unpadded(const Padded<S>& v) {
   return v.template head<3>();
 }
 
+/// M [3x3] with padded columns.
 template <class S>
 TRIVIUM_INLINE PaddedColumns<S, 3> padded_columns(const Matrix3<S>& M) {
   PaddedColumns<S, 3> columns;
@@ -152,6 +158,7 @@ TRIVIUM_INLINE Padded<S> padded_transpose_times(const PaddedColumns<S, 3>& M, co
   }
 }
 
+/// a x b.
 template <class S>
 TRIVIUM_INLINE Padded<S> cross_product(const Padded<S>& a, const Padded<S>& b) {
   using R = Register<S>;
@@ -174,6 +181,7 @@ TRIVIUM_INLINE void turn(PaddedColumns<S, 3>& M, int k, const S& angle) {
   M.col(n) = c * y - s * x;
 }
 
+/// M^T [3x3].
 template <class S>
 TRIVIUM_INLINE PaddedColumns<S, 3> transposed(const PaddedColumns<S, 3>& M) {
   using R = Register<S>;

@@ -13,14 +13,17 @@ namespace trivium {
 /// The next more precise scalar type, used to measure the error of a result computed in Scalar.
 template <class Scalar>
 struct NextPrecision;
+/// After float: double.
 template <>
 struct NextPrecision<float> {
   using type = double;
 };
+/// After double: long double.
 template <>
 struct NextPrecision<double> {
   using type = long double;
 };
+/// The type that NextPrecision gives.
 template <class Scalar>
 using NextPrecisionT = typename NextPrecision<Scalar>::type;
 

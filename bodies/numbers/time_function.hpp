@@ -67,26 +67,32 @@ struct SineCosine {
 /// Scalar. Angles are in rad and times in s; the unit of f depends on its use.
 class TimeFunction {
  public:
+  /// c0 + c1 t + c2 t^2 + ...
   struct Polynomial {
-    std::vector<double> coefficients;  ///< c0, c1, c2, ... of c0 + c1 t + c2 t^2 + ...
+    std::vector<double> coefficients;  ///< c0, c1, c2, ...
     bool operator==(const Polynomial&) const = default;
   };
-  struct Harmonic {  ///< offset + amplitude sin(angular_frequency t + phase)
+  /// offset + amplitude sin(angular_frequency t + phase).
+  struct Harmonic {
     double offset = 0, amplitude = 0, angular_frequency = 0, phase = 0;
     bool operator==(const Harmonic&) const = default;
   };
+  /// Sine of a function of time.
   struct Sin {
     std::vector<TimeFunction> of;  ///< the argument [rad], exactly one; a vector since the type is recursive
     bool operator==(const Sin&) const = default;
   };
+  /// Cosine of a function of time.
   struct Cos {
     std::vector<TimeFunction> of;  ///< the argument [rad], exactly one
     bool operator==(const Cos&) const = default;
   };
+  /// Sum of functions of time.
   struct Sum {
     std::vector<TimeFunction> terms;
     bool operator==(const Sum&) const = default;
   };
+  /// Product of functions of time.
   struct Product {
     std::vector<TimeFunction> factors;
     bool operator==(const Product&) const = default;

@@ -27,6 +27,7 @@ struct EulerSequence {
   bool operator==(const EulerSequence&) const = default;
 };
 
+/// The axes of a sequence as compile-time constants, numbered as in EulerSequence.
 template <int i, int j, int k>
 using Axes = std::integer_sequence<int, i, j, k>;
 
@@ -50,6 +51,7 @@ auto with_axes(const EulerSequence& sequence, const Use& use) {
   }
 }
 
+/// The names of the twelve sequences: six iji, then six ijk.
 inline constexpr std::array<std::string_view, 12> euler_sequence_names{
     "121", "131", "212", "232", "313", "323", "123", "132", "213", "231", "312", "321"};
 

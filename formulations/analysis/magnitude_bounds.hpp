@@ -14,6 +14,7 @@ namespace trivium {
 
 namespace detail {
 
+/// Computes the bounds of a mechanism at one state, in r-omega.
 template <class Types>
 class MagnitudeBounds {
  public:

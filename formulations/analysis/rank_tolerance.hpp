@@ -41,7 +41,8 @@ inline constexpr double vanishing_row_tolerance = 1e-5;
 /// this share of |z_k|; then row k of Phi is chosen. If too few rows are found, the search is repeated with a
 /// tenth of the share, down to the least share. A share s magnifies rounding errors of the multipliers by
 /// 1/s: the first share costs one digit, and the least one leaves about four digits of a double.
-inline constexpr double null_space_share = 0.1, least_null_space_share = 1e-12;
+inline constexpr double null_space_share = 0.1,  ///< the first share
+    least_null_space_share = 1e-12;              ///< the least share
 
 // pivots of closing edges: squares of sines, weighted by inertia
 

@@ -15,6 +15,7 @@ namespace trivium {
 
 namespace detail {
 
+/// The message about rows that contradict each other, with their names.
 inline std::string contradiction(const std::vector<std::string>& row_names, const RowAnalysis& rows) {
   std::string names;
   for (int k : rows.contradictory) names += (names.empty() ? "" : ", ") + row_names[k];

@@ -21,6 +21,7 @@ namespace trivium {
 
 namespace detail {
 
+/// Evaluates the laws of F and lists those that do not hold.
 template <EquationsAsPrinted F>
 class FormulationLaws {
  public:

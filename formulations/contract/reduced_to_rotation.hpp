@@ -37,6 +37,8 @@ struct ReducedToRotation {
   using Chart = typename F::Chart;
   using Coordinates = typename F::Coordinates;
 
+  /// Motion of a body and of the vectors fixed in it, from the printed kinematics of F with q'' = lift x +
+  /// q_0.
   struct Kinematics : BodyMotion<S> {
     using Scalar = S;
     static constexpr int rotational_unknowns = 3;
@@ -146,11 +148,13 @@ struct ReducedToRotation {
 };
 
 namespace detail {
+/// ReducedToRotation over another Scalar.
 template <class F, class Scalar>
 struct InScalar<ReducedToRotation<F>, Scalar> {
   using type = ReducedToRotation<InScalarT<F, Scalar>>;
 };
 
+/// WholeFormulation of an F with the printed equations alone.
 template <class F>
 struct WholeForm {
   // an incomplete part of F would be ignored silently: it is refused
@@ -164,6 +168,7 @@ struct WholeForm {
                 "a formulation has both a reduced and a moving part, or neither: both use the same unknowns");
   using type = ReducedToRotation<F>;
 };
+/// WholeFormulation of an F with all three parts.
 template <Formulation F>
 struct WholeForm<F> {
   using type = F;

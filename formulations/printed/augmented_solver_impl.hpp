@@ -67,6 +67,7 @@ MatrixFreeResidual AugmentedEquations<F>::residual(const VectorX<S>& full) const
 }
 
 namespace detail {
+/// The multipliers that are not unique, in r-omega; none if all rows are independent.
 template <class S, class Types>
 RedundantMultipliers<S> redundant_multipliers(const Mechanism<S, Types>& mechanism,
                                               const MechanismState<S>& state, const RowAnalysis& rows) {

@@ -49,6 +49,7 @@ struct AugmentedSystem {
   }
 };
 
+/// Assembles the blocks of all bodies and rows; the ground has none.
 template <EquationsAsPrinted F>
 AugmentedSystem<F> augmented_system(const EquationsOfMotion<F>& eom) {
   using S = typename F::Scalar;

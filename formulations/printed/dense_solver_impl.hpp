@@ -9,6 +9,7 @@
 
 namespace trivium {
 
+/// LU factors, with partial pivoting, of the scaled matrix.
 template <class Scalar>
 struct DenseSolver<Scalar>::Factor {
   Eigen::PartialPivLU<MatrixX<Scalar>> lu;

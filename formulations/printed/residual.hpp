@@ -24,6 +24,7 @@ struct MatrixFreeResidual {
   double worst() const { return larger(bodies, rows); }
 };
 
+/// The residuals of the unknowns u. `dependent` has the indices of the dependent rows.
 template <EquationsAsPrinted F, class Types>
 MatrixFreeResidual matrix_free_residual(const Mechanism<typename F::Scalar, Types>& mechanism,
                                         const EquationsOfMotion<F>& eom, const Unknowns<F>& u,

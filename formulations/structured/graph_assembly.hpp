@@ -1,8 +1,8 @@
 #pragma once
 /// Assembles the system of the structured solver (graph_system.hpp) for one formulation at one state, joint
 /// by joint: the matrix, and gamma, Phi and Phi' of every row. Normalisation rows are eliminated in closed
-/// form, so each body has three rotational unknowns x. An assembly at another state allocates nothing. The
-/// instances are compiled together with the AccelerationSolver of each formulation.
+/// form, so each body has three rotational unknowns x. The instances are compiled together with the
+/// AccelerationSolver of each formulation.
 
 #include <vector>
 
@@ -13,6 +13,8 @@
 
 namespace trivium {
 
+/// The matrix and the right sides of one mechanism. First move_body() of every body, then the functions that
+/// assemble or evaluate rows. An assembly at another state allocates nothing.
 template <Formulation F>
 class GraphAssembly {
  public:

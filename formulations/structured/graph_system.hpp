@@ -19,8 +19,10 @@
 
 namespace trivium {
 
+/// A column of 6 numbers.
 template <class S>
 using Vector6 = Vector<S, 6>;
+/// A matrix [6x6].
 template <class S>
 using Matrix6 = Matrix<S, 6, 6>;
 

@@ -16,6 +16,7 @@ struct SpanningForest {
   std::vector<int> closing_edges;  ///< the edges outside the forest; all soft edges are among them, last
 };
 
+/// The forest of a graph, in time linear in the size of the graph.
 SpanningForest spanning_forest(const BodyJointGraph& graph);
 
 }  // namespace trivium

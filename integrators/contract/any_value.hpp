@@ -45,8 +45,9 @@ class AnyValue {
   std::unique_ptr<KeptBase> kept_;
 };
 
-/// The Evaluation and the Factors of any system, as two types, so that they cannot be confused.
+/// The Evaluation of any system. AnyFactors is a type of its own, so that the two cannot be confused.
 class AnyEvaluation : public AnyValue {};
+/// The Factors of any system.
 class AnyFactors : public AnyValue {};
 
 }  // namespace trivium::integrators

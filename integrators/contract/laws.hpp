@@ -20,6 +20,7 @@ namespace trivium::integrators {
 
 namespace detail {
 
+/// Evaluates all laws at one state and lists those that do not hold.
 template <ConstrainedSystem System>
 class SystemLaws : StateLaws<System> {
  public:

@@ -57,6 +57,7 @@ class SphericalPendulum {
   void position_sizes(const Y& y, Y& sizes) const { sizes.setConstant(3, r(y).norm()); }
 
   // the equations of motion at a state
+  /// Position r [m] and velocity v [m/s] of the particle.
   struct Evaluation {
     Vector r, v;
     mutable bool is_factored = false;  ///< afterwards it gives no residual and no factors

@@ -11,6 +11,7 @@
 
 namespace trivium::integrators::detail {
 
+/// Evaluates the laws at one state and lists those that do not hold.
 template <FirstOrderSystem System>
 class StateLaws {
  public:

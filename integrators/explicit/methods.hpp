@@ -7,6 +7,7 @@
 
 namespace trivium::integrators {
 
+/// The entries of the explicit and half-explicit methods.
 template <class S>
 std::vector<MethodEntry<S>> explicit_methods();
 

@@ -48,10 +48,13 @@ struct StateVectorAlgebra : odeint::range_algebra {
   }
 };
 
+/// Dormand-Prince 5(4).
 template <class S>
 using DormandPrince5 = odeint::runge_kutta_dopri5<StateVector<S>, S, StateVector<S>, S, StateVectorAlgebra>;
+/// Fehlberg 7(8).
 template <class S>
 using Fehlberg78 = odeint::runge_kutta_fehlberg78<StateVector<S>, S, StateVector<S>, S, StateVectorAlgebra>;
+/// Bulirsch-Stoer as Odeint constructs it.
 template <class S>
 using OdeintBulirschStoer = odeint::bulirsch_stoer<StateVector<S>, S, StateVector<S>, S, StateVectorAlgebra>;
 
@@ -59,14 +62,17 @@ using OdeintBulirschStoer = odeint::bulirsch_stoer<StateVector<S>, S, StateVecto
 /// which the first step compares with its own. An explicit instantiation may name private members.
 template <class S>
 struct LastStepSize;
+/// In double.
 template <>
 struct LastStepSize<double> {
   friend double& last_step_size(LastStepSize, OdeintBulirschStoer<double>& of);
 };
+/// In Quad.
 template <>
 struct LastStepSize<Quad> {
   friend Quad& last_step_size(LastStepSize, OdeintBulirschStoer<Quad>& of);
 };
+/// Defines last_step_size by the private member.
 template <class S, S OdeintBulirschStoer<S>::*member>
 struct OpenLastStepSize {
   friend S& last_step_size(LastStepSize<S>, OdeintBulirschStoer<S>& of) { return of.*member; }
@@ -74,6 +80,7 @@ struct OpenLastStepSize {
 template struct OpenLastStepSize<double, &OdeintBulirschStoer<double>::m_dt_last>;
 template struct OpenLastStepSize<Quad, &OdeintBulirschStoer<Quad>::m_dt_last>;
 
+/// Bulirsch-Stoer that begins without a last step size.
 template <class S>
 struct BulirschStoer : OdeintBulirschStoer<S> {
   BulirschStoer(const S& atol, const S& rtol) : OdeintBulirschStoer<S>(atol, rtol) {
@@ -120,6 +127,7 @@ struct AdamsOrder {
     return next < (0.5 - 0.25 * static_cast<double>(k) / highest) * now ? k + 1 : k;
   }
 };
+/// AdaptiveAdams with the step sizes of Odeint's controller H211PI and the orders of AdamsOrder.
 using ControlledAdams = odeint::controlled_adams_bashforth_moulton<
     AdaptiveAdams,
     odeint::detail::pid_step_adjuster<StateVector<double>, double, StateVector<double>, double,

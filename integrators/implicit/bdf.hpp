@@ -36,6 +36,7 @@ struct BackwardFormula {
   }
 };
 
+/// BDF of one order. With given steps a model of the concept Method; ErrorControl lets it choose its steps.
 template <HasSprings System>
 requires HasInternalRows<System>
 class BDF {

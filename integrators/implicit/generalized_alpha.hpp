@@ -25,6 +25,8 @@
 
 namespace trivium::integrators {
 
+/// Generalised-alpha of index 3 or of stabilised index 2. With given steps a model of the concept Method;
+/// ErrorControl lets it choose its steps.
 template <HasNewtonMatrix System>
 requires HasInternalRows<System>
 class GeneralizedAlpha {

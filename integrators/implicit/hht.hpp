@@ -19,6 +19,8 @@
 
 namespace trivium::integrators {
 
+/// HHT-I3 with one alpha. With given steps a model of the concept Method; ErrorControl lets it choose its
+/// steps.
 template <HasNewtonMatrix System>
 requires HasInternalRows<System>
 class HHT {

@@ -7,6 +7,7 @@
 
 namespace trivium::integrators {
 
+/// The entries of the implicit methods.
 template <class S>
 std::vector<MethodEntry<S>> implicit_methods();
 

@@ -21,6 +21,7 @@ namespace trivium::integrators {
 
 namespace detail {
 
+/// The given value, or else the standard one. Throws a UsageError outside least to most.
 template <class Value>
 Value checked(const char* what, const std::optional<Value>& given, Value standard, Value least, Value most) {
   const Value value = given.value_or(standard);

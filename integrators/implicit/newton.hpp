@@ -3,8 +3,8 @@
 /// matrix is factored once per step, and Anderson acceleration makes up for the terms that the matrix leaves
 /// out. This file decides when the equations count as solved, when the matrix is factored again, and when the
 /// iteration diverges. It diverges if five times a correction fails to halve the residual although its matrix
-/// was factored at the iterate that it corrects, or after forty iterations. With given steps
-/// a divergence ends the run, with chosen ones a shorter step is tried.
+/// was factored at the iterate that it corrects, or after forty iterations. With given steps a divergence
+/// ends the run, with chosen ones a shorter step is tried.
 
 #include <fmt/format.h>
 
@@ -55,6 +55,7 @@ template <HasResidual System>
                                              : "the equations of motion stay unbalanced"));
 }
 
+/// Newton's method for one step after another. `filter` uses the matrix that was factored last.
 template <HasNewtonMatrix System>
 requires HasInternalRows<System>
 class Newton {

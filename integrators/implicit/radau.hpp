@@ -303,8 +303,10 @@ class Radau {
   Counters counters_;
 };
 
+/// Radau IIA of order 5.
 template <class System>
 using Radau5 = Radau<System, 3>;
+/// Radau IIA of order 9.
 template <class System>
 using Radau9 = Radau<System, 5>;
 

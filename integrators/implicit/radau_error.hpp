@@ -1,6 +1,5 @@
 #pragma once
-/// Norms of Radau's corrections and of its estimated error, in units of the tolerances. Radau ends an
-/// iteration by the first norm; take_chosen_step accepts or rejects a step by the second. Hairer and Wanner,
+/// Norms of Radau's corrections and of its estimated error, in units of the tolerances. Hairer and Wanner,
 /// Solving Ordinary Differential Equations II (1996), IV.8.
 
 #include "base/raise.hpp"
@@ -9,6 +8,8 @@
 
 namespace trivium::integrators {
 
+/// The norms for steps of s stages. Radau ends an iteration by `of_correction`; take_chosen_step accepts or
+/// rejects a step by `of_step`.
 template <HasSprings System, int s>
 requires HasInternalRows<System>
 class RadauError {

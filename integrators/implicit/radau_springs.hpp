@@ -1,8 +1,7 @@
 #pragma once
 /// Springs and dampers in a Newton correction of Radau IIA. The matrix of a stage is real: in it a spring
 /// resists with h gamma C + (h gamma)^2 K, where gamma is the real eigenvalue of A. The method asks for h A C
-/// + h^2 A^2 K, which couples the stages. This file solves for the difference iteratively, with one unknown
-/// per spring and stage. The iteration needs linear solves but no evaluation of the model.
+/// + h^2 A^2 K, which couples the stages.
 
 #include <algorithm>
 
@@ -11,6 +10,8 @@
 
 namespace trivium::integrators {
 
+/// Solves for the difference between the two resistances iteratively, with one unknown per spring and stage.
+/// The iteration needs linear solves but no evaluation of the model.
 template <HasSprings System, int s>
 requires HasInternalRows<System>
 class RadauSprings {

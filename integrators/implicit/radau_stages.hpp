@@ -22,6 +22,7 @@
 
 namespace trivium::integrators {
 
+/// The s stages of a step, and of the last one what the prediction needs.
 template <HasSprings System, int s>
 requires HasInternalRows<System>
 class RadauStages {
@@ -32,6 +33,7 @@ class RadauStages {
   struct Known {
     StateVector<S> v_dot, lambda;
   };
+  /// One stage: its unknowns, state, residuals and factors.
   struct Stage : Known {
     StateVector<S> shift;                ///< sigma_i: extra motion that the position rows need
     StateVector<S> internal_correction;  ///< extra motion that the internal rows need

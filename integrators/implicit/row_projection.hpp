@@ -4,9 +4,6 @@
 /// smallest motion that removes the violation, in the metric of M with the springs' resistance,
 ///
 ///   M x + Phi_q^T mu = 0,   Phi_q x = -Phi    and then    Phi_q x = -(Phi_q v - nu)
-///
-/// The corrections are repeated until the violation is rounding or no longer falls. If it no longer falls, up
-/// to 1000 times the bound of rounding is accepted, the safety factor of newton.hpp.
 
 #include <limits>
 
@@ -14,6 +11,8 @@
 
 namespace trivium::integrators {
 
+/// Repeats the corrections until the violation is rounding or no longer falls. If it no longer falls, up to
+/// 1000 times the bound of rounding is accepted, the safety factor of newton.hpp.
 template <HasNewtonMatrix System>
 requires HasInternalRows<System>
 class RowProjection {

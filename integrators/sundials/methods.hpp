@@ -12,6 +12,7 @@
 
 namespace trivium::integrators {
 
+/// A method in double.
 using DoubleMethod = std::unique_ptr<AnyMethod<double>>;
 
 /// The entries of the list, in double. To add a method, add an entry in methods.cpp.

@@ -12,6 +12,7 @@ namespace trivium::integrators::sundials_library {
 /// acceleration has no time to act; many more only delay the shorter step after a divergence.
 constexpr int most_iterations = 8;
 
+/// Makes this solver. The context must outlive it.
 Owned<SUNNonlinearSolver> make_accelerated_newton(SUNContext context);
 
 }  // namespace trivium::integrators::sundials_library

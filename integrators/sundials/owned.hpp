@@ -14,8 +14,10 @@
 
 namespace trivium::integrators::sundials_library {
 
+/// The vector type of methods in double.
 using StateVectorD = StateVector<double>;
 
+/// Frees an object by the library's function for its type.
 struct Destroy {
   void operator()(N_Vector v) const { N_VDestroy(v); }
   void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
@@ -26,6 +28,7 @@ struct Destroy {
 template <class Pointer>
 using Owned = std::unique_ptr<std::remove_pointer_t<Pointer>, Destroy>;
 
+/// The numbers of v, not copied.
 inline Eigen::Map<StateVectorD> flat(N_Vector v) { return {N_VGetArrayPointer(v), N_VGetLength_Serial(v)}; }
 
 }  // namespace trivium::integrators::sundials_library

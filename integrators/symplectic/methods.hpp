@@ -7,6 +7,7 @@
 
 namespace trivium::integrators {
 
+/// The entries of the symplectic methods.
 template <class S>
 std::vector<MethodEntry<S>> symplectic_methods();
 

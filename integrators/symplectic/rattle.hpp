@@ -30,6 +30,7 @@
 
 namespace trivium::integrators {
 
+/// RATTLE of order 2 or 4 with given steps. A step throws a UsageError if M depends on positions.
 template <HasNewtonMatrix System>
 class Rattle {
  public:

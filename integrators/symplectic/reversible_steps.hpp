@@ -33,6 +33,7 @@
 
 namespace trivium::integrators {
 
+/// RATTLE with these chosen steps, as a model of the concept Method.
 template <HasNewtonMatrix System>
 class ReversibleSteps {
  public:

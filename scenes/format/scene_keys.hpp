@@ -53,13 +53,16 @@ class Shape {
   std::size_t size_;
 };
 
+/// A scene file.
 inline constexpr Shape scene_shape{"scene",
                                    {need("trivium"), may("name"), may("description"), may("reference"),
                                     need("bodies"), may("constraints"), may("effects"), may("saved")}};
+/// The end of a run, from which another run continues.
 inline constexpr Shape saved_shape{
     "saved",
     {need("t"), need("start"), need("formulation"), need("integrator"), need("phi"), need("phi_dot"),
      may("began_singular"), may("charts"), may("fastest"), need("y"), may("angles"), may("memory")}};
+/// A body.
 inline constexpr Shape body_shape{
     "body",
     {need("name"), need("mass"), need("inertia"), may("unphysical_inertia"), need("position"),
@@ -68,6 +71,7 @@ inline constexpr Shape body_shape{
 inline constexpr Shape orientation_shape{
     "orientation",
     {may("euler_parameters"), may("euler_angles"), may("sequence"), may("axis_angle"), may("matrix")}};
+/// The value of `axis_angle` in an orientation.
 inline constexpr Shape axis_angle_shape{"axis_angle", {need("axis"), need("angle")}};
 
 /// In the order of TimeFunction::Kind, whose first alternative, the plain number, has no shape.
@@ -85,10 +89,16 @@ inline constexpr std::array function_shapes{
 
 // Sides. Every side may have a point (for a dp1 the point where reactions are taken). Every side of a joint
 // may have an axis with an x, even if no row of the joint type uses it.
+
+/// A side of a basic constraint that has a vector.
 inline constexpr Shape vector_point_side{"vector_point_side", {need("body"), need("vector"), may("point")}};
+/// A side of a basic constraint without a vector.
 inline constexpr Shape point_side{"point_side", {need("body"), may("point")}};
+/// A side of a joint that needs no axis.
 inline constexpr Shape joint_side{"joint_side", {need("body"), may("point"), may("axis"), may("x")}};
+/// A side of a joint that needs an axis.
 inline constexpr Shape axis_side{"axis_side", {need("body"), may("point"), need("axis"), may("x")}};
+/// A side of a joint that needs an axis and an x.
 inline constexpr Shape frame_side{"frame_side", {need("body"), may("point"), need("axis"), need("x")}};
 
 /// The keys of a constraint type and of its two sides.

@@ -1,9 +1,6 @@
 #pragma once
 /// Decides whether the projection of a step may have left the branch of the motion. Constraints can be
-/// satisfied on several branches: a four-bar, for example, closes in two ways. A correct projection is
-/// small beside its step. A projection is rejected if, in some component (set of bodies connected by rows),
-/// it changes the state by more than a tenth of the change made by the step plus a small share of the state
-/// itself. integrators/integrate.cpp then rejects the step and asks the method for a shorter one.
+/// satisfied on several branches: a four-bar, for example, closes in two ways.
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +11,10 @@
 
 namespace trivium {
 
+/// Compares the projection of a step with the step, beside which a correct projection is small. A projection
+/// is rejected if, in some component (set of bodies connected by rows), it changes the state by more than a
+/// tenth of the change made by the step plus a small share of the state itself. integrators/integrate.cpp
+/// then rejects the step and asks the method for a shorter one.
 template <Formulation F>
 class BranchCheck {
  public:

@@ -1,8 +1,5 @@
 #pragma once
-/// Changes of chart (re-framing) along a motion. A body whose Euler angles come nearer to their singularity
-/// than reframing_distance gets another chart, chosen as at the start (formulations/euler_chart_choice.hpp).
-/// Its orientation and rates in y are then rewritten in the new chart. If the user keeps the charts,
-/// `near_singularity` reports such a body. Formulations without charts (NoChart) do nothing here.
+/// Changes of chart (re-framing) along a motion. Formulations without charts (NoChart) do nothing here.
 
 #include <fmt/format.h>
 
@@ -15,6 +12,9 @@
 
 namespace trivium {
 
+/// Gives a body whose Euler angles come nearer to their singularity than reframing_distance another chart,
+/// chosen as at the start (formulations/euler_chart_choice.hpp), in which its orientation and rates in y are
+/// rewritten. If the user keeps the charts, `near_singularity` reports such a body.
 template <Formulation F>
 class ChartSwitching {
  public:

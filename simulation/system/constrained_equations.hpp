@@ -3,9 +3,9 @@
 ///
 ///     M(q) v' + Phi_q^T lambda = Q(q, v, t),   Phi(q, t) = 0
 ///
-/// The state is y = (q, v, work), as in FirstOrderEquations, which this class owns. Residuals are in reduced
-/// unknowns, with three numbers of rotation per body; the internal row p . p = 1 of r-p is met by
-/// `normalise_step`. Newton's system of a step is in reduced unknowns as well:
+/// The state is y = (q, v, work), as in FirstOrderEquations. Residuals are in reduced unknowns, with three
+/// numbers of rotation per body; the internal row p . p = 1 of r-p is met by `normalise_step`. Newton's
+/// system of a step is in reduced unknowns as well:
 ///
 ///     [ M + gamma' C + beta' K   Phi_q^T ] [ dv'     ]     [ M v' + Phi_q^T lambda - Q ]
 ///     [ Phi_q                    0       ] [ dlambda ] = - [ Phi / beta'               ]
@@ -16,8 +16,6 @@
 /// condition number bounded as h -> 0. K and C hold the stiffness and damping of springs along their
 /// directions (spring_rows.hpp). Gyroscopic and geometric terms are left out of the matrix; the Newton
 /// iteration therefore converges linearly, with a rate of about the angle [rad] that bodies turn in a step.
-///
-/// The class is a model of the concept integrators::ConstrainedSystem, which defines its functions.
 
 #include <algorithm>
 #include <memory>
@@ -36,6 +34,9 @@
 
 namespace trivium {
 
+/// The constrained equations of one mechanism in the formulation F. A model of the concept
+/// integrators::ConstrainedSystem, which defines its functions. Owns the FirstOrderEquations of the same
+/// motion.
 template <Formulation F>
 class ConstrainedEquations {
  public:

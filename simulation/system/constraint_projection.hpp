@@ -4,8 +4,8 @@
 ///
 ///     M x + Phi_q^T mu = 0,   Phi_q x = -Phi  (positions)   or   Phi_q x = -(Phi_q q' - nu)  (velocities)
 ///
-/// The matrix is that of the acceleration solver. integrators/projection_iteration.hpp repeats the correction
-/// and decides when the violation is small enough.
+/// integrators/projection_iteration.hpp repeats the correction and decides when the violation is small
+/// enough.
 
 #include <span>
 #include <vector>
@@ -16,6 +16,8 @@
 
 namespace trivium {
 
+/// Measures the violation of positions or velocities at a state, and corrects the positions or velocities of
+/// y. The matrix is that of the acceleration solver.
 template <Formulation F>
 class ConstraintProjection {
  public:

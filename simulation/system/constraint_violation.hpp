@@ -1,11 +1,6 @@
 #pragma once
-/// Measures how far a state violates its constraints. The absolute measure is the largest |Phi_k| or |Phi_k'|
-/// divided by the row's scale [m or rad, m/s or rad/s]. The relative measure divides further by the size of
-/// the component, which is the set of bodies connected by rows. For a row of lengths this size is the bound
-/// of the distance of the component's points from the origin, and for Phi_k' its fastest speed. For a row of
-/// angles it is 1, and for Phi_k' the fastest angular velocity. The
-/// relative violation caused by rounding is then a few u, whatever the size of the mechanism.
-/// integrators/projection_iteration.hpp decides by the relative measure.
+/// Measures how far a state violates its constraints. integrators/projection_iteration.hpp decides by the
+/// relative measure.
 
 #include <algorithm>
 #include <array>
@@ -21,6 +16,12 @@
 
 namespace trivium {
 
+/// The absolute measure of a violation is the largest |Phi_k| or |Phi_k'| divided by the row's scale [m or
+/// rad, m/s or rad/s]. The relative measure [-] divides further by the size of the component, which is the
+/// set of bodies connected by rows. For a row of lengths this size is the bound of the distance of the
+/// component's points from the origin, and for Phi_k' its fastest speed. For a row of angles it is 1, and for
+/// Phi_k' the fastest angular velocity. The relative violation caused by rounding is then a few u, whatever
+/// the size of the mechanism.
 template <class S>
 class ConstraintViolation {
  public:

@@ -1,8 +1,6 @@
 #pragma once
-/// Displacements between states, for implicit methods. A displacement d has as many numbers as v, in the same
-/// order. The position r moves by addition. The orientation moves as the formulation defines: by a rotation
-/// vector in Lie-group formulations, by addition in the others. This file also changes v' such that internal
-/// rows, such as p . p = 1 in r-p, hold within a step.
+/// Displacements between states, for implicit methods. This file also changes v' such that internal rows,
+/// such as p . p = 1 in r-p, hold within a step.
 
 #include <algorithm>
 #include <utility>
@@ -12,6 +10,9 @@
 
 namespace trivium {
 
+/// Moves states by displacements, and finds the displacement between two states. A displacement d has as many
+/// numbers as v, in the same order. The position r moves by addition, the orientation as the formulation
+/// defines: by a rotation vector in Lie-group formulations, by addition in the others.
 template <Formulation F>
 class Displacements {
  public:

@@ -40,6 +40,8 @@ inline bool energy_is_lost(double unaccounted, double largest_kinetic, double en
   return !(unaccounted <= share_lost * largest_kinetic + share_rounded * energies);
 }
 
+/// Computes T, V and the power W' of one mechanism. Its drivers are the rows whose function of time is not
+/// constant.
 template <class S, class Types = StandardTypes>
 class EnergyAccount {
  public:

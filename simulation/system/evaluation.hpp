@@ -1,7 +1,5 @@
 #pragma once
 /// The equations of motion at one (t, y), as a value: the bodies in that state, their rows and mass blocks.
-/// Factors of Newton's matrix share the storage of the evaluation that they were made from. While they do so,
-/// a later evaluation takes spare storage: nothing is copied and, after the first steps, nothing allocated.
 
 #include <memory>
 #include <stdexcept>
@@ -32,6 +30,9 @@ struct EvaluatedModel {
   const std::vector<typename F::Reduced>& body() const { return assembly.body(); }
 };
 
+/// Owner of an EvaluatedModel. Factors of Newton's matrix share the storage of the evaluation that they were
+/// made from. While they do so, a later evaluation takes spare storage: nothing is copied and, after the
+/// first steps, nothing allocated. Access before `begin` throws a std::logic_error.
 template <Formulation F>
 class Evaluation {
  public:

@@ -9,8 +9,6 @@
 /// rows are detected at every accepted state and kept within a step; the start of the motion decides how they
 /// are detected. Solutions between accepted states are refined only if the last accepted state showed that it
 /// is necessary.
-///
-/// The class is a model of the concept integrators::FirstOrderSystem, which defines its functions.
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +32,7 @@
 
 namespace trivium {
 
+/// Options of a motion: its charts, Baumgarte's stabilisation, projection, and the run that it continues.
 struct FirstOrderOptions {
   ChartOptions charts;
   std::optional<Baumgarte> baumgarte;
@@ -47,6 +46,8 @@ struct FirstOrderOptions {
   }
 };
 
+/// The motion of a copy of one mechanism as y' = f(t, y). A model of the concept
+/// integrators::FirstOrderSystem, which defines its functions.
 template <Formulation F>
 class FirstOrderEquations {
  public:

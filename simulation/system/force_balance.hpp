@@ -15,6 +15,7 @@
 
 namespace trivium {
 
+/// Computes the residual of every body at an evaluated state, and the largest relative residual.
 template <Formulation F>
 class ForceBalance {
  public:

@@ -9,8 +9,6 @@
 /// (Magnus' expansion, of order 4). The differences from the method's own numbers are its local errors. They
 /// count as errors of the points of a body: an angle counts as far as the farthest joint point moves by it.
 /// lambda does not enter.
-///
-/// Methods of the orders 1 to 3 are estimated. At usual steps their errors are the largest.
 
 #include <algorithm>
 #include <array>
@@ -39,6 +37,8 @@ struct LocalErrorSums {
   long steps = 0;       ///< in the sums; the first steps, which have too few states before them, are left out
 };
 
+/// Sums the local errors of a motion, body by body. Methods of the orders 1 to 3 are estimated: at usual
+/// steps their errors are the largest.
 template <class S>
 class LocalError {
  public:

@@ -1,7 +1,6 @@
 #pragma once
-/// Events of a motion: passages through singular positions, and impulses at jumps of velocities. This file
-/// decides which states are passages: those where more rows are dependent than at the state before. Impulses
-/// are computed in simulation/system/discontinuities.hpp.
+/// Events of a motion: passages through singular positions, and impulses at jumps of velocities. Impulses are
+/// computed in simulation/system/discontinuities.hpp.
 
 #include <cstddef>
 #include <utility>
@@ -24,6 +23,8 @@ struct Impulse {
   VectorX<S> lambda;  ///< per row: integral of its multiplier over the jump
 };
 
+/// The events of one motion. A state is a passage if more rows are dependent there than at the accepted state
+/// before.
 template <class S>
 class MotionLog {
  public:

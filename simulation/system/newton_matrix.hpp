@@ -17,6 +17,8 @@
 
 namespace trivium {
 
+/// Factors of Newton's matrix, with the evaluation that they were made from. `at` throws a std::logic_error
+/// if nothing has been factored.
 template <Formulation F>
 class NewtonFactors {
  public:

@@ -39,6 +39,7 @@ BodyJointGraph graph_with_springs(const Mechanism<S, Types>& mechanism) {
   return graph;
 }
 
+/// The rows of all springs and dampers that resist: their gradients, compliances and slacks.
 template <Formulation F>
 class SpringRows {
  public:

@@ -14,6 +14,7 @@
 
 namespace trivium {
 
+/// Sizes and parts of y, and of vectors with the order of v, for nb bodies.
 template <Formulation F>
 class StateLayout {
  public:
