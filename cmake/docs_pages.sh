@@ -4,30 +4,42 @@
 # take the new output. In a page:
 #   <!-- file: NAME -->            the block that follows is a file, which later commands of the page find
 #   ```sh                          each line is a command. Those of `runs_elsewhere` are not run: `./run X` is checked to
-#                                  name a command of `run`, the tools of the build are not checked
+#                                  name a command of `run`, the tools of the build are not checked. A comment
+#                                  `# exit code 2` behind a command demands this code; of a pipe, that of its first failure
 #   ```text                        the output (stdout and stderr) of the commands before it; `text times`: with CPU times
 #   ```json, cpp, cmake            files, programs that are compiled elsewhere, targets that must exist; no other language
 #   `./run ...`                    a command in a sentence or a table is run too, for three seconds at most; one with words
 #                                  in capital letters is checked for its options alone
 #   <!-- output of: COMMAND -->    what follows, up to the next <!-- end -->, is the command's output, as Markdown
 # Words must be equal. Numbers must agree to 1 %; the last digits depend on the processor. Numbers below 1e-9 are rounding:
-# they may differ by a factor of 1000. In `text times` fractions may differ by 100, numbers with an exponent by 3.
-# Options named in a page must be options of a program.
+# they may differ by a factor of 1000. In `text times` fractions may differ by 100, numbers with an exponent by 3. Numbers
+# of tests (#12: and Start 12:), and how many dots stand behind a test's name, are not compared. Options named in a page
+# must be options of a program.
+# A number in prose with an exponent, a decimal point or three digits must stand in a block above it or in the next block
+# below. If it does not, a comment behind its paragraph, list or table says where it comes from:
+#   <!-- numbers: 36615 1.4e-9 of the output -->      the output above has these numbers, rounded to the digits given here
+#   <!-- numbers: 3.2 of `COMMAND` -->                the same for a command; $sources are the sources
+#   <!-- numbers: 1e-8 of FILE, WORDS -->             a line of the file has the words and the number, rounded in a CSV file
+#   <!-- numbers: 1989 not compared -->               literature, examples, measurements that no cheap command repeats
 set -euo pipefail
 bin=$(realpath "$1") sources=$(realpath "$2") work=$(mkdir -p "$3" && realpath "$3")
 shift 3
 update=no
 [[ $1 != --update ]] || { update=yes; shift; }
 # commands of `run` that install, build, measure or typeset, and the tools of the build
-runs_elsewhere='^(./run (test|paper|accept|times|bench|docs)|cmake/docs_pages.sh|cmake|ctest|clang-format|git)( |$)'
-export PATH=$bin:$PATH
+runs_elsewhere='^(./run test$|(./run (paper|accept|times|bench|docs)|cmake/docs_pages.sh|cmake|ctest|clang-format|git)( |$))'
+export PATH=$bin:$PATH sources
 
-# The commands of `run`, without its installing and building.
+# The commands of `run`, without its installing and building. Tests run from a folder of their own.
 make_run() {
   cat >"$1/run" <<RUN
 #!/usr/bin/env bash
 ((\$#)) || { lambda_invariance && simbody_reference; exit; }
 [[ ! -x $bin/\$1 ]] || exec "\$@"
+if [[ \$1 == test ]]; then
+  mkdir -p tests && echo 'subdirs("$(dirname "$bin")")' >tests/CTestTestfile.cmake
+  exec ctest --test-dir tests "\${@:2}"
+fi
 exec trivium "\$@"
 RUN
   chmod +x "$1/run"
@@ -43,7 +55,7 @@ same() {
       return a <= factor * b && b <= factor * a
     }
     function agree(a, b) {
-      if (a == b) return 1
+      if (a == b || (a b) ~ /^\.+$/) return 1
       if (!is_number(a) || !is_number(b)) return 0
       if (size(a) < 1e-9 && size(b) < 1e-9) return within(1000, a, b, 1e-15)
       if (kind == "times" && (a b) ~ /[eE]/) return within(3, a, b, 1e-9)
@@ -53,6 +65,7 @@ same() {
     function agree_in_words(x, y,   a, b, k, m) {
       # rules below table headings follow the width of the columns
       if (x ~ /^-+$/ && y ~ /^-+$/) return 1
+      gsub(/(#|Start +)[0-9]+:/, "test", x); gsub(/(#|Start +)[0-9]+:/, "test", y)
       gsub(/[,;:()\[\]=\/%|]/, " & ", x); gsub(/[,;:()\[\]=\/%|]/, " & ", y)
       m = split(x, a, /[ \t]+/)
       if (m != split(y, b, /[ \t]+/)) return 0
@@ -71,17 +84,118 @@ same() {
     }' "$1" "$2"
 }
 
-# has_option OPTION HELP: whether a help text names the option
-has_option() { grep -qE -- "(^|[ ,])$1([ ,]|$)" <<<"$2"; }
+# The numbers of a text, and their comparison, for awk.
+numbers_of='
+  function numbers(text, list,   n, before) {
+    while (match(text, /[0-9][ \047]000/)) text = substr(text, 1, RSTART) substr(text, RSTART + 2) # 20 000
+    while (match(text, /[0-9]+(\.[0-9]+)?([eE][-+]?[0-9]+)?/)) {
+      before = substr(text, 1, RSTART - 1)
+      if (before !~ /([A-Za-z_.0-9]|[A-Za-z]-)$/) list[++n] = (before ~ /-$/ ? "-" : "") substr(text, RSTART, RLENGTH)
+      text = substr(text, RSTART + RLENGTH)
+    }
+    return n + 0
+  }
+  # one name for all notations of a number, without its sign
+  function name_of(x) { sub(/^-/, "", x); return sprintf("%.15g", x) }
+  # whether y is x, rounded to the digits of x unless exact; an x without a sign stands for both signs
+  function is(x, y, exact,   digits, format) {
+    if (x !~ /^-/) sub(/^-/, "", y)
+    if (exact || x + 0 == 0 || y + 0 == 0) return x + 0 == y + 0
+    if (x < 1e-9 && x > -1e-9) return y / x <= 10 && x / y <= 10 && x / y > 0
+    digits = x
+    sub(/[eE].*/, "", digits); gsub(/[-.]/, "", digits); sub(/^0+/, "", digits)
+    format = "%." (length(digits) - 1) "e"
+    return sprintf(format, x) == sprintf(format, y)
+  }'
 
-# options_exist COMMAND: each --option of a command of this project is in its help.
+# check_numbers COMMENT: the source that a comment names has its numbers.
+check_numbers() {
+  local list source exact=1 x
+  [[ $1 =~ ^'<!-- numbers: '([-0-9.e ]+)' '(of .+|not compared)' -->'$ ]] || { problem "no source in the comment"; return; }
+  list=${BASH_REMATCH[1]} source=${BASH_REMATCH[2]#of }
+  case $source in
+    'not compared') return ;;
+    'the output') exact=0; cp shown.out source.out ;;
+    \`*\`) exact=0; bash -c "${source:1:-1}" >source.out 2>&1 </dev/null || problem "failed: $source" ;;
+    *', '*) [[ ${source%%,*} != *.csv ]] || exact=0
+            grep -F -- "${source#*, }" "$sources/${source%%, *}" >source.out || problem "there is no line: $source" ;;
+    *) problem "a file needs words that its line has: $source"; return ;;
+  esac
+  for x in $list; do
+    awk -v x="$x" -v exact=$exact "$numbers_of"'
+      { for (k = numbers($0, list); k > 0; --k) if (is(x, list[k], exact)) found = 1 }
+      END { exit !found }' source.out || problem "the number $x is not in: $source"
+  done
+}
+
+# check_sentences: each number in a sentence is compared, and each number of a comment stands in the paragraph before it.
+# `100 u kappa` and the unit roundoff of double need no comment.
+check_sentences() {
+  local text
+  while IFS=: read -r number text; do problem "$text"; done < <(awk "$numbers_of"'
+    # the parts of a line outside of pairs of a mark, which may be on two lines
+    function outside(line, mark,   k, n, part, kept) {
+      n = split(line, part, mark)
+      for (k = 1; k <= n; ++k) {
+        if (!inside[mark]) kept = kept " " part[k]
+        if (k < n) inside[mark] = !inside[mark]
+      }
+      return kept
+    }
+    function new_paragraph() { split("", inside); split("", paragraph); start = NR }
+    function complain(   k) {
+      for (k = 1; k <= open; ++k) if (!(name[k] in shown)) print line[k] ":nothing compares the number " number[k]
+      open = 0
+    }
+    in_block ? /^(```|<!-- end -->)$/ : /^(```|<!-- output of: )/ {
+      if (in_block) complain()
+      in_block = !in_block
+      new_paragraph()
+      next
+    }
+    in_block { for (k = numbers($0, list); k > 0; --k) shown[name_of(list[k])]; next }
+    /^<!-- numbers: / {
+      sub(/ (of|not) .*/, "")
+      for (k = numbers($0, list); k > 0; --k) {
+        x = name_of(list[k])
+        if (!(x in paragraph)) print NR ":the number " list[k] " is not in the paragraph above"
+        for (j = 1; j <= open; ++j) if (line[j] >= start && name[j] == x) name[j] = "compared"
+      }
+      next
+    }
+    /^ *$/ { new_paragraph(); next }
+    {
+      gsub(/<!--.*-->/, ""); gsub(/\]\([^)]*\)/, "]")
+      text = outside(outside($0, "`"), "[$][$]")
+      gsub(/100 u kappa|1\.1e-16/, "", text)
+      for (k = numbers(text, list); k > 0; --k) {
+        x = name_of(list[k])
+        paragraph[x]
+        if (x in shown || list[k] !~ /[.e]|[0-9][0-9][0-9]/) continue
+        line[++open] = NR; name[open] = x; number[open] = list[k]
+      }
+    }
+    BEGIN { shown["compared"] }
+    END { complain() }' "$page")
+}
+
+# has_option OPTION HELP: whether a help text names the option
+has_option() { grep -qE -- "(^|[ ,])$1([ ,)]|$)" <<<"$2"; }
+
+# options_exist COMMAND: each option of a command of this project is in its help; of those that build, in that of `run`.
 options_exist() {
   local words option help
   read -ra words <<<"${1%%|*}"
   [[ ${words[0]} == ./run || ${words[0]} == trivium ]] || return 0
-  [[ ${words[1]:-} && ! $1 =~ $runs_elsewhere ]] || return 0
-  help=$(./run "${words[1]}" --help 2>/dev/null) || { echo "  there is no command: $1"; return 1; }
-  for option in $(grep -oE -- ' --[a-z][a-z-]*' <<<" ${1%%|*}"); do
+  [[ ${words[1]:-} ]] || return 0
+  if [[ ${words[1]} == test ]]; then
+    help=$(ctest --help)
+  elif [[ $1 =~ $runs_elsewhere ]]; then
+    help=$("$sources/run" --help)
+  else
+    help=$(./run "${words[1]}" --help 2>/dev/null) || { echo "  there is no command: $1"; return 1; }
+  fi
+  for option in $(grep -oE -- ' --?[A-Za-z][A-Za-z-]*' <<<" ${1%%|*}"); do
     has_option "$option" "$help" || { echo "  $option is no option of: $1"; return 1; }
   done
 }
@@ -109,6 +223,8 @@ read_page() {
           check_fence
         elif [[ $line =~ ^\ *(~~~|'```') ]]; then
           problem "a block begins with \`\`\` at the beginning of a line"
+        elif [[ $line == '<!-- numbers:'* ]]; then
+          check_numbers "$line"
         else
           for option in $(grep -oE -- '`--[a-z][a-z-]*' <<<"$line" | tr -d '`'); do
             has_option "$option" "$all_help" || problem "no program has the option $option"
@@ -136,6 +252,7 @@ read_page() {
             [[ $update == yes ]] || { problem "the output is another"; cat difference.out; }
             block=$(<shown.out)$'\n'
           fi
+          printf '%s' "$block" >shown.out # what sentences are compared with, so that they agree with the page
         fi
         text+=$block$line$'\n'
         ;;
@@ -156,6 +273,7 @@ read_page() {
   done <"$page"
   [[ $state == prose ]] || problem "the last block does not end"
   run_inline_commands
+  check_sentences
   if [[ $update == yes ]]; then printf '%s' "$text" >"$page"; fi
 }
 
@@ -179,9 +297,9 @@ is_run_elsewhere() {
 run_inline_commands() {
   local command status
   while IFS= read -r command; do
-    ! is_run_elsewhere "$command" || continue
     [[ $command != './run COMMAND'* ]] || continue
     options_exist "$command" || problem "see above"
+    ! is_run_elsewhere "$command" && [[ $command != './run test '* ]] || continue
     [[ ! $command =~ [A-Z][A-Z]|\.\.\. ]] || continue
     [[ ! $command =~ ^./run\ (solve|check|simulate|compare|generate)$ ]] || continue # a name in a sentence
     status=0
@@ -193,18 +311,22 @@ run_inline_commands() {
 }
 
 run_commands() {
-  local command
+  local command status demanded
   : >shown.out
   while IFS= read -r command; do
+    demanded=0
+    [[ ! $command =~ '  # exit code '([0-9]+) ]] || demanded=${BASH_REMATCH[1]}
     command=$(sed 's/ *  #.*$//; s/ *$//' <<<"$command")
     [[ $command && $command != '#'* ]] || continue
+    options_exist "$command" || { problem "see above"; continue; }
     ! is_run_elsewhere "$command" || continue
-    options_exist "$command" || problem "see above"
     # every part of a pipe must succeed; a pipe into head ends the program silently (141), also where SIGPIPE is
     # ignored outside
+    status=0
     env --default-signal=PIPE bash -c "$command
-      for code in \"\${PIPESTATUS[@]}\"; do ((code == 0 || code == 141)) || exit 1; done" >>shown.out 2>&1 </dev/null ||
-      { problem "failed: $command"; tail -n 5 shown.out; }
+      for code in \"\${PIPESTATUS[@]}\"; do ((code == 0 || code == 141)) || exit \$code; done" >>shown.out 2>&1 </dev/null ||
+      status=$?
+    ((status == demanded)) || { problem "failed: $command, exit code $status instead of $demanded"; tail -n 5 shown.out; }
   done < <(sed -e ':a' -e '/\\$/{N;s/\\\n *//;ba' -e '}' <<<"$1")
   sed -i 's/[ \t]*$//' shown.out
 }
