@@ -92,6 +92,6 @@ int main(int argc, char** argv) {
   using namespace trivium;
   Program program(
       "Does the motion agree with closed-form solutions, and with curves of an independent program?",
-      "analytic_solutions", "the problems themselves");
+      "analytic_solutions", "all problems with a known solution");
   return program.run(argc, argv, [&] { return analytic::run(program); });
 }

@@ -111,7 +111,8 @@ TEST(Simulate, AMotionThatChangesToAnotherBranchOfADriverEndsWithAnErrorThatName
       {"type": "rotation_driver", "name": "d", "i": {"body": "ground", "axis": [0, 0, 1], "x": [1, 0, 0]},
        "j": {"body": "b", "axis": [0, 0, 1], "x": [1, 0, 0]},
        "angle": {"kind": "harmonic", "offset": 0, "amplitude": 1.5, "angular_frequency": 1000, "phase": 0}}]})");
-  const Outcome r = run("trivium simulate " + scene + " --integrator radau5 --rtol 0.1 --atol 0.1 --t-end 1");
+  const Outcome r = run("trivium simulate " + scene +
+                        " --integrator radau5 --rtol 0.1 --atol 0.1 --t-end 1 --output-step 0.01");
   EXPECT_EQ(r.exit_code, 3) << r.out;
   EXPECT_NE(
       r.err.find("the motion has changed to another branch: d: the angle of the joint is 180 degrees from"),
