@@ -20,6 +20,7 @@
 #include "formulations/joint_reaction.hpp"
 #include "integrators/contract/any_method.hpp"
 #include "integrators/contract/errors.hpp"
+#include "mechanism/mechanism_cast.hpp"
 #include "mechanism/reach.hpp"
 #include "simulation/simulate.hpp"
 #include "simulation/system/constrained_equations.hpp"
@@ -167,15 +168,21 @@ class MotionWatch {
   /// Long steps can lead to another branch, where the rows of a joint hold too, such as half a turn beside a
   /// driven angle. Throws an IntegrationError that names the joint; not if the motion began on such a branch.
   void require_branches(const MechanismState<double>& state) {
+    const std::vector<std::string> wrong = wrong_branches(joints_in_double(), state);
+    if (!has_shown_) began_on_another_branch_ = !wrong.empty();
+    has_shown_ = true;
+    if (!wrong.empty() && !began_on_another_branch_)
+      throw integrators::IntegrationError(
+          Place{"", state.t}, fmt::format("the motion has changed to another branch: {}; take tighter "
+                                          "tolerances or smaller steps",
+                                          wrong.front()));
+  }
+  const std::vector<Joint<double>>& joints_in_double() {
     if constexpr (std::is_same_v<S, double>) {
-      const std::vector<std::string> wrong = wrong_branches(first_order().mechanism().joints, state);
-      if (!has_shown_) began_on_another_branch_ = !wrong.empty();
-      has_shown_ = true;
-      if (!wrong.empty() && !began_on_another_branch_)
-        throw integrators::IntegrationError(
-            Place{"", state.t}, fmt::format("the motion has changed to another branch: {}; take tighter "
-                                            "tolerances or smaller steps",
-                                            wrong.front()));
+      return first_order().mechanism().joints;
+    } else {
+      if (joints_.empty()) joints_ = mechanism_cast<double>(first_order().mechanism()).joints;
+      return joints_;
     }
   }
 
@@ -224,6 +231,7 @@ class MotionWatch {
   S measured_t_{0};
   long restarts_ = 0;
   bool has_shown_ = false, began_on_another_branch_ = false;
+  std::vector<Joint<double>> joints_;  ///< of the mechanism in double, if S is another Scalar
 };
 
 }  // namespace trivium

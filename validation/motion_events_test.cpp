@@ -9,7 +9,7 @@
 namespace trivium {
 namespace {
 
-using test::InEveryFormulation, test::Motion, test::tight, test::wellformed_scene;
+using test::in_quad, test::InEveryFormulation, test::Motion, test::tight, test::wellformed_scene;
 
 // The bob hangs straight below its hook. An impulse J at the hook changes the hook's speed by 1 m/s = J (1/m
 // + l^2/I).
@@ -64,10 +64,41 @@ TEST_P(InEveryFormulation, ADriverThatDemandsTooMuchIsNamedAtTheEndOfItsReach) {
     } catch (const Error& error) {
       const std::string what = error.what();
       EXPECT_NE(what.find("driver \"drive\" demands f = "), std::string::npos) << method.name << ": " << what;
+      const std::string within_reach = "values up to about ";  // the square of the arm's length
+      const std::size_t at = what.find(within_reach);
+      ASSERT_NE(at, std::string::npos) << method.name << ": " << what;
+      EXPECT_NEAR(std::stod(what.substr(at + within_reach.size())), 4, 1e-3) << method.name << ": " << what;
       ASSERT_TRUE(error.when().has_value()) << method.name;
       EXPECT_NEAR(*error.when(), 2, 2e-3) << method.name;
     }
   }
+}
+
+// Steps of radau5 at a tolerance of 0.1 are longer than a period of the driven angle.
+TEST(Branches, AnotherBranchThanThatOfTheStartIsAnErrorInDoubleAndInQuad) {
+  const scenes::Vector3 z{0, 0, 1}, x{1, 0, 0};
+  scenes::Scene scene;
+  scene.bodies = {test::body("b", 1, {0.1, 0.1, 0.1}, {0.1, 0, 0})};
+  scene.bodies[0].velocity = {0, 300, 0};
+  scene.bodies[0].angular_velocity = {0, 0, 3000};
+  auto driver = test::joint(JointType::rotation_driver, "d", test::side(scenes::ground, {}, z, x),
+                            test::side(0, {}, z, x));
+  driver.angle = TimeFunction(TimeFunction::Harmonic{0, 1.5, 2000, 0});
+  scene.constraints = {test::joint(JointType::revolute, "r", test::side(scenes::ground, {}, z, x),
+                                   test::side(0, scenes::Vector3{-0.1, 0, 0}, z, x)),
+                       driver};
+  SimulationOptions options;
+  options.integrator = "radau5";
+  options.tolerances = {0.1, 0.1};
+  options.output_step = 0.005;
+  options.end = 1;
+  for (const bool quad : {false, in_quad}) try {
+      const Motion motion(scene, options, quad);
+      ADD_FAILURE() << quad;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("changed to another branch: d"), std::string::npos)
+          << error.what();
+    }
 }
 
 // The state at the end is the state after the jump.

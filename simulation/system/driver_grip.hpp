@@ -2,6 +2,9 @@
 /// Why a driver may have ended a motion. At a dead point, and where a driver demands a position that the
 /// mechanism cannot reach, the other rows leave no motion that would move the driver: its grip, the part of
 /// its gradient that they leave free (free_gradient), falls to 0.
+///
+/// Near the farthest value that the driver's product x . y reaches, the distance from this value is
+/// proportional to the square of the grip. So the values and the grips at two states give the farthest value.
 
 #include <fmt/format.h>
 
@@ -35,13 +38,18 @@ std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vect
     }
   }
   if (worst < 0) return {};
-  const Jet<double> f = function_of(mechanism.rows[worst])(now.t);
+  const TimeFunction& function = function_of(mechanism.rows[worst]);
+  const Jet<double> f = function(now.t);
+  const double moved = f.f - function(start.t).f,
+               farthest = f.f + moved * least * least / (1 - least * least);
   return fmt::format(
-      "driver \"{}\" demands f = {:.6g} at t = {}, changing by {:.4g} per second, but the other rows hardly "
-      "leave a motion that follows: its grip has fallen to {:.1e} of that at the start. It comes to a dead "
-      "point or to the end of its reach, where the rank of the rows falls by 1. Give it another function of "
-      "time, or drive another joint",
-      mechanism.row_names[worst], f.f, now.t, f.f_t, least);
+      "driver \"{}\" demands f = {:.6g} at t = {}, changing by {:.4g} per second, but the other rows leave "
+      "values {} about {:.6g} within reach: its grip has fallen to {:.1e} of that at the start. It comes to "
+      "a "
+      "dead point or to the end of its reach, where the rank of the rows falls by 1. Give it another "
+      "function "
+      "of time, or drive another joint",
+      mechanism.row_names[worst], f.f, now.t, f.f_t, moved > 0 ? "up to" : "down to", farthest, least);
 }
 
 }  // namespace trivium
