@@ -11,6 +11,8 @@
 
 #include "formulations/r_omega.hpp"
 #include "integrators/methods.hpp"
+#include "mechanism/reach.hpp"
+#include "scenes/catalogue.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "scenes/testing/catalogue_scene.hpp"
 #include "simulation/neighbouring_start.hpp"
@@ -72,16 +74,24 @@ double points_apart(const MotionSample& a, const MotionSample& b, std::size_t k,
 // state, by a method of high order.
 TEST(LocalError, IsThatOfSingleStepsWithinAFactorFive) {
   std::vector<double> ratios;
-  for (const char* name : {"spatial_slider_crank", "double_pendulum", "four_bar", "stewart_platform"})
+  for (const auto& file : catalogue())
     for (const char* method : {"generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "rattle"})
       for (const double h : {2e-3, 1e-3, 5e-4}) {
+        const std::string name = file.stem().string();
+        if (name == "n_four_bar_40") continue;  // of n_four_bar_2, and long
         const Model<double> model = make_model<double>(test::catalogue_scene(name));
+        const std::vector<double> reach = reaches(model.mechanism);
         SimulationOptions options;
         options.integrator = method;
         options.step = options.output_step = h;
         options.end = 12 * h;
         Samples samples;
-        const SimulationReport report = simulate(model, options, samples);
+        SimulationReport report;
+        try {
+          report = simulate(model, options, samples);
+        } catch (const Error&) {  // a driver at a dead point, or a singular position
+          continue;
+        }
         ASSERT_TRUE(report.local_errors) << method;
         double sum = 0;
         // the first steps have too few states before them to be estimated
@@ -92,10 +102,16 @@ TEST(LocalError, IsThatOfSingleStepsWithinAFactorFive) {
           exactly.tolerances = {1e-13, 1e-15};
           exactly.end = samples.all[n + 1].state.t;
           Samples one;
-          simulate(Model<double>{model.mechanism, samples.all[n].state}, exactly, one);
+          try {
+            simulate(Model<double>{model.mechanism, samples.all[n].state}, exactly, one);
+          } catch (
+              const Error&) {  // index 3 leaves velocities off redundant rows: no exact motion starts there
+            sum = 0;
+            break;
+          }
           double largest = 0;
           for (std::size_t b = 0; b < one.all.back().state.pose.size(); ++b)
-            raise(largest, points_apart(one.all.back(), samples.all[n + 1], b, 0.3));
+            raise(largest, points_apart(one.all.back(), samples.all[n + 1], b, reach[b]));
           sum += largest;
         }
         if (sum < 1e-13) continue;
@@ -103,6 +119,7 @@ TEST(LocalError, IsThatOfSingleStepsWithinAFactorFive) {
         EXPECT_GE(ratios.back(), 0.2) << name << ", " << method << ", " << h;
       }
   std::sort(ratios.begin(), ratios.end());
+  EXPECT_GE(ratios.size(), 300u);
   EXPECT_LE(ratios[ratios.size() / 2], 5);
 }
 
