@@ -4,13 +4,14 @@
 
 namespace trivium {
 
-/// Exit code of an executable.
+/// Exit code of an executable. docs/commands.md shows these comments.
 enum ExitCode : int {
-  exit_done = 0,
-  exit_criterion_failed = 1,
-  exit_input_error = 2,
-  exit_solver_failed = 3,
-  exit_output_lost = 3  ///< results could not be written to stdout
+  exit_done = 0,              ///< all is done
+  exit_criterion_failed = 1,  ///< a criterion failed, for example a bound is exceeded
+  exit_input_error = 2,       ///< usage or input is wrong; also a folder for results that does not exist
+  exit_solver_failed = 3,     ///< a solver failed
+  exit_output_lost = 3,       ///< results could not be written
+  exit_interrupted = 130      ///< stopped by Ctrl-C: 128 + SIGINT, the convention of shells
 };
 
 }  // namespace trivium

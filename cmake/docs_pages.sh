@@ -147,6 +147,9 @@ read_page() {
           for option in $(grep -oE 'trivium::[a-z_]+' <<<"$block"); do
             grep -rqE --include=CMakeLists.txt "$option( |\))" "$sources"/{cmake,examples} || problem "there is no target $option"
           done
+          for option in $(grep -oE 'find_package\([a-zA-Z]+' <<<"$block"); do
+            grep -rqF --include=CMakeLists.txt "$option" "$sources"/{cmake,examples} || problem "nothing calls $option)"
+          done
         elif [[ $fence == text || $fence == "text times" ]]; then
           printf '%s' "$block" >expected.out
           if ! same expected.out shown.out "$kind" >difference.out; then
@@ -187,9 +190,16 @@ check_fence() {
   esac
 }
 
-# is_run_elsewhere COMMAND: whether a page's command is not run here; a command of `run` must exist.
+# is_run_elsewhere COMMAND: whether a page's command is not run here; a command of `run`, a preset and a label must exist.
 is_run_elsewhere() {
+  local name
   [[ $1 =~ $runs_elsewhere ]] || return 1
+  for name in $(grep -oE -- '--preset [a-z]+' <<<"$1" | cut -d' ' -f2); do
+    grep -q "\"name\": \"$name\"" "$sources/CMakePresets.json" || problem "there is no preset $name"
+  done
+  for name in $(grep -oE -- '-L [a-z]+' <<<"$1" | cut -d' ' -f2); do
+    grep -rqE --include=CMakeLists.txt --include='*.cmake' "LABELS \"?$name\b" "$sources" || problem "no test has the label $name"
+  done
   [[ ! $1 =~ ^./run\ ([a-z]+) ]] || grep -qE "^#.*\./run ${BASH_REMATCH[1]}\b" "$sources/run" ||
     problem "run has no command ${BASH_REMATCH[1]}"
 }

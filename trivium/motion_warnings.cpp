@@ -28,7 +28,7 @@ std::vector<std::string> warnings_of(const SimulationReport& report) {
   std::vector<std::string> out = report.narrow_rows;
   if (!report.passages.empty()) {
     out.push_back(
-        fmt::format("the motion passed {}, the first near t = {:.6g}: dependent rows were left out there, "
+        fmt::format("steps ended near {}, the first near t = {:.6g}: dependent rows were left out there, "
                     "and the motion continued in the direction of its velocities",
                     counted(report.passages.size(), "singular position", "singular positions"),
                     report.passages.front().t));

@@ -66,9 +66,10 @@ struct Output : Instant {
   double phi_dot = 0;  ///< largest |Phi'| of a row, divided by the scale of the row [m/s or rad/s]
 };
 
-/// Called at every output, with the state there; false ends the run. CVODE and IDA step over outputs:
-/// the run then ends at the end of the present step, and the observer is called there once more, as it is
-/// where at_step ends the run. Its exceptions pass through simulate().
+/// Called at every output, with the state there; false ends the run. CVODE, IDA and
+/// rattle with tolerances step over outputs: the run then ends at the end of the present step, and the
+/// observer is called there once more, as it is where at_step ends the run. Its exceptions pass through
+/// simulate().
 using Observer = std::function<bool(const Output&)>;
 
 /// A sudden change of velocities at time t: the function of time of a driver has a kink there, so that the

@@ -11,7 +11,4 @@ void catch_interrupts();
 /// Whether a signal has arrived since.
 bool is_interrupted();
 
-/// Exit code of an interrupted run: 128 + SIGINT, the convention of shells.
-constexpr int exit_interrupted = 130;
-
 }  // namespace trivium

@@ -62,7 +62,7 @@ int run_list(bool json) {
 Command add_list_command(ProgramOptions& program) {
   auto json = std::make_shared<bool>(false);
   ProgramOptions options =
-      program.add_subcommand("list", "Scenes, formulations, integrators, joints and effects");
+      program.add_subcommand("list", "Scenes, formulations, integrators, constraints and effects");
   options.add_flag("--json", json.get(), "JSON on stdout");
   return {options, [json] { return run_list(*json); }};
 }
