@@ -53,6 +53,16 @@ OptionCheck positive_number() {
           "POSITIVE"};
 }
 
+OptionCheck number_between(double least, double most) {
+  return {[least, most](const std::string& text) {
+            const std::optional<double> x = finite_number(text);
+            return x && *x >= least && *x <= most
+                       ? std::string()
+                       : fmt::format("found {}; accepted: a number from {} to {}", text, least, most);
+          },
+          "NUMBER"};
+}
+
 OptionCheck number_from_zero() {
   return {[](const std::string& text) {
             const std::optional<double> x = finite_number(text);

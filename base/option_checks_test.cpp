@@ -27,6 +27,7 @@ TEST(OptionChecks, AWholeNumberDoesNotWrapAround) {
 
 TEST(OptionChecks, ZeroIsNotPositive) {
   expect(positive_number(), {"1e-9", "3"}, {"0", "-1", "nan", "inf", ""});
+  expect(number_between(0.5, 2), {"0.5", "1", "2"}, {"0.4", "2.1", "nan", "inf", ""});
   expect(number_from_zero(), {"0", "3"}, {"-1e-9", "nan", "inf", ""});
 }
 

@@ -11,6 +11,7 @@
 #include "constraints/joint.hpp"
 #include "effects/effect_list.hpp"
 #include "mechanism/mechanism_state.hpp"
+#include "mechanism/rank_tolerance.hpp"
 
 namespace trivium {
 
@@ -60,6 +61,7 @@ struct Mechanism {
   std::vector<std::string> row_names;     ///< e.g. "hinge.dp1(u_i, z_j)", or the name of a basic constraint
   std::vector<Joint<Scalar>> joints;  ///< in the order of the file; basic constraints are joints of one row
   Effects<Scalar, typename Types::Effects> effects;
+  double rank_tolerance = standard_rank_tolerance;  ///< decides which rows are dependent [-]
 
   /// Times [s], ascending, of the kinks of all functions of time (TimeFunction::append_kinks).
   std::vector<double> kinks() const {

@@ -14,12 +14,14 @@ namespace trivium {
 
 namespace detail {
 
-/// A mechanism over To with as many bodies, rows, joints and effects of each type as `from`. Its name and the
-/// names of its effects are copied; all parts that show_parts visits keep their initial values.
+/// A mechanism over To with as many bodies, rows, joints and effects of each type as `from`. Its name, its
+/// rank tolerance and the names of its effects are copied; all parts that show_parts visits keep their
+/// initial values.
 template <class To, class ToTypes, class From, class FromTypes>
 Mechanism<To, ToTypes> same_structure(const Mechanism<From, FromTypes>& from) {
   Mechanism<To, ToTypes> to;
   to.name = from.name;
+  to.rank_tolerance = from.rank_tolerance;
   to.body_names.resize(from.body_names.size());
   to.row_names.resize(from.row_names.size());
   to.bodies.resize(from.bodies.size());

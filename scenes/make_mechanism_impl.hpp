@@ -238,6 +238,7 @@ template <class Scalar>
 Mechanism<Scalar> make_mechanism(const scenes::Scene& scene) {
   Mechanism<Scalar> m;
   m.name = scene.name;
+  m.rank_tolerance = scene.rank_tolerance;
   for (const scenes::Body& body : scene.bodies) {
     m.body_names.push_back(body.name);
     const RangeCheckedCast<Scalar> narrowed("body", body.name);

@@ -13,6 +13,7 @@
 #include "bodies/rotations/euler_sequence.hpp"
 #include "constraints/basic_constraint.hpp"
 #include "effects/effect_list.hpp"
+#include "mechanism/rank_tolerance.hpp"
 #include "mechanism/saved_run.hpp"
 #include "scenes/side.hpp"
 
@@ -85,7 +86,8 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<Constraint> constraints;
   std::vector<Effect> effects;
-  std::optional<SavedRun> saved;  ///< data to continue the run that ended in this state
+  std::optional<SavedRun> saved;                    ///< data to continue the run that ended in this state
+  double rank_tolerance = standard_rank_tolerance;  ///< of the mechanism; no key of the format
   bool operator==(const Scene&) const = default;
 
   /// The name of the body with this index, also of `ground`.

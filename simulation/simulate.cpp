@@ -56,6 +56,12 @@ SimulationReport simulate(const Model<Scalar>& model, const SimulationOptions& o
   check_that_it_goes(options.own_method ? options.own_method->info
                                         : integrators::method_entry<double>(options.integrator).info,
                      options.formulation);
+  if (std::is_same_v<Scalar, double> && model.mechanism.rank_tolerance < standard_rank_tolerance)
+    throw integrators::UsageError(
+        fmt::format("the rank tolerance is {:.3g}; accepted in simulations: {:.0e} to {:.0e}, since the "
+                    "linear-time solver "
+                    "computes with squares of the shares that it judges",
+                    model.mechanism.rank_tolerance, standard_rank_tolerance, largest_rank_tolerance));
   SimulationReport report = with_formulation<Scalar>(
       options.formulation, [&]<Formulation F>() { return simulate_in<F>(model, options, observer); });
   if constexpr (std::is_same_v<Scalar, double>)

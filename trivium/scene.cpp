@@ -93,7 +93,7 @@ Value list(std::initializer_list<Value> values) {
 /// A scene under construction: the JSON text of every part.
 struct Scene::Parts {
   std::string name, description, reference;
-  double t = 0;
+  double t = 0, rank_tolerance = standard_rank_tolerance;
   std::vector<std::string> bodies, constraints, effects;
 
   /// Parses and checks the parts at the first call; later calls, from any thread, return the same contents.
@@ -133,6 +133,7 @@ Scene::Parts& Scene::parts() {
     own->description = parts_->description;
     own->reference = parts_->reference;
     own->t = parts_->t;
+    own->rank_tolerance = parts_->rank_tolerance;
     own->bodies = parts_->bodies;
     own->constraints = parts_->constraints;
     own->effects = parts_->effects;
@@ -142,6 +143,7 @@ Scene::Parts& Scene::parts() {
     own->description = contents_->scene.description;
     own->reference = contents_->scene.reference;
     own->t = contents_->t;
+    own->rank_tolerance = contents_->scene.rank_tolerance;
     for (const auto& [key, value] : *all.object()) {
       if (!value.array()) continue;
       auto& into = key == "bodies" ? own->bodies : key == "constraints" ? own->constraints : own->effects;
@@ -186,6 +188,7 @@ const Scene::Contents& Scene::Parts::contents() const {
     require_time(source, t);
     scenes::Scene scene = scenes::parse_scene(json(), source);
     scenes::check_functions(scene, t, scenes::Path(source));
+    scene.rank_tolerance = rank_tolerance;
     read_ = std::make_shared<const Contents>(Contents{std::move(scene), t, source});
   });
   return *read_;
@@ -198,6 +201,21 @@ void Scene::require_parts() const {
 const Scene::Contents& Scene::contents() const {
   require_parts();
   return contents_ ? *contents_ : parts_->contents();
+}
+
+Scene& Scene::set_rank_tolerance(double tolerance) {
+  if (!(tolerance >= least_rank_tolerance && tolerance <= largest_rank_tolerance))
+    throw Error(ErrorKind::input, fmt::format("the rank tolerance is {}; accepted: {} to {}", tolerance,
+                                              least_rank_tolerance, largest_rank_tolerance));
+  if (parts_) {
+    parts().rank_tolerance = tolerance;
+  } else {
+    require_parts();
+    auto own = std::make_shared<Contents>(*contents_);
+    own->scene.rank_tolerance = tolerance;
+    contents_ = std::move(own);
+  }
+  return *this;
 }
 
 double Scene::t() const { return contents().t; }

@@ -32,6 +32,29 @@ Scene hung_on(int pins) {
   return scene;
 }
 
+// Three pins that miss a line by 3e-6 m: the rank tolerance says whether the last one holds the body.
+TEST(Locked, PinsNearlyInOneLineHoldTheBodyIfTheRankToleranceSaysSo) {
+  Scene scene;
+  scene.name = "three";
+  scene.bodies = {test::body("b", 1, {0.1, 0.2, 0.15}, {1, 0, 0})};
+  for (int k = 0; k < 3; ++k) {
+    const double y = k == 2 ? 3e-6 : 0.0, z = k;
+    scene.constraints.push_back(test::joint(JointType::spherical, fmt::format("s{}", k),
+                                            side(scenes::ground, Vector3{0, y, z}),
+                                            side(0, Vector3{-1, y, z})));
+  }
+  scene.effects = {Gravity<double>{"", {0, -9.81, 0}}};
+  for (const char* method : {"dopri5", "rkf78", "cvode-bdf"}) {
+    const auto fall = [&](double tolerance) {
+      scene.rank_tolerance = tolerance;
+      return -Motion(scene, tight("r-omega", method, 0.1, 1e-8)).end().state.pose[0].r.y();
+    };
+    EXPECT_LT(std::abs(fall(standard_rank_tolerance)), 1e-8) << method;
+    EXPECT_GT(fall(1e-5), 0.01) << method;
+    EXPECT_THROW(fall(1e-9), Error) << method;
+  }
+}
+
 /// A lever that a hinge and a row of a direction hold at rest, up to rounding of its velocity.
 Scene held_lever() {
   Scene scene;

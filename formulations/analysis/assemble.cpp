@@ -24,7 +24,7 @@ EquationsOfMotion<F> equations(const Mechanism<double>& mechanism, const Mechani
 
 /// The smallest change x in the mass metric with Phi x = c (least squares if rows contradict each other).
 VectorX<double> least_change(const TangentSystem& system, const VectorX<double>& c,
-                             double threshold = rank_tolerance) {
+                             double threshold = standard_rank_tolerance) {
   const MassMetric metric(system);
   MatrixX<double> W = metric.half_solve(system.Phi.transpose());
   VectorX<double> scale = W.colwise().norm().transpose();
@@ -99,8 +99,9 @@ void close_gaps(const Mechanism<double>& mechanism, MechanismState<double>& stat
     // relative violation. This difference must not be taken for a direction of motion, so the rank threshold
     // grows with the violation. The factor 10 and the limit 0.03 are chosen by experiment: a smaller
     // threshold takes the difference for a direction, a larger one leaves out rows that meet at small angles.
-    const double trusted = std::clamp(10 * last / length, rank_tolerance, 0.03);
-    if (!improves(trusted) && !(trusted > rank_tolerance && improves(rank_tolerance))) return;
+    const double trusted = std::clamp(10 * last / length, standard_rank_tolerance, 0.03);
+    if (!improves(trusted) && !(trusted > standard_rank_tolerance && improves(standard_rank_tolerance)))
+      return;
   }
 }
 

@@ -86,7 +86,7 @@ double share_along_constraints(const scenes::Scene& from, const scenes::Scene& t
   const MatrixX<double> W =
       (tangent_system(mechanism, end).Phi * root.cwiseInverse().asDiagonal()).transpose();
   Eigen::CompleteOrthogonalDecomposition<MatrixX<double>> rows;
-  rows.setThreshold(rank_tolerance);
+  rows.setThreshold(standard_rank_tolerance);
   rows.compute(W);
   const VectorX<double> weighted = root.cwiseProduct(way);
   const VectorX<double> across = W * rows.solve(weighted);

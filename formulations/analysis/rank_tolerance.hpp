@@ -1,7 +1,8 @@
 #pragma once
 /// All tolerances that decide whether a constraint row is dependent, and so the rank. The analysis of a
 /// mechanism (row_analysis.hpp) decides once, in double: the pivots of a QR factorisation of the scaled
-/// Jacobian estimate its singular values, and rank_tolerance is their limit relative to the largest one. The
+/// Jacobian estimate its singular values, and the mechanism's rank_tolerance is their limit relative to the
+/// largest one (mechanism/rank_tolerance.hpp). The
 /// structured solver (structured/) decides at every state, in its own Scalar. Its pivots are squares of sines
 /// between rows and only select candidates. The limit for the sine of a candidate is direction_tolerance,
 /// which equals rank_tolerance except in float. So both find the same rank except near the limit, where it
@@ -11,23 +12,17 @@
 
 #include "bodies/numbers/lanewise.hpp"
 #include "bodies/numbers/scalar.hpp"
+#include "mechanism/rank_tolerance.hpp"
 
 namespace trivium {
 
-// singular values and sines
-
-/// Singular values of the geometrically scaled Jacobian, relative to the largest, below which a row counts as
-/// dependent. Geometric scaling divides the columns of rotations by a mean lever [m], the root mean square of
-/// |Phi_pi_bar| / |Phi_r| over connected bodies, and then each row by its norm. The value lies between the
-/// defect that rounded or nearly consistent positions leave in a dependent row (1e-16 to 1e-9) and the
-/// smallest singular value of a real mechanism. See also direction_tolerance.
-inline constexpr double rank_tolerance = 1e-8;
+// sines of single rows
 
 /// The same for the structured solver: a row is dependent if the sine between its direction and the space of
-/// the other rows is at most this value. In float rounding alone gives sines above rank_tolerance, hence 100
-/// u.
+/// the other rows is at most this value. In float rounding alone gives sines above the standard
+/// rank_tolerance, hence 100 u.
 template <class S>
-S direction_tolerance() {
+S direction_tolerance(double rank_tolerance = standard_rank_tolerance) {
   return larger(S(100 * unit_roundoff<S>()), S(rank_tolerance));
 }
 
@@ -119,12 +114,17 @@ S joint_row_rounding() {
 /// their tolerance (1e-8) can cause.
 inline constexpr double contradiction_tolerance = 1e-6;
 
+/// The same for another rank tolerance: rows that a larger one leaves out are violated by as much more.
+inline double contradiction_tolerance_at(double rank_tolerance) {
+  return contradiction_tolerance * larger(1.0, rank_tolerance / standard_rank_tolerance);
+}
+
 /// The same for the structured solver, whose positions are consistent to its direction_tolerance. The factor
 /// 30 acts in float only, since 1e-6 is larger in wider Scalars. It is chosen by experiment: a smaller factor
 /// reports rounding errors of float as contradictions, a larger one lets contradictions pass.
 template <class S>
-S contradiction_tolerance_in() {
-  return larger(S(contradiction_tolerance), S(30 * direction_tolerance<S>()));
+S contradiction_tolerance_in(double rank_tolerance) {
+  return larger(S(contradiction_tolerance_at(rank_tolerance)), S(30 * direction_tolerance<S>()));
 }
 
 /// Absolute part of the contradiction tolerance [unit of gamma; in the dense analysis of gamma divided by the

@@ -106,7 +106,7 @@ std::vector<int> choose_dependent(const MatrixX<double>& Z) {
   throw ModelError("could not choose the dependent rows: the null space of Phi_q^T is too badly conditioned");
 }
 
-void decide_rank(const ScaledJacobian& scaled, RowAnalysis& out) {
+void decide_rank(const ScaledJacobian& scaled, double rank_tolerance, RowAnalysis& out) {
   const int nc = static_cast<int>(scaled.Phi.rows());
   const VectorX<double>& row_scale = scaled.rows;
   out.unique.assign(nc, true);
@@ -119,7 +119,7 @@ void decide_rank(const ScaledJacobian& scaled, RowAnalysis& out) {
   for (int k = 0; k < std::min<int>(nc, static_cast<int>(scaled.Phi.cols())); ++k) {
     const double share = std::abs(qr.matrixR()(k, k)) / qr.maxPivot();
     if (share > rank_tolerance / decades && share < rank_tolerance * decades)
-      out.narrow.push_back({static_cast<int>(qr.colsPermutation().indices()[k]), share});
+      out.narrow.push_back({static_cast<int>(qr.colsPermutation().indices()[k]), share, rank_tolerance});
   }
 
   // a row without a gradient constrains nothing: it is dependent and has no column in the null basis
@@ -194,7 +194,7 @@ void find_contradictions(const TangentSystem& s, const ScaledJacobian& scaled, R
   const double uncancelled = sizes.size() > 0 ? row_scale.cwiseProduct(sizes).maxCoeff() : 0.0;
   for (int k : out.dependent)
     if (std::abs(row_scale[k] * s.Phi.row(k).dot(acceleration) - gamma[k]) >
-        contradiction_tolerance * largest + rounding * uncancelled + contradiction_floor)
+        contradiction_tolerance_at(s.rank_tolerance) * largest + rounding * uncancelled + contradiction_floor)
       out.contradictory.push_back(k);
 }
 
@@ -210,7 +210,7 @@ RowAnalysis analyse_rows(const TangentSystem& s) {
     return out;
   }
   const ScaledJacobian scaled(s);
-  decide_rank(scaled, out);
+  decide_rank(scaled, s.rank_tolerance, out);
   if (!out.dependent.empty()) {
     out.combination = combination_of(scaled, out.independent);
     find_contradictions(s, scaled, out);
@@ -227,10 +227,14 @@ std::vector<std::string> narrow_row_warnings(const std::vector<std::string>& row
         "row \"{}\" {}: {:.1e} of its gradient is independent of the other rows, and the limit is {:.0e}; {}",
         row_names[narrow.row],
         narrow.counts() ? "counts as independent by a narrow margin" : "is left out by a narrow margin",
-        narrow.share, rank_tolerance,
+        narrow.share, narrow.tolerance,
         narrow.counts()
-            ? "if it should follow from the others, give its points and axes more digits"
-            : "if it should hold, move its points and axes farther from those of the other rows"));
+            ? fmt::format("if it should follow from the others, give its points and axes more digits, or set "
+                          "the rank tolerance above {:.1e}",
+                          narrow.share)
+            : fmt::format("if it should hold, move its points and axes farther from those of the other rows, "
+                          "or set the rank tolerance below {:.1e}",
+                          narrow.share)));
   return out;
 }
 
@@ -239,7 +243,7 @@ double free_gradient(const TangentSystem& s, int row) {
   MatrixX<double> others = scaled.Phi.transpose();
   others.col(row).setZero();
   Eigen::ColPivHouseholderQR<MatrixX<double>> qr;
-  qr.setThreshold(rank_tolerance);
+  qr.setThreshold(s.rank_tolerance);
   qr.compute(others);
   VectorX<double> gradient =
       qr.householderQ().transpose() * (s.Phi.row(row) * scaled.columns.asDiagonal()).transpose();

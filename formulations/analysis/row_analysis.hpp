@@ -15,11 +15,11 @@
 namespace trivium {
 
 /// A row for which the rank tolerance decides narrowly: `share` of its scaled gradient is independent of the
-/// rows that count before it, which is within two decades of rank_tolerance.
+/// rows that count before it, which is within two decades of the tolerance.
 struct NarrowRow {
   int row = 0;
-  double share = 0;
-  bool counts() const { return share > rank_tolerance; }  ///< as independent
+  double share = 0, tolerance = standard_rank_tolerance;
+  bool counts() const { return share > tolerance; }  ///< as independent
 };
 
 /// The result of the analysis; rows in file order.

@@ -8,6 +8,7 @@
 #include "formulations/side_by_side.hpp"
 #include "formulations/testing/random_mechanism.hpp"
 #include "formulations/testing/solve_scene.hpp"
+#include "mechanism/mechanism_cast.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "scenes/testing/scene_builders.hpp"
 
@@ -248,6 +249,21 @@ TEST(RowAnalysis, SaysWhichRowTheToleranceKeepsOrLeavesOutByANarrowMargin) {
     EXPECT_LT(rows.narrow[0].share, c.off);
     EXPECT_NE(rows.warnings[0].find(c.rank == 6 ? "counts as independent" : "is left out"), std::string::npos)
         << rows.warnings[0];
+  }
+}
+
+TEST(RowAnalysis, DecidesByTheRankToleranceOfTheScene) {
+  struct Case {
+    double off, tolerance;
+    int rank;
+  };
+  for (const Case& c : {Case{3e-8, 1e-8, 5}, Case{3e-8, 1e-9, 6}, Case{1e-11, 1e-13, 6}, Case{1e-5, 1e-8, 6},
+                        Case{1e-5, 1e-4, 5}}) {
+    scenes::Scene scene = three_pins(c.off);
+    scene.rank_tolerance = c.tolerance;
+    const Model<double> model = make_model<double>(scene);
+    EXPECT_EQ(analyse_rows(model).rank, c.rank) << c.off;
+    EXPECT_EQ(analyse_rows(Model<double>{mechanism_cast<double>(model.mechanism), model.state}).rank, c.rank);
   }
 }
 

@@ -32,6 +32,7 @@ struct TangentSystem {
   VectorX<double> Q;    ///< [6 nb]: F; n_bar - tilde(omega_bar) J_bar omega_bar
   VectorX<double> gamma;
   Magnitudes magnitudes;  ///< empty if not computed
+  double rank_tolerance = standard_rank_tolerance;
 };
 
 /// The tangent system of a mechanism at a state, computed in Scalar and rounded to double.
@@ -41,6 +42,7 @@ TangentSystem tangent_system(const Mechanism<Scalar, Types>& mechanism, const Me
   const auto eom = equations_of_motion<F>(mechanism, to_coordinates<F>(mechanism, state, {}), state.t);
   TangentSystem s;
   s.body_names = mechanism.body_names;
+  s.rank_tolerance = mechanism.rank_tolerance;
   s.Phi = MatrixX<double>::Zero(eom.nc(), 6 * eom.nb());
   s.Q.resize(6 * eom.nb());
   s.gamma.resize(eom.nc());

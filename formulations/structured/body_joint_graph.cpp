@@ -16,12 +16,13 @@ namespace {
 std::pair<int, int> unordered(const BodyPair& pair) { return std::minmax(pair.i, pair.j); }
 
 /// Whether the driver rotates about the revolute's axis, on both bodies. The axes count as equal if the sine
-/// of the angle between them is below rank_tolerance, the sine below which a row counts as dependent.
+/// of the angle between them is below standard_rank_tolerance, the sine below which a row counts as
+/// dependent.
 bool turns(const GraphJoint& driver, const GraphJoint& revolute) {
   const bool swapped = driver.i != revolute.i;
   const auto apart = [](const Vector3<double>& a, const Vector3<double>& b) { return a.cross(b).norm(); };
-  return apart(driver.axis_i, swapped ? revolute.axis_j : revolute.axis_i) < rank_tolerance &&
-         apart(driver.axis_j, swapped ? revolute.axis_i : revolute.axis_j) < rank_tolerance;
+  return apart(driver.axis_i, swapped ? revolute.axis_j : revolute.axis_i) < standard_rank_tolerance &&
+         apart(driver.axis_j, swapped ? revolute.axis_i : revolute.axis_j) < standard_rank_tolerance;
 }
 
 }  // namespace

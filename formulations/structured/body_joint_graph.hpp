@@ -32,6 +32,7 @@ struct GraphEdge : BodyPair {
 struct BodyJointGraph {
   int bodies = 0;  ///< the ground is node `bodies`
   std::vector<GraphEdge> edges;
+  double rank_tolerance = standard_rank_tolerance;  ///< of the mechanism
 };
 
 /// The properties of a joint that decide about edges. They do not depend on the mechanism's Scalar.
@@ -56,7 +57,9 @@ BodyJointGraph body_joint_graph(const Mechanism<Scalar, Types>& mechanism) {
     joints.push_back({joint, joint.type, sees_relative_motion(mechanism.rows[joint.first_row]),
                       joint.first_row, joint.rows, scalar_cast<double>(joint.frame_i.z),
                       scalar_cast<double>(joint.frame_j.z)});
-  return body_joint_graph(mechanism.nb(), joints);
+  BodyJointGraph graph = body_joint_graph(mechanism.nb(), joints);
+  graph.rank_tolerance = mechanism.rank_tolerance;
+  return graph;
 }
 
 }  // namespace trivium

@@ -32,7 +32,7 @@ void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
   // the pivot is below sine2 * size.product, the row has cancelled to less than direction_tolerance of its
   // terms, and the remainder has no reliable direction. is_marked_: rows that are dependent whatever their
   // pivot is, by an earlier decision, by the caller or by choose_rows().
-  const S sine2 = direction_tolerance<S>() * direction_tolerance<S>();
+  const S sine = direction_tolerance<S>(plan_.graph.rank_tolerance), sine2 = sine * sine;
   for (int k = 0; k < n; ++k) {
     const S pivot = block(k, k);
     const S cancelled = sine2 * f.size.product[k];

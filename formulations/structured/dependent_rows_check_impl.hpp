@@ -19,7 +19,8 @@ void AccelerationSolver<F>::check_dependent_rows() {
       !find_violated_row(solution_, row_rounding<S>(), S(0), size_here))
     return;
   decide_dependent_rows();
-  const S tolerance = contradiction_tolerance_in<S>(), least = S(contradiction_floor);
+  const S tolerance = contradiction_tolerance_in<S>(mechanism_.rank_tolerance),
+          least = S(contradiction_floor);
   if (!find_violated_row(solution_, S(share_without_doubt * tolerance), least, size_here)) return;
   AccelerationSize<S> whole, turning;
   for (int b = 0; b < mechanism_.nb(); ++b) {

@@ -75,6 +75,7 @@ std::vector<bool> AccelerationSolver<F>::unique() {
   const VectorX<S> size2 = row_sizes([&](int b, const Vector3<S>& r, const Vector3<S>& x) {
     return S(r.squaredNorm() + x.squaredNorm() / solver_.lever2(b));
   });
+  const S negligible = direction_tolerance<S>(mechanism_.rank_tolerance);
   for (Eigen::Index n = 0; n < N.cols(); ++n) {
     S largest(0);
     for (int row = 0; row < mechanism_.nc(); ++row) {
@@ -82,8 +83,7 @@ std::vector<bool> AccelerationSolver<F>::unique() {
       largest = select(size > largest, size, largest);
     }
     for (int row = 0; row < mechanism_.nc(); ++row)
-      if (N(row, n) * N(row, n) * size2[row] > direction_tolerance<S>() * direction_tolerance<S>() * largest)
-        flags[row] = false;
+      if (N(row, n) * N(row, n) * size2[row] > negligible * negligible * largest) flags[row] = false;
   }
   return flags;
 }

@@ -60,14 +60,14 @@ class GraphSolver<S>::UnitInertiaSolver {
   /// Otherwise each half is searched.
   void search(std::span<const EdgeRow> rows) {
     if (rows.size() == 1) {
-      if (left_of(rows, 0) > square(direction_tolerance<S>()) && solver_.border(rows.front()))
+      if (left_of(rows, 0) > square(tolerance()) && solver_.border(rows.front()))
         independent_.push_back(rows.front());
       return;
     }
     // The remainders of rows may cancel by accident in a combination. So two combinations are tried, against
     // a tolerance that is smaller by the factor 30: that both cancel so far has a probability of about 1e-3.
     // A larger factor leaves more sets to halve, a smaller one discards more independent rows by accident.
-    const S little = square(direction_tolerance<S>() / 30);
+    const S little = square(tolerance() / 30);
     if (all(left_of(rows, 1) <= little) && all(left_of(rows, 2) <= little)) return;
     search(rows.first(rows.size() / 2));
     search(rows.subspan(rows.size() / 2));
@@ -89,11 +89,12 @@ class GraphSolver<S>::UnitInertiaSolver {
     solver_.solve(probe.load, probe.response);
     const S rough = solver_.energy(probe.response);
     // a remainder below the smallest tolerance of search() is dependent whatever its rounding error is
-    if (all(rough <= square(direction_tolerance<S>() / 30))) return rough;
+    if (all(rough <= square(tolerance() / 30))) return rough;
     solver_.refine(probe);
     return solver_.energy(probe.response);
   }
   static S square(const S& x) { return x * x; }
+  S tolerance() const { return direction_tolerance<S>(solver_.plan_.graph.rank_tolerance); }
 
   /// Square of the row's norm in the metric of H^-1.
   S size_of(const EdgeRow& row) const {

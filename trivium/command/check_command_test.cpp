@@ -15,6 +15,25 @@ TEST(Check, ReportsRankRedundancyAndSparsity) {
 }
 
 // kappa needs a dense matrix; larger scenes get their rank from the structured solver
+TEST(Check, FindsTheRankByTheGivenTolerance) {
+  const std::string scene = temporary_scene("three.json", R"({"trivium": 1, "name": "three",
+    "bodies": [{"name": "b", "mass": 1, "inertia": [0.1, 0.2, 0.15], "position": [1, 0, 0]}],
+    "constraints": [
+      {"type": "spherical", "name": "s0", "i": {"body": "ground"}, "j": {"body": "b", "point": [-1, 0, 0]}},
+      {"type": "spherical", "name": "s1", "i": {"body": "ground", "point": [0, 0, 1]},
+       "j": {"body": "b", "point": [-1, 0, 1]}},
+      {"type": "spherical", "name": "s2", "i": {"body": "ground", "point": [0, 3e-8, 2]},
+       "j": {"body": "b", "point": [-1, 3e-8, 2]}}], "effects": []})");
+  const Outcome standard = run("trivium check " + scene);
+  EXPECT_NE(standard.out.find("rows, rank          9, 5"), std::string::npos) << standard.out;
+  EXPECT_NE(standard.err.find("set the rank tolerance below 7"), std::string::npos) << standard.err;
+  const Outcome finer = run("trivium check --rank-tolerance 1e-9 " + scene);
+  EXPECT_NE(finer.out.find("rows, rank          9, 6"), std::string::npos) << finer.out;
+  const Outcome wrong = run("trivium check --rank-tolerance 0.1 " + scene);
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("accepted: a number from 1e-14 to 0.0001"), std::string::npos) << wrong.err;
+}
+
 TEST(Check, ReportsAllButTheConditionOfALargeScene) {
   const std::string file = temporary("tree.json").string();
   ASSERT_EQ(run("trivium generate tree 1000 --out " + file).exit_code, 0);

@@ -43,9 +43,12 @@ void add_run_options(ProgramOptions& options, RunArguments& arguments, const std
   options.add_option(
       "--order", &run.parameters.order,
       "Order: 1 to 5 for bdf (default 2), 2 to 6 or 8 for arkode-erk, 2 to 5 for arkode-dirk (default 5)");
-  options.add_option("--rho", &run.parameters.rho,
-                     "Spectral radius of generalized-alpha at infinite frequency, 0 to 1 (default 0.8)");
-  options.add_option("--alpha", &run.parameters.alpha, "Parameter alpha of hht, -1/3 to 0 (default -0.2)");
+  options.add_option(
+      "--rho", &run.parameters.rho,
+      "Spectral radius of generalized-alpha at infinite frequency, 0 to 1 (default 0.8; of index 3 with "
+      "tolerances at most 0.95)");
+  options.add_option("--alpha", &run.parameters.alpha,
+                     "Parameter alpha of hht, -1/3 to 0 (default -0.2; with tolerances at most -0.05)");
   options.add_flag("--full-newton", &arguments.full_newton,
                    "Implicit methods: a new Newton matrix in every iteration, not once per step");
   options.add_option("--sequence", &arguments.sequence, "Euler-angle sequence of r-epsilon")

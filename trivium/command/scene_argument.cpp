@@ -2,6 +2,8 @@
 
 #include "trivium/command/scene_argument.hpp"
 
+#include <fmt/format.h>
+
 #include "base/command_line.hpp"
 #include "formulations/analysis/assemble.hpp"
 #include "scenes/catalogue.hpp"
@@ -17,6 +19,12 @@ void add_scene_options(ProgramOptions& options, SceneArguments& arguments) {
       .add_option("--t", &arguments.t,
                   "Time of the state in the file [s] (default: the time of a saved run, else 0)")
       .check(finite_time());
+  options
+      .add_option("--rank-tolerance", &arguments.rank_tolerance,
+                  fmt::format("Share of a row's gradient below which it follows from the others, {:.0e} to "
+                              "{:.0e} (default: {:.0e})",
+                              least_rank_tolerance, largest_rank_tolerance, standard_rank_tolerance))
+      .check(number_between(least_rank_tolerance, largest_rank_tolerance));
   const ProgramOption assemble =
       options.add_flag("--assemble", &arguments.assemble, "First project the state onto its constraints");
   options.add_option("--save", &arguments.save, "With --assemble: write the assembled scene to this file")
@@ -27,6 +35,7 @@ void add_scene_options(ProgramOptions& options, SceneArguments& arguments) {
 LoadedScene load(const SceneArguments& arguments) {
   scenes::Scene scene = load_scene(arguments.scene, arguments.t);
   const double t = scenes::time_of(scene, arguments.t);
+  if (arguments.rank_tolerance) scene.rank_tolerance = *arguments.rank_tolerance;
   Model<double> model = make_model<double>(scene, t);
   if (arguments.assemble) {
     set_state(scene, assemble(model.mechanism, model.state));

@@ -15,10 +15,11 @@ struct SceneArguments {
   std::string scene;
   std::optional<double> t;  ///< time of the state [s]; none: the time of the saved run, else 0
   bool assemble = false;    ///< project the state onto the constraints
-  std::string save;         ///< file for the assembled scene; empty: none
+  std::optional<double> rank_tolerance;
+  std::string save;  ///< file for the assembled scene; empty: none
 };
 
-/// Adds the options of the scene, the time of its state, and its assembly.
+/// Adds the options of the scene, the time of its state, its rank tolerance, and its assembly.
 void add_scene_options(ProgramOptions& options, SceneArguments& arguments);
 
 /// A scene, as read or as assembled, and its model.

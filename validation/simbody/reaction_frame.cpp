@@ -76,7 +76,7 @@ bool ReactionFrame::is_unique(const Joint<double>& joint) const {
   const MatrixX<double> wrench = Phi_.middleRows(joint.first_row, joint.rows).transpose() *
                                  rows_.null_basis.middleRows(joint.first_row, joint.rows);
   const MatrixX<double> scaled = rows_.acceleration_scale.cwiseInverse().asDiagonal() * wrench;
-  return scaled.norm() <= rank_tolerance;
+  return scaled.norm() <= standard_rank_tolerance;
 }
 
 int ReactionFrame::unique_joints() const {

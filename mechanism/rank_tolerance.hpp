@@ -1,0 +1,20 @@
+#pragma once
+/// The tolerance by which a mechanism decides which of its constraint rows are dependent. Scenes may have
+/// another one than the standard; the tolerances that follow from it are in
+/// formulations/analysis/rank_tolerance.hpp.
+
+namespace trivium {
+
+/// Singular values of the geometrically scaled Jacobian, relative to the largest, below which a row counts as
+/// dependent. Geometric scaling divides the columns of rotations by a mean lever [m], the root mean square of
+/// |Phi_pi_bar| / |Phi_r| over connected bodies, and then each row by its norm. The value lies between the
+/// defect that rounded or nearly consistent positions leave in a dependent row (1e-16 to 1e-9) and the
+/// smallest singular value of a real mechanism.
+inline constexpr double standard_rank_tolerance = 1e-8;
+
+/// The range of other tolerances. Below the least, rounding would decide. Above the largest, rows would be
+/// dependent whose pivots the structured solver does not examine (a sine of 1e-4, joint_row_tolerance and
+/// dependent_pivot).
+inline constexpr double least_rank_tolerance = 1e-14, largest_rank_tolerance = 1e-4;
+
+}  // namespace trivium
