@@ -12,9 +12,10 @@ namespace trivium {
 /// smallest singular value of a real mechanism.
 inline constexpr double standard_rank_tolerance = 1e-8;
 
-/// The range of other tolerances. Below the least, rounding would decide. Above the largest, rows would be
-/// dependent whose pivots the structured solver does not examine (a sine of 1e-4, joint_row_tolerance and
-/// dependent_pivot).
-inline constexpr double least_rank_tolerance = 1e-14, largest_rank_tolerance = 1e-4;
+/// The least tolerance that a scene may have. Below it rounding would decide.
+inline constexpr double least_rank_tolerance = 1e-14;
+/// The largest one. Above it rows would be dependent whose pivots the structured solver does not examine
+/// (joint_row_tolerance and dependent_pivot: a sine of 1e-4).
+inline constexpr double largest_rank_tolerance = 1e-4;
 
 }  // namespace trivium
