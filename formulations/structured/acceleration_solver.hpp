@@ -63,7 +63,9 @@ class AccelerationSolver {
   /// One step of iterative refinement.
   void refine();
 
+  /// The mechanism that the solver was made for.
   const MechanismOf<F>& mechanism() const { return mechanism_; }
+  /// The order of elimination, common to all states.
   const EliminationPlan& plan() const { return solver_.plan(); }
   /// The factors of the last state, to solve for other right sides. If another matrix is factored with this
   /// object, the accelerations become invalid.
@@ -79,7 +81,8 @@ class AccelerationSolver {
 
   /// Acceleration of the centre of mass of body b [m/s^2, global].
   Vector3<S> r_ddot(int b) const { return unpadded<S>(solution_.body[b].r); }
-  /// The formulation's own rotational unknown, such as omega_bar' (r-omega) or p'' (r-p).
+  /// The formulation's own rotational unknown of body b: omega_bar' [rad/s^2, body frame] in r-omega, p''
+  /// [1/s^2] in r-p, epsilon'' [rad/s^2] in r-epsilon.
   typename F::Unknown q_ddot(int b) const {
     return F::from_reduced(assembly_.body()[b], unpadded<S>(solution_.body[b].x));
   }
@@ -87,7 +90,8 @@ class AccelerationSolver {
   Vector3<S> omega_bar_dot(int b) const {
     return F::omega_bar_dot_from_reduced(assembly_.body()[b], unpadded<S>(solution_.body[b].x));
   }
-  /// One multiplier per row of the mechanism; 0 in dependent rows.
+  /// [nc] One multiplier per row of the mechanism [N for rows of lengths, N m for rows of angles; else J per
+  /// unit of the row]; 0 in dependent rows.
   VectorX<S> lambda() const {
     VectorX<S> all(mechanism_.nc());
     copy_lambda(all);
@@ -97,7 +101,8 @@ class AccelerationSolver {
   void copy_lambda(VectorX<S>& all) const {
     for_each_row([&](int edge, int k, int row) { all[row] = solution_.edge[edge][k]; });
   }
-  /// The wrenches of the effects at the state, per body, the ground last.
+  /// [nb + 1] The wrenches of the effects at the state, per body, the ground last: force [N] global, moment
+  /// [N m] about the centre of mass, body frame.
   const std::vector<Wrench<S>>& loads() const { return wrenches_; }
   /// The indices of the dependent rows, ascending. If solve() had no reason to examine the candidates, they
   /// are examined here. A candidate that is put back gets a multiplier in place of 0, and the state is solved
