@@ -22,7 +22,8 @@ OptionCheck whole_number(std::uint64_t most);
 
 /// Accepts a finite number above 0.
 OptionCheck positive_number();
-/// A number from `least` to `most`.
+
+/// Accepts a finite number from `least` to `most`.
 OptionCheck number_between(double least, double most);
 
 /// Accepts a finite number from 0 on.

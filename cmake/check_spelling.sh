@@ -13,8 +13,8 @@ prose() {
 }
 words_in() { grep -ohE '[A-Za-z_][A-Za-z0-9_]*' "$@" | sort -u; }
 names=$(cd "$sources" && find . \( -name build -o -name .git \) -prune -o \( -name '*.[hc]pp' -o -name '*.json' \
-  -o -name '*.cmake' -o -name '*.in' -o -name CMakeLists.txt -o -name '*.sh' -o -name run -o -name '*.csv' \) -print0 |
-  xargs -0 grep -ohE '[A-Za-z_][A-Za-z0-9_]*' | sort -u)
+  -o -name '*.cmake' -o -name '*.in' -o -name CMakeLists.txt -o -name '*.sh' -o -name run -o -name '*.csv' \) -exec cat {} + |
+  words_in -)
 for page in "$@"; do
   unknown=$(prose "$page" | grep -oE '`[^`]+`' | words_in - |
     grep -vxFf <(printf '%s\n' "$names"; awk '/^```/ { code = !code } code' "$page" | words_in -; cat "$sources/docs/words.txt") || true)

@@ -2,11 +2,10 @@
 /// All tolerances that decide whether a constraint row is dependent, and so the rank. The analysis of a
 /// mechanism (row_analysis.hpp) decides once, in double: the pivots of a QR factorisation of the scaled
 /// Jacobian estimate its singular values, and the mechanism's rank_tolerance is their limit relative to the
-/// largest one (mechanism/rank_tolerance.hpp). The
-/// structured solver (structured/) decides at every state, in its own Scalar. Its pivots are squares of sines
-/// between rows and only select candidates. The limit for the sine of a candidate is direction_tolerance,
-/// which equals rank_tolerance except in float. So both find the same rank except near the limit, where it
-/// matters that they average the levers of rotations differently.
+/// largest one (mechanism/rank_tolerance.hpp). The structured solver (structured/) decides at every state, in
+/// its own Scalar. Its pivots are squares of sines between rows and only select candidates. The limit for the
+/// sine of a candidate is direction_tolerance, which equals rank_tolerance except in float. So both find the
+/// same rank except near the limit, where it matters that they average the levers of rotations differently.
 
 #include <cmath>
 
@@ -18,8 +17,8 @@ namespace trivium {
 
 // sines of single rows
 
-/// The same for the structured solver: a row is dependent if the sine between its direction and the space of
-/// the other rows is at most this value. In float rounding alone gives sines above the standard
+/// The rank tolerance of the structured solver: a row is dependent if the sine between its direction and the
+/// space of the other rows is at most this value. In float rounding alone gives sines above the standard
 /// rank_tolerance, hence 100 u.
 template <class S>
 S direction_tolerance(double rank_tolerance = standard_rank_tolerance) {

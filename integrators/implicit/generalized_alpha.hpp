@@ -55,19 +55,17 @@ class GeneralizedAlpha {
     if (!last_h_) begin(system, t, y, stop);
     // a_n approximates v' at t + (alpha_m - alpha_f) h with the last h; this h may be another one
     a_now_ = a_;
+    reached = y;
     if (!is_same_length(h, *last_h_)) {
+      const S ratio = h / *last_h_;
       system.accelerations(t, y, next_a_, x_.lambda);
       ++counters_.right_sides;
-      a_now_ = next_a_ + h / *last_h_ * (a_ - next_a_);
+      a_now_ = next_a_ + ratio * (a_ - next_a_);
+      if (!is_stabilised_) newton_.scale_velocity_violation(system, t, ratio * ratio, reached);
     }
     const S per_a = (1 - alpha_f_) / (1 - alpha_m_);
     const Shares<S> shares{h * h * beta_ * per_a, h * gamma_ * per_a};
     const int nq = system.position_size(), nv = system.velocity_size();
-    reached = y;
-    if (!is_stabilised_ && !is_same_length(h, *last_h_)) {
-      const S ratio = h / *last_h_;
-      newton_.scale_velocity_violation(system, t, ratio * ratio, reached);
-    }
     v_ = reached.segment(nq, nv);
     known_ = (alpha_f_ * v_dot_.now() - alpha_m_ * a_now_) / (1 - alpha_m_);
     const auto place = [&](const StepUnknowns<S>& x, StateVector<S>& to) {

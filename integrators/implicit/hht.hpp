@@ -42,18 +42,16 @@ class HHT {
     if (!last_h_) begin(system, t, y, stop);
     const int nq = system.position_size(), nv = system.velocity_size();
     reached = y;
-    if (!is_same_length(h, *last_h_)) {
-      const S ratio = h / *last_h_;
-      newton_.scale_velocity_violation(system, t, ratio * ratio, reached);
-    }
-    v_ = reached.segment(nq, nv);
     // a_n approximates v' at t + alpha h with the last h; this h may be another one
     a_now_ = a_.now();
     if (!is_same_length(h, *last_h_)) {
+      const S ratio = h / *last_h_;
       system.accelerations(t, y, v_dot_, x_.lambda);
       ++counters_.right_sides;
-      a_now_ = v_dot_ + h / *last_h_ * (a_.now() - v_dot_);
+      a_now_ = v_dot_ + ratio * (a_.now() - v_dot_);
+      newton_.scale_velocity_violation(system, t, ratio * ratio, reached);
     }
+    v_ = reached.segment(nq, nv);
     // Newton's unknown is a_n+1 / (1 + alpha), so that its factor in the equations is M
     const S per_x = 1 + alpha_;
     const auto place = [&](const StepUnknowns<S>& x, StateVector<S>& to) {

@@ -46,14 +46,16 @@ class ReversibleSteps {
     using std::abs;
     system_ = &system;
     if (!method_.has_begun()) begin(system, t, y, stop);
-    if (std::exchange(is_taken_back_, false)) method_.recall(system, t, y, end_.memory);
-    is_between_ = false;
-    start_ = {t, y, method_.memory()};
-    smooth_until_ = stop;
     const S at_start = suited_, room = stop - t;
     S h = std::exchange(shortened_, S(0)), tried = h;
     bool is_free = !(h > S(0));  // to follow the rule
-    if (is_free) h = at_start;
+    if (is_free)
+      h = at_start;
+    else
+      method_.recall(system, t, y, end_.memory);
+    is_between_ = has_rates_ = false;
+    start_ = {t, y, method_.memory()};
+    smooth_until_ = stop;
     std::string trouble;
     for (int k = 0, attempts = 0;; ++attempts) {
       if (is_within_rounding(h, t, stop)) give_up(system, t, start_.y, trouble);
@@ -101,7 +103,6 @@ class ReversibleSteps {
   bool shorten() {
     shortened_ = (end_.t - start_.t) / 4;
     end_ = start_;
-    is_taken_back_ = true;
     is_between_ = false;
     suited_ = suited(*system_, start_.t, start_.y);
     --not_kept_;
@@ -121,9 +122,11 @@ class ReversibleSteps {
       return;
     }
     const S h = end_.t - start_.t, s = (t - start_.t) / h, left = 1 - s;
-    system_->derivative(start_.t, start_.y, rate_at_[0]);
-    system_->derivative(end_.t, end_.y, rate_at_[1]);
-    right_sides_ += 2;
+    if (!std::exchange(has_rates_, true)) {
+      system_->derivative(start_.t, start_.y, rate_at_[0]);
+      system_->derivative(end_.t, end_.y, rate_at_[1]);
+      right_sides_ += 2;
+    }
     y = left * left * (1 + 2 * s) * start_.y + s * s * (1 + 2 * left) * end_.y +
         h * s * left * (left * rate_at_[0] - s * rate_at_[1]);
     ProjectionReport<S> of_interpolation;  // not part of the report: steps are not projected
@@ -153,7 +156,7 @@ class ReversibleSteps {
     spacing_ = suited(system, t, y) / 8;
     suited_ = suited(system, t, y);
     method_.begin(system, t, y, t + std::min(suited_, longest_));
-    is_taken_back_ = is_between_ = false;
+    is_between_ = false;
     shortened_ = S(0);
   }
   /// Q at (t, y); at most the time from the last restart to the next event or the end.
@@ -196,10 +199,10 @@ class ReversibleSteps {
   S spacing_{0};                        ///< d [s]
   S smooth_from_{0}, smooth_until_{0};  ///< the last restart; the next event or the end [s]
   S suited_{0};                         ///< Q at the end of the last step [s]
-  S shortened_{0};              ///< length of the next step if the last one was taken back, else 0 [s]
-  Point start_, end_;           ///< of the last step
-  bool is_taken_back_ = false;  ///< the method was last used for another state than end_
-  bool is_between_ = false;     ///< the state asked for last was within a step
+  S shortened_{0};           ///< length of the next step if the last one was taken back, else 0 [s]
+  Point start_, end_;        ///< of the last step
+  bool is_between_ = false;  ///< the state asked for last was within a step
+  bool has_rates_ = false;   ///< rate_at_ belongs to the last step
   ProjectionIteration<System> project_;
   std::array<StateVector<S>, 2> v_dot_at_, rate_at_;
   StateVector<S> lambda_between_;
