@@ -1,7 +1,8 @@
 #pragma once
 /// Packs mechanisms of equal structure into the lanes of a batch, for sweeps over masses, inertias, points,
-/// axes and the coefficients of effects. Types, names and functions of time must be the same in all of them;
-/// a difference is an error.
+/// axes and the coefficients of effects. Types, functions of time, the rank tolerance, and the names of
+/// bodies, rows and joints must be the same in all of them; a difference is an error. The names of mechanism
+/// and effects are those of the first.
 
 #include <fmt/format.h>
 
@@ -49,18 +50,20 @@ struct TakenApart {
 }  // namespace detail
 
 /// One mechanism whose lane k has the numbers of mechanisms[k]. Throws a ModelError if the mechanisms differ
-/// in their structure. Functions of time belong to the structure, and so does the length of a distance joint.
+/// in their structure. Functions of time and the rank tolerance belong to the structure, and so does the
+/// length of a distance joint.
 template <class T, int N, class Types = StandardTypes>
 Mechanism<Batch<T, N>, Types> pack(std::span<const Mechanism<T, std::type_identity_t<Types>>, N> mechanisms) {
   auto all = mechanism_cast<Batch<T, N>>(mechanisms[0]);
   const detail::TakenApart<T> first(mechanisms[0]);
   for (int lane = 1; lane < N; ++lane) {
     const detail::TakenApart<T> parts(mechanisms[lane]);
-    if (parts.structure != first.structure || parts.numbers.size() != first.numbers.size())
-      throw ModelError(
-          fmt::format("mechanism {} of a batch, \"{}\", differs from the first in names, joints or functions "
-                      "of time; only numbers outside functions of time may differ",
-                      lane + 1, mechanisms[lane].name));
+    if (parts.structure != first.structure || parts.numbers.size() != first.numbers.size() ||
+        mechanisms[lane].rank_tolerance != mechanisms[0].rank_tolerance)
+      throw ModelError(fmt::format(
+          "mechanism {} of a batch, \"{}\", differs from the first in names, joints, functions of "
+          "time or the rank tolerance; only other numbers may differ",
+          lane + 1, mechanisms[lane].name));
     auto next = parts.numbers.begin();
     const auto put = [&]<class Part>(Part& part) {
       if constexpr (std::is_same_v<Part, Batch<T, N>>)

@@ -14,8 +14,9 @@ inline constexpr double standard_rank_tolerance = 1e-8;
 
 /// The least tolerance that a scene may have. Below it rounding would decide.
 inline constexpr double least_rank_tolerance = 1e-14;
-/// The largest one. Above it rows would be dependent whose pivots the structured solver does not examine
-/// (joint_row_tolerance and dependent_pivot: a sine of 1e-4).
+/// The largest one. The structured solver examines a row only if the sine between its gradient and the span
+/// of the other rows may be below 1e-4 (examined_joint_row_tolerance; dependent_pivot is its square). With a
+/// larger tolerance it would keep rows that the dense analysis calls dependent.
 inline constexpr double largest_rank_tolerance = 1e-4;
 
 }  // namespace trivium

@@ -2,10 +2,12 @@
 /// All tolerances that decide whether a constraint row is dependent, and so the rank. The analysis of a
 /// mechanism (row_analysis.hpp) decides once, in double: the pivots of a QR factorisation of the scaled
 /// Jacobian estimate its singular values, and the mechanism's rank_tolerance is their limit relative to the
-/// largest one (mechanism/rank_tolerance.hpp). The structured solver (structured/) decides at every state, in
-/// its own Scalar. Its pivots are squares of sines between rows and only select candidates. The limit for the
-/// sine of a candidate is direction_tolerance, which equals rank_tolerance except in float. So both find the
-/// same rank except near the limit, where it matters that they average the levers of rotations differently.
+/// largest one (mechanism/rank_tolerance.hpp). The structured solver (structured/) decides in its own
+/// Scalar. Under DependentRows::detect its pivots select candidates (squares of sines in closings, sines in
+/// joints of the tree), and the sine of a candidate decides. The limit is direction_tolerance, which equals
+/// rank_tolerance except in float. So both find the same rank except near the limit, where it matters that
+/// they average the levers of rotations differently. In most motions the pivots alone decide
+/// (near_singular_pivot, joint_row_tolerance).
 
 #include <cmath>
 
@@ -19,7 +21,7 @@ namespace trivium {
 
 /// The rank tolerance of the structured solver: a row is dependent if the sine between its direction and the
 /// space of the other rows is at most this value. In float rounding alone gives sines above the standard
-/// rank_tolerance, hence 100 u.
+/// rank_tolerance. The limit is then 100 u, since some hundred operations change a row.
 template <class S>
 S direction_tolerance(double rank_tolerance = standard_rank_tolerance) {
   return larger(S(100 * unit_roundoff<S>()), S(rank_tolerance));
@@ -46,7 +48,8 @@ inline constexpr double null_space_share = 0.1,  ///< the first share
 /// rounding error of a larger pivot is at most u / 1e-8, which one step of iterative refinement corrects.
 /// Points that are misplaced within their tolerance make a dependent row look independent. The pivot of such
 /// a row is far smaller than this value, unless the bodies have almost no inertia against a force along the
-/// row. In float, 1000 u is the larger value.
+/// row. In float 1000 u applies, since 1e-8 is below u there: the
+/// pivots in use then keep three digits.
 template <class S>
 S dependent_pivot() {
   return larger(S(1000 * unit_roundoff<S>()), S(1e-8));
@@ -88,14 +91,23 @@ S inertia_rounding() {
 // pivots of the rows of one joint, sines
 
 /// A row of a tree joint becomes a candidate if its largest entry, after the elimination of the rows before
-/// it, is at most this share of the magnitude of its terms. Its sine decides later (direction_tolerance). The
+/// it, is at most this share of the magnitude of its terms. Under detect_near_singular and keep_count it is
+/// then dependent; detect examines its sine (examined_joint_row_tolerance); keep uses joint_row_rounding. The
 /// inertia that a row passes on to the parent grows with the inverse square of the row's remainder, so at
 /// u^(1/4) the other motions of the parent keep half of their digits. The lower limit 1e-32 of u, which
-/// applies in quad and wider Scalars, keeps the share from falling below rank_tolerance.
+/// applies in quad and wider Scalars, keeps the share at standard_rank_tolerance or above.
 template <class S>
 S joint_row_tolerance() {
   using std::sqrt;
   return sqrt(sqrt(larger(unit_roundoff<S>(), S(1e-32))));
+}
+
+/// The same under DependentRows::detect, which examines candidates: at least the largest rank tolerance, so
+/// that no row below a mechanism's tolerance escapes the examination. Larger than the above in Scalars more
+/// precise than double.
+template <class S>
+S examined_joint_row_tolerance() {
+  return larger(joint_row_tolerance<S>(), S(largest_rank_tolerance));
 }
 
 /// The remainder of a joint's row is rounding error only if it is at most this share of the magnitude of its
@@ -108,12 +120,13 @@ S joint_row_rounding() {
 // right sides of dependent rows
 
 /// A dependent row contradicts the others if its right side differs from the value that the others imply by
-/// more than this, relative to the terms of gamma. (The dense analysis takes the largest gamma instead and
-/// adds the rounding of the terms.) The value is far above the difference that inconsistent positions within
-/// their tolerance (1e-8) can cause.
+/// more than this, relative to the terms of gamma. (The dense analysis takes the larger of the largest
+/// gamma and the implied acceleration, and adds the rounding of the terms.) The value is far above the
+/// difference that inconsistent positions within their tolerance (1e-8) can cause.
 inline constexpr double contradiction_tolerance = 1e-6;
 
-/// The same for another rank tolerance: rows that a larger one leaves out are violated by as much more.
+/// The same for another rank tolerance: the rows that a larger one leaves out are violated more, in
+/// proportion to the tolerance.
 inline double contradiction_tolerance_at(double rank_tolerance) {
   return contradiction_tolerance * larger(1.0, rank_tolerance / standard_rank_tolerance);
 }

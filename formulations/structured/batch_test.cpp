@@ -143,6 +143,9 @@ TEST(Batch, LanesMayNotDifferInMoreThanNumbers) {
   all[2] = all[0];
   all[1].constraints.pop_back();
   EXPECT_NE(refusal().find("mechanism 2 of a batch"), std::string::npos) << refusal();
+  all[1] = all[0];
+  all[3].rank_tolerance = 1e-6;
+  EXPECT_NE(refusal().find("mechanism 4 of a batch"), std::string::npos) << refusal();
 }
 
 TEST(Batch, RefusesABranchOnWhichItsLanesDisagree) {

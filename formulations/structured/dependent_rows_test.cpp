@@ -42,6 +42,14 @@ TEST(DependentRows, UniqueMultipliersAreToldHoweverTheRowsWereFound) {
   EXPECT_EQ(std::count(unique.begin(), unique.end(), false), 2);
 }
 
+TEST(DependentRows, AMultiplierOfARowWithoutGradientIsNotUnique) {
+  scenes::Scene scene = pendulum();
+  // d . d between points that coincide
+  scene.constraints.push_back(
+      test::joint(basic_type<D>, "nothing", test::side(scenes::ground, point), test::side(0, point)));
+  test::expect_agreement<F>(scene, "a row without gradient beside a hinge");
+}
+
 TEST(DependentRows, DriversThatContradictAreAnErrorThatNamesOne) {
   scenes::Scene scene = pendulum();
   scene.constraints.push_back(driver("motor", axis, across, Polynomial{{0, 0, 0.5}}));

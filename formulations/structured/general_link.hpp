@@ -157,7 +157,9 @@ class GeneralLink {
     Matrix6<S> made_of = C.transpose().cwiseAbs();
     std::array<int, 6> pivot_of_row;
     std::array<bool, 6> is_basic{};
-    const S tolerance = how == DependentRows::keep ? joint_row_rounding<S>() : joint_row_tolerance<S>();
+    const S tolerance = how == DependentRows::keep     ? joint_row_rounding<S>()
+                        : how == DependentRows::detect ? examined_joint_row_tolerance<S>()
+                                                       : joint_row_tolerance<S>();
     const std::array<bool, 6> marked = dependent;
     has_nearly_dependent_rows_ = false;
     // in the order of the rows, without row exchanges: a row is dependent if it depends on rows before it

@@ -69,7 +69,8 @@ std::vector<bool> AccelerationSolver<F>::unique() {
   if (N.cols() == 0) return flags;
   // lever2() below needs the levers of the bodies, which solve() does not measure at every state
   solver_.measure_levers();
-  // A multiplier is not unique if its row has more than a negligible share in a null space vector. The share
+  // A multiplier is not unique if its row is dependent and has no gradient, or if the row has more than a
+  // negligible share in a null space vector. The share
   // is the coefficient times the norm of the row's gradient. In this norm the rotational part is divided by
   // the lever, a length that is the same for all bodies that joints connect.
   const VectorX<S> size2 = row_sizes([&](int b, const Vector3<S>& r, const Vector3<S>& x) {
@@ -83,7 +84,9 @@ std::vector<bool> AccelerationSolver<F>::unique() {
       largest = select(size > largest, size, largest);
     }
     for (int row = 0; row < mechanism_.nc(); ++row)
-      if (N(row, n) * N(row, n) * size2[row] > negligible * negligible * largest) flags[row] = false;
+      if (N(row, n) * N(row, n) * size2[row] > negligible * negligible * largest ||
+          (size2[row] == S(0) && N(row, n) != S(0)))
+        flags[row] = false;
   }
   return flags;
 }

@@ -61,7 +61,8 @@ void expect_solution_of_quad(const scenes::Scene& scene, double tolerance, const
   EXPECT_LE(lambda_distance(printed.rows, solution.lambda, exact.lambda), tolerance) << what;
 }
 
-/// The message of the error that r-omega throws, empty if it throws none; all results must be NaN then.
+/// The message of the error that r-omega throws; empty if there is none. After an error all results must be
+/// NaN.
 inline std::string refusal_of(const scenes::Scene& scene) {
   const auto mechanism = make_mechanism<double>(scene);
   AccelerationSolver<ROmega<double>> solver(mechanism);
@@ -74,7 +75,8 @@ inline std::string refusal_of(const scenes::Scene& scene) {
   return "";
 }
 
-/// A block with cd rows along z at the points x = beside [m] on its x axis, under a torque about y.
+/// A block with cd rows along z at the points x = beside [m] on its x axis, under a force along z and a
+/// torque about y.
 inline scenes::Scene block_on_rows(const std::vector<double>& beside, double moment) {
   scenes::Scene scene;
   scene.bodies = {body("block", 1, {moment, moment, moment})};
