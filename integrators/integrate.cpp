@@ -21,14 +21,23 @@ namespace trivium::integrators {
 namespace {
 
 /// Takes one step, at most to `stop`, and projects its end if `projects`. If the step or its projection is
-/// not acceptable (see integrate.hpp), a shorter step is tried, if the method can shorten its steps.
+/// not acceptable (see integrate.hpp), a shorter step is tried, if the method can shorten its steps. A given
+/// step that is longer than the system's longest_step is an error; a chosen one is shortened.
 template <class S>
 void checked_step(AnySystem<S>& system, AnyMethod<S>& method, S& t, StateVector<S>& y, const S& stop,
-                  bool projects, ProjectionIteration<AnySystem<S>>& project, ProjectionReport<S>& report) {
+                  bool is_given, bool projects, ProjectionIteration<AnySystem<S>>& project,
+                  ProjectionReport<S>& report) {
   const auto before_t = t;
   const auto before = y;
   const auto longest = system.longest_step(t, y);
-  const S limit = longest < stop - t ? t + longest : stop;
+  if (is_given && longest < stop - t && !is_same_length(longest, S(stop - t)))
+    throw IntegrationError(
+        {{}, static_cast<double>(t)},
+        fmt::format("the given step of {:.4g} s is too long to count the turns of a torsional spring, whose "
+                    "joint turns by one radian in {:.4g} s; take smaller steps, or control the step size by "
+                    "tolerances",
+                    static_cast<double>(S(stop - t)), static_cast<double>(longest)));
+  const S limit = !is_given && longest < stop - t ? t + longest : stop;
   std::string trouble;
   for (;;) {
     try {
@@ -129,7 +138,7 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
     const S little = 8 * std::numeric_limits<S>::epsilon() * max(S(abs(S(grid.start()))), S(abs(stop->t)));
     const S target = stop->is_event ? stop->t - little : stop->t;
     while (t < target) {
-      checked_step(system, method, t, y, target, projects, project, report);
+      checked_step(system, method, t, y, target, grid.has_given_steps(), projects, project, report);
       const bool looks_back = due && due->t < t;
       bool goes_on = true;  // if it is false after an output within the step, the run ends at the step's end
       for (; goes_on && due && due->t < t; due = following.next()) {

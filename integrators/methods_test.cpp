@@ -95,6 +95,13 @@ TEST_P(GivenStepsOf, HaveThePublishedOrder) {
   EXPECT_NEAR(order, method.order, 0.2);
 }
 
+TEST_P(GivenStepsOf, AreAnErrorIfTheModelNeedsShorterOnes) {
+  Free system = oscillator();
+  system.longest = 0.01;
+  EXPECT_THROW(run(system, GetParam(), Steps::given, TimeGrid(0, 1, {}, 0.02)), IntegrationError);
+  EXPECT_EQ(run(system, GetParam(), Steps::given, TimeGrid(0, 1, {}, 0.01)).counters.steps, 100);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, GivenStepsOf,
                          testing::ValuesIn(explicit_methods(&MethodInfo::takes_given_steps)), in_a_name);
 

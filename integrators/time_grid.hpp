@@ -65,6 +65,7 @@ class TimeGrid {
 
   /// The time at which the run begins: the start, or a later time if the run continues an earlier one.
   double begin() const { return begin_; }
+  bool has_given_steps() const { return step_.has_value(); }
   /// Whether the run continues an earlier one, so that it begins after the start of the grid.
   bool goes_on() const { return begin_ != start_; }
   /// The same grid for a run that continues at time t. Throws a UsageError if t is not in [start, end).
