@@ -3,9 +3,10 @@ cmake_minimum_required(VERSION 3.25)
 # current. The file is only touched if its content changes.
 execute_process(COMMAND git -C ${SOURCE_DIR} describe --always --abbrev=12
                 OUTPUT_VARIABLE COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-# results/ and paper/ do not affect the programs: accepting one result must not mark the next one as modified
-# ("-dirty").
-execute_process(COMMAND git -C ${SOURCE_DIR} diff --quiet HEAD -- . ":(exclude)results" ":(exclude)paper"
+# Result files and the tables made from them do not affect the programs: accepting one result must not mark the next one as
+# modified ("-dirty").
+execute_process(COMMAND git -C ${SOURCE_DIR} diff --quiet HEAD -- . ":(exclude)results/*.csv"
+                        ":(exclude)results/*.json" ":(exclude)paper/tables"
                 RESULT_VARIABLE changed ERROR_QUIET)
 if(NOT COMMIT)
   set(COMMIT "unknown")

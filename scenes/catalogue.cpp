@@ -32,7 +32,7 @@ fs::path catalogue_directory(const fs::path& header) {
   for (const fs::path& prefix :
        {program.parent_path().parent_path(), header.parent_path().parent_path().parent_path()})
     if (const fs::path installed = prefix / "share" / "trivium" / "scenes";
-        fs::is_directory(installed, error))
+        !prefix.empty() && fs::is_directory(installed, error))
       return installed;
   return TRIVIUM_SOURCE_SCENES;
 }

@@ -91,7 +91,8 @@ int run(const Program& program) {
 int main(int argc, char** argv) {
   using namespace trivium;
   Program program(
-      "Does the motion agree with closed-form solutions, and with curves of an independent program?",
-      "analytic_solutions", "all problems with a known solution");
+      "Does the motion agree with closed-form solutions, and with curves of an independent program? Computes "
+      "all problems that have a known solution.",
+      "analytic_solutions", "");
   return program.run(argc, argv, [&] { return analytic::run(program); });
 }

@@ -42,7 +42,8 @@ struct Answer {
   std::size_t outputs = 0, judged = 0;
   bool has_unique_lambda = true, holds = false;
   double amplification = 1;
-  // largest values over the judged outputs, with bounds and ratios to the bounds
+  // largest values with bounds and ratios to the bounds: lambda of the separate runs over the judged outputs,
+  // state_* over the compared states that are not near a singular position
   double lambda = 0, lambda_bound = 0, lambda_ratio = 0;
   double state_lambda = 0, state_kappa = 1, state_ratio = 0;
 
@@ -79,7 +80,8 @@ Answer ask(const Arguments& arguments, const NamedScene& named, const std::funct
   answer.scene = named.scene.name;
   answer.nb = named.scene.bodies.size();
   const auto published = published_ends.find(named.scene.name);
-  answer.t_end = published == published_ends.end() ? arguments.t_end : published->second;
+  answer.t_end =
+      published == published_ends.end() ? arguments.t_end : std::min(arguments.t_end, published->second);
   ComparisonOptions options;
   options.run.integrator = arguments.integrator;
   options.run.end = answer.t_end;

@@ -1,4 +1,4 @@
-/// The options that all validation programs have: scenes, --json and --csv.
+/// The options that validation programs share: scenes, --json and --csv.
 
 #include "validation/harness/program.hpp"
 
@@ -11,8 +11,9 @@ namespace trivium {
 
 Program::Program(const std::string& question, const std::string& name, const std::string& default_scenes)
     : options_(question, name) {
-  options_.add_option("SCENE", &names_,
-                      fmt::format("Scene files or catalogue names (default: {})", default_scenes));
+  if (!default_scenes.empty())
+    options_.add_option("SCENE", &names_,
+                        fmt::format("Scene files or catalogue names (default: {})", default_scenes));
   options_.add_flag("--json", &json_, "JSON on stdout");
   options_.add_option("--csv", &csv_, "Write the table to this CSV file, and a manifest next to it")
       .check(writable_file())

@@ -13,11 +13,12 @@
 
 namespace trivium {
 
-/// A validation program with the options SCENE..., --json, --csv and --version, and further ones added to
-/// `options()`.
+/// A validation program with the options SCENE... (unless its scenes are fixed), --json, --csv and --version,
+/// and further ones added to `options()`.
 class Program {
  public:
-  /// `default_scenes` describes, for --help, the scenes that are used if the command line names none.
+  /// `default_scenes` describes, for --help, the scenes that are used if the command line names none. Empty:
+  /// the scenes are fixed.
   Program(const std::string& question, const std::string& name,
           const std::string& default_scenes = "the whole catalogue");
 
