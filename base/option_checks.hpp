@@ -32,7 +32,7 @@ OptionCheck number_from_zero();
 /// Accepts the path of a regular file or of a file that does not exist yet, in an existing folder.
 OptionCheck writable_file();
 
-/// The reason why no file can be written at `path`; empty if one can.
+/// The reason why `path` cannot be a file to write; empty if none is found. Permissions are not checked.
 std::string why_not_writable(const std::string& path);
 
 }  // namespace trivium

@@ -49,8 +49,8 @@ std::error_code replace_file(const std::filesystem::path& target, std::string_vi
 /// The content of `file`. Throws std::filesystem::filesystem_error if it cannot be read.
 std::string read_whole(const std::filesystem::path& file);
 
-/// Replaces the file that file_to_write(file) names. Throws std::filesystem::filesystem_error if there is no
-/// such file or if it cannot be written; the old file is then unchanged.
+/// Writes the file that file_to_write(file) names. Throws std::filesystem::filesystem_error if it names none
+/// or if writing fails; an old file is then unchanged.
 void write_whole(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace trivium

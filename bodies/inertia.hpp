@@ -1,7 +1,8 @@
 #pragma once
 /// Checks whether an inertia tensor is physically possible: symmetric, positive semidefinite, and no
 /// principal moment greater than the sum of the other two. (The moments are the integrals of y^2 + z^2, z^2 +
-/// x^2 and x^2 + y^2 over the mass.) All checks of inertia tensors use the tolerance that is defined here.
+/// x^2 and x^2 + y^2 over the mass.) The checks of scenes and of the mass metric use the tolerance that is
+/// defined here.
 
 #include <Eigen/Core>
 

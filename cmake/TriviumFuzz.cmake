@@ -26,7 +26,7 @@ function(trivium_fuzz name)
 
   add_test(NAME ${name} COMMAND sh ${PROJECT_SOURCE_DIR}/cmake/run_fuzz.sh ${fuzzer} ${CMAKE_CURRENT_SOURCE_DIR}
                                 ${CMAKE_CURRENT_BINARY_DIR}/${name} ${TRIVIUM_FUZZ_SECONDS})
-  math(EXPR timeout "${TRIVIUM_FUZZ_SECONDS} + 120")
+  math(EXPR timeout "${TRIVIUM_FUZZ_SECONDS} + 120")  # libFuzzer does not check the time limit while it runs the seeds
   # COST makes ctest start this test first, because it takes longest
   set_tests_properties(${name} PROPERTIES LABELS stress TIMEOUT ${timeout} COST ${TRIVIUM_FUZZ_SECONDS})
 endfunction()

@@ -9,7 +9,8 @@ set(empty ${CMAKE_BINARY_DIR}/generated/empty.cpp)
 if(NOT EXISTS ${empty})
   file(WRITE ${empty} "")
 endif()
-# Requirements of the compiler cache: g++ must mark the use in the preprocessed text; clang++ must ignore time stamps.
+# The compiler cache needs: from g++ a mark in the preprocessed text where a precompiled header is used; from clang++
+# precompiled headers without time stamps.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   set(trivium_cacheable_headers "SHELL:-Xclang -fno-pch-timestamp")
 else()

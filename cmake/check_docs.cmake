@@ -1,6 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
-# README has at most 130 lines. Every file or folder that README, CONTRIBUTING or docs/ name or link to must exist, and every
-# heading that they link to. Commands in formulas must be known to MathJax. Every page has an entry in the contents,
+# README has at most 130 lines, two or three screens. Every file or folder that README, CONTRIBUTING or docs/ name or link
+# to must exist, and every heading that they link to. Commands in formulas must stand in the list formula_commands below,
+# which MathJax renders. Every page has an entry in the contents,
 # docs/README.md. Every room is in the table of README.
 file(READ ${SOURCE_DIR}/README.md text)
 string(REGEX MATCHALL "\n" lines "${text}")

@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
 # Every header below SOURCE_DIR must begin with `#pragma once` and, on the next line, a comment of at least two
-# sentences that says what the file is for.
+# sentences, or of one with a colon, that says what the file is for.
 file(GLOB_RECURSE headers RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/*.hpp)
 list(FILTER headers EXCLUDE REGEX "^build/")
 if(NOT headers)

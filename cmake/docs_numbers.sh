@@ -3,7 +3,7 @@
 # below. If it does not, a comment behind its paragraph, list or table says where it comes from:
 #   <!-- numbers: 36615 1.4e-9 of the output -->      the output above has these numbers, rounded to the digits given here
 #   <!-- numbers: 3.2 of `COMMAND` -->                the same for a command, in this order; $sources are the sources
-#   <!-- numbers: 1e-8 of FILE, WORDS -->             a line of the file has the words and the number, rounded in a CSV file
+#   <!-- numbers: 1e-8 of FILE, WORDS -->             a line of FILE has WORDS and exactly this number (of a CSV file: rounded)
 #   <!-- numbers: 1989 not compared -->               literature, examples, measurements that no cheap command repeats
 
 # The numbers of a text, and their comparison, for awk.
@@ -19,7 +19,8 @@ numbers_of='
   }
   # one name for all notations of a number, without its sign
   function name_of(x) { sub(/^-/, "", x); return sprintf("%.15g", x) }
-  # whether y is x, rounded to the digits of x unless exact; an x without a sign stands for both signs
+  # whether y is x, rounded to the digits of x unless exact; an x without a sign stands for both signs. Numbers below 1e-9 are
+  # rounding errors: in sentences they may differ by a factor of 10.
   function is(x, y, exact,   digits, format) {
     if (x !~ /^-/) sub(/^-/, "", y)
     if (exact || x + 0 == 0 || y + 0 == 0) return x + 0 == y + 0
@@ -62,7 +63,7 @@ check_numbers() {
 check_sentences() {
   local text
   while IFS=: read -r number text; do problem "$text"; done < <(awk "$numbers_of"'
-    # the parts of a line outside of pairs of a mark, which may be on two lines
+    # the text of a line that is not between two marks (backticks or $$), which may stand on different lines
     function outside(line, mark,   k, n, part, kept) {
       n = split(line, part, mark)
       for (k = 1; k <= n; ++k) {

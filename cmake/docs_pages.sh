@@ -3,16 +3,17 @@
 # folder BIN, in an empty folder below WORK, and compares what they print with what the pages show. With --update the pages
 # take the new output. In a page:
 #   <!-- file: NAME -->            the block that follows is a file, which later commands of the page find
-#   ```sh                          each line is a command. Those of `runs_elsewhere` are not run: `./run X` is checked to
-#                                  name a command of `run`, the tools of the build are not checked. A comment
-#                                  `# exit code 2` behind a command demands this code; of a pipe, that of its first failure
+#   ```sh                          each line is a command. Those of `runs_elsewhere` are not run; only the names of their
+#                                  commands, presets and test labels are checked. `# exit code 2` behind a command demands
+#                                  this exit code. For a pipe it is the code of the first part that fails.
 #   ```text                        the output (stdout and stderr) of the commands before it; `text times`: with CPU times
 #   ```json, cpp, cmake            files, programs that are compiled elsewhere, targets that must exist; no other language
 #   `./run ...`                    a command in a sentence or a table is run too, for three seconds at most; one with words
 #                                  in capital letters is checked for its options alone
 #   <!-- output of: COMMAND -->    what follows, up to the next <!-- end -->, is the command's output, as Markdown
 # Words must be equal. Numbers must agree to 1 %; the last digits depend on the processor. Numbers below 1e-9 are rounding:
-# they may differ by a factor of 1000. In `text times` fractions may differ by 100, numbers with an exponent by 3. Numbers
+# they may differ by a factor of 1000. In `text times` decimal fractions, which may be times of
+# microseconds, may differ by a factor of 100; numbers with an exponent, which are errors of integration, by a factor of 3. Numbers
 # of tests (#12: and Start 12:), and how many dots stand behind a test's name, are not compared. Options named in a page
 # must be options of a program.
 # Numbers in sentences: docs_numbers.sh.
@@ -46,6 +47,7 @@ same() {
   awk -v kind="$3" '
     function is_number(x) { return x ~ /^[-+]?[0-9]+(\.[0-9]*)?([eE][-+]?[0-9]+)?$/ }
     function size(x) { return x < 0 ? -x : x }
+    # numbers below `least` count as least: ten roundings; errors that are rounding; milliseconds
     function within(factor, a, b, least) {
       a = size(a) > least ? size(a) : least; b = size(b) > least ? size(b) : least
       return a <= factor * b && b <= factor * a
@@ -215,7 +217,7 @@ run_inline_commands() {
     [[ ! $command =~ ^./run\ (solve|check|simulate|compare|generate)$ ]] || continue # a name in a sentence
     status=0
     timeout 3 bash -c "$command" >inline.out 2>&1 </dev/null || status=$?
-    # 124: still at work, so the arguments are right; 1: a criterion
+    # 124: stopped by timeout while it ran, so its arguments are right; 1: a criterion failed, which is a valid answer
     ((status == 0 || status == 1 || status == 124)) || { problem "failed: $command"; tail -n 3 inline.out; }
   done < <(awk '/^```/ { code = !code; next } !code' "$page" | awk 'BEGIN { RS = "" } { gsub("\n", " "); print }' |
            grep -oE '`\./run [^`]*`' | tr -d '`' | sort -u)

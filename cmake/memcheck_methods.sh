@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # memcheck_methods.sh TRIVIUM
-# No method decides on memory that was never written: valgrind's memcheck watches a short run by every method in every
-# formulation that goes with the method.
+# No method decides on memory that was never written: valgrind's memcheck watches a short run by every method in
+# r-omega, r-p and r-epsilon (rattle: r-omega).
 set -euo pipefail
 trivium=$1 failed=0
 methods=$("$trivium" list | sed -n 's/^integrators *//p' | tr -d ,)

@@ -1,6 +1,8 @@
 #!/bin/sh
 # run_fuzz.sh FUZZER SCENES WORK [SECONDS]: runs a fuzzer of scenes from the files of the folder SCENES, keeps what it
-# learns in WORK, and fails if it finds an input that breaks a law.
+# learns in WORK, and fails if it finds an input that breaks a law. Inputs have at most 20 000 bytes, since short ones are
+# tried faster. Two scenes are longer; they are cut, and so malformed. An input takes milliseconds and megabytes; 10 s or 2 GiB
+# are findings.
 set -eu
 fuzzer=$1 scenes=$2 work=$3 seconds=${4:-60}
 mkdir -p "$work/seeds/catalogue" "$work/seeds/wellformed" "$work/seeds/malformed" "$work/corpus" "$work/findings"

@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
 # Prints the keys of the scene format as Markdown tables, from its schema: one table for the part of a scene that PART names.
-#   PART   a definition of the schema with keys of its own (body, saved), or one with a list of types (constraint, effect,
-#          function)
+#   PART   a definition of the schema with keys of its own (body, saved, orientation), or one with a list of types
+#          (constraint, effect, function)
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH source_dir)
 file(READ ${source_dir}/scenes/format/scene.schema.json schema)
 
@@ -45,6 +45,7 @@ function(print line)
 endfunction()
 
 string(JSON types ERROR_VARIABLE not_a_list GET "${schema}" definitions ${PART} oneOf)
+# the alternatives of an orientation are sets of its keys, not types
 if(not_a_list STREQUAL "NOTFOUND" AND NOT PART STREQUAL "orientation")
   print("| type | required keys | optional keys | meaning |")
   print("| --- | --- | --- | --- |")

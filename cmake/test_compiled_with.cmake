@@ -22,7 +22,7 @@ function(expect library user expected)
   endif()
 endfunction()
 
-# `none` turns the flag off, even if the compiler enables it by default
+# `none`: the flags without the tested one
 foreach(flag IN ITEMS -mavx -mavx512f -D_GLIBCXX_DEBUG -ffast-math)
   set(none "")
   if(flag STREQUAL "-mavx")

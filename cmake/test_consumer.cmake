@@ -30,7 +30,7 @@ step(${CMAKE_COMMAND} --build ${shown})
 file(GLOB programs ${DOCS}/*.cpp)
 list(LENGTH programs count)
 if(count LESS 4)
-  message(FATAL_ERROR "README and docs/ show ${count} programs")
+  message(FATAL_ERROR "only ${count} programs were found in README and docs/, at least 4 are expected: does docs_programs.cmake find their blocks?")
 endif()
 foreach(program IN LISTS programs)
   cmake_path(GET program STEM name)
@@ -51,7 +51,8 @@ if(included MATCHES "/(eigen3|Eigen|boost|simbody|SimTKcommon|fmt|nlohmann|sundi
 endif()
 step(${CXX} -std=c++20 -O1 -mavx ${DOCS}/library_1.cpp -o ${shown}/by_pkg_config ${flags})
 step(${shown}/by_pkg_config ${WORK_DIR}/prefix/share/trivium/scenes/stewart_platform.json)
-# If a project is compiled for another processor than the library, it must not build, and a message must say why.
+# A program that uses the templates must not build with flags that change the layout or the arithmetic of the library's
+# types; the message must name the flag.
 function(is_refused_with flag said)
   set(build ${WORK_DIR}/refused${flag})
   step(${CMAKE_COMMAND} -S ${SOURCE_DIR}/cmake/consumer -B ${build} -G Ninja -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix

@@ -27,8 +27,9 @@ namespace trivium {
 ///
 ///     keys           presents each of its parts to a visitor (constraint_keys.hpp)
 ///     is_of_angle    true if Phi / scale measures an angle [rad], false if it measures a length [m]
-///     scale(t)       the largest change of Phi per metre of its points or per radian of its vectors, at
-///                    states where Phi = 0; Phi / scale is comparable between rows
+///     scale(t)       row of a length: |dPhi| per metre of motion of its points, where Phi = 0; row of
+///                    an angle: the largest |dPhi| per radian of rotation. Phi / scale is comparable
+///                    between rows
 ///     function       its function of time: f(t), or alpha(t) of TurningDP1
 ///     with_features  (on_i, on_j, t, use): returns use(x, y, f), its two features and f of Phi = x . y - f;
 ///                    on_i and on_j are bodies of any formulation (BodyKinematics)

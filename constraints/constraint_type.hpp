@@ -40,7 +40,8 @@ struct JointProperties {
   bool has_parallel_axes = false;
   /// The rows allow no relative rotation.
   bool allows_no_rotation = false;
-  /// The angle theta from u_i to u_j about z_i is free; a torsional spring can act on it.
+  /// The joint keeps the axis z, and the angle theta from u_i to u_j about z is free (revolute, cylindrical):
+  /// a torsional spring can act on it.
   bool has_an_angle = false;
   /// The joint has a parameter `distance` [m].
   bool states_a_distance = false;

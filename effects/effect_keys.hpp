@@ -7,7 +7,7 @@
 ///     body(key, index...)      the body on which a load acts
 ///     point(key, point...)     a point of a body (BodyPoint): an object with `body` and `point` in a file
 ///     joint(key, angle...)     the angle of a joint (JointAngle)
-///     need(key, value...)      a number, vector, function of time, three of these, or a frame
+///     need(key, value...)      a number, a vector, a function of time, three functions of time, or a frame
 ///     may(key, value...)       the same, but optional in a file
 ///     place(key, s_bar...), angle(key, angle...)
 ///                              a position [m] or an angle [rad], optional; values too small for the Scalar

@@ -1,6 +1,7 @@
 #pragma once
-/// A force with given components at a body-fixed point P. Only a force with constant global components has a
-/// potential, V = -F . r_P; any other force counts as nonconservative. The wrench on the body is
+/// A force with given components at a body-fixed point P. Only a force whose global components are plain
+/// numbers has a potential, V = -F . r_P; any other force counts as nonconservative. The wrench on the body
+/// is
 ///
 ///     F (global; A F_bar if given in the body frame),   n_bar = s_bar_P x A^T F
 
@@ -39,7 +40,7 @@ struct Force {
   Scalar power(const EffectView<Scalar>& view) const {
     return global_force(view).dot(view.motion[body].point_velocity(s_bar));
   }
-  /// -F . r_P [J] for a constant global force, otherwise 0.
+  /// -F . r_P [J] if the global components are plain numbers, otherwise 0.
   Scalar potential_energy(const EffectView<Scalar>& view) const {
     if (!is_conservative()) return Scalar(0);
     return -global_force(view).dot(view.motion[body].point(s_bar));

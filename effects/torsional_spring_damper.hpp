@@ -62,7 +62,8 @@ struct TorsionalSpringDamper {
     return angle.gradient(view);
   }
   /// |k| times 10 rad plus |c| times the sum of both angular velocities [N m]. 10 rad stands for |theta| +
-  /// |theta0|; a spring that is wound up by many revolutions has larger rounding errors than this scale.
+  /// |theta0| within one revolution, at most pi + 2 pi; a spring that is wound up by many revolutions has
+  /// larger rounding errors than this scale.
   Scalar tension_scale(const EffectView<Scalar>& view) const {
     using std::abs;
     return abs(stiffness) * Scalar(10) +

@@ -1,7 +1,7 @@
 #pragma once
 /// The definitions of the function templates of body_state.hpp and equations_of_motion.hpp. The library
-/// compiles them in instances/, for float to Real100. Include this file only for a Scalar without an
-/// instance, such as a Batch.
+/// compiles them in instances/, for float to Real100. Include this file for a Scalar without an instance,
+/// such as a Batch, and for your own formulations, constraints or effects.
 
 #include <fmt/format.h>
 

@@ -110,7 +110,8 @@ struct RP {
 
     /// The bias is a'' at x = 0: B(p', a_bar) p' - |p'|^2 B(p, a_bar) p, where the two terms cancel at a fast
     /// spin and leave a rounding error of u |omega|^2. Their sum for unit p is A tilde(omega_bar)^2 a_bar
-    /// with omega_bar = 2 G p'. This is the only term that is not taken from p and p' as printed.
+    /// with omega_bar = 2 G p'. Like the other reduced terms it is a closed form for unit p; in the printed
+    /// form only the bias would lose digits.
     BodyVector<S> vector(const Vector3<S>& a_bar) const {
       const Vector4<S> g = 2 * (G_matrix(this->p_dot).transpose() * a_bar);
       return {a_bar, this->A * a_bar, E_matrix(this->p) * g,

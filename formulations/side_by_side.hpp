@@ -97,8 +97,8 @@ struct SideBySide {
 };
 
 /// Solves a model as printed in the requested formulations. A formulation that fails has an entry with its
-/// error; a failure that concerns all formulations (singular mass without a constraint, an effect that is
-/// not defined at this state) throws a ModelError. With `judge`, the same model in the next precision,
+/// error. What concerns all formulations (a motion without inertia and rows, an effect that is not defined at
+/// this state) is an error of analyse_rows() already. With `judge`, the same model in the next precision,
 /// errors are estimated. Compiled in instances/ for float to Real50; for other formulations, constraints or
 /// effects include side_by_side_impl.hpp.
 template <class List = AllFormulations, class Scalar, class Types>

@@ -11,7 +11,8 @@
 namespace trivium::integrators {
 
 /// The method with given steps, or with steps that ErrorControl chooses; `order` is the method's. A step is
-/// at most `most_growth` times as long as the one before.
+/// at most `most_growth` times as long as the one before: BDF is unstable beyond its limit (bdf.hpp), and
+/// the weights of the estimate grow if its past states lie close together beside the step.
 template <class S, class M>
 std::unique_ptr<AnyMethod<S>> with_steps(const MethodRequest& request, int order, M method,
                                          double most_growth = 2) {

@@ -6,9 +6,9 @@
 ///     theta_n+1 = integral of T(theta)^-1 v,   v_n+1 = v_n + integral of v'
 ///
 /// with theta the displacement from q_n, T(theta)^-1 v its rate (displacement_rate), and v' solved from the
-/// equations of index 1. Of the velocities, only the part of the difference that the constraints admit
-/// counts. The steps may differ in length. The first steps, which have fewer states before them, are compared
-/// with formulas of lower order.
+/// equations of index 1. If the method has a filter (Newton::filter), only the part of the velocity
+/// difference that the constraints admit counts. The steps may differ in length. The first steps, which have
+/// fewer states before them, are compared with formulas of lower order.
 
 #include <algorithm>
 #include <utility>
@@ -51,8 +51,8 @@ class ErrorControl {
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
     if (past_.empty()) begin(system, t, y);
     past_.front().y = y;  // the end of the last step may have been projected since
-    // Growth by less than a fifth of the most is not worth the acceleration that generalised-alpha and HHT
-    // solve for where the length changes.
+    // Growth below (most_growth - 1) / 5 counts as none: where the length changes, generalised-alpha and HHT
+    // evaluate the accelerations once more. A fifth is chosen by experiment.
     const StepRule<S> rule{S(-1) / (order_ + 1), S(most_growth_), S(1) + S(most_growth_ - 1) / 5};
     take_chosen_step(
         system, step_size_, rule, counters_, t, y, stop,
@@ -141,8 +141,8 @@ class ErrorControl {
       of_q_ -= weights[k] * rate_;
       of_v_ -= weights[k] * point.v_dot;
     }
-    // With index 3 the velocities miss their rows by an amount that depends on h^2. Its change from a step to
-    // the next does not add up over the steps, and would not get smaller with this h.
+    // With index 3 the velocities miss their rows by c h^2. Between two steps this changes by
+    // c (h^2 - h_last^2), which does not accumulate: it is no error of the step.
     if constexpr (requires { method_.filter(system, of_v_); }) method_.filter(system, of_v_);
     system.position_sizes(start, sizes_);
     return in_tolerances<S>(tolerances_, sizes_, start.segment(nq, nv), end_.y.segment(nq, nv), of_q_, of_v_);
@@ -150,7 +150,7 @@ class ErrorControl {
 
   /// The error that decides about the size of the next step. Estimates with index 3 alternate between large
   /// and small, hence the larger of this error and that of the last step, as it would be with this h; but the
-  /// step is accepted by its own.
+  /// step is accepted by its own error.
   S with_last(const S& error, const S& h) {
     using std::pow;
     error_ = error;

@@ -181,7 +181,7 @@ TEST(MethodsAsTemplates, TakeTheModelItself) {
   EXPECT_LT(error_of_template(Rattle<Pendulum>(2), h), 1e-5);
 }
 
-/// Its displacement_rate has the wrong sign: corrections of the momentum balance double the residual.
+/// Its displacement_rate is always 0, so that no correction balances the momentum.
 struct PendulumWithAWrongRate : SphericalPendulum<double> {
   void displacement_rate(const StateVector<double>&, const StateVector<double>& velocity,
                          StateVector<double>& rate) const {
@@ -256,7 +256,7 @@ TEST(MethodsByName, InterpolateWhereTheMethodDoes) {
   EXPECT_EQ(y[0], 0.25);
 }
 
-/// Its equations fail more than 0.02 s behind the last accepted state.
+/// Its equations fail more than 0.02 s after the last accepted state.
 struct ShortSighted : SphericalPendulum<double> {
   double accepted = 0;
 

@@ -119,8 +119,8 @@ class StepSizeControl {
   bool lands_ = false, cut_ = false;        ///< whether the last try ends on `stop`; whether it is shortened
 };
 
-/// Throws an IntegrationError if y is not finite or so large that squares could overflow; t is the end of the
-/// step.
+/// Throws an IntegrationError if y is not finite or above 1e100, the largest number of a scene, where
+/// energies could overflow; t is the end of the step.
 template <class S>
 void require_finite(const StateVector<S>& y, const S& t) {
   if (!y.allFinite() || !(y.cwiseAbs().maxCoeff() < S(1e100)))

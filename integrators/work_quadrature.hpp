@@ -1,6 +1,6 @@
 #pragma once
-/// The work in generalised-alpha, HHT and each step of RATTLE's compositions, by the trapezoidal rule. The
-/// other methods integrate the work as one more element of y.
+/// The work in generalised-alpha, HHT and every step of RATTLE, also those of its compositions, by the
+/// trapezoidal rule. The other methods integrate the work as one more element of y.
 
 #include <utility>
 

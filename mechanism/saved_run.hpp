@@ -16,9 +16,12 @@ struct SavedRun {
   std::string formulation, integrator;  ///< names
   std::vector<std::string> charts;      ///< chart of each body; empty in formulations without charts
   std::vector<double> y;                ///< state vector of the integrator: positions, velocities and work
-  std::vector<double> fastest;  ///< largest speeds so far, (m/s, rad/s) for each group of connected bodies
-  std::vector<double> memory;   ///< data that the integrator keeps from step to step
-  double phi = 0, phi_dot = 0;  ///< constraint violation |Phi|, |Phi'| of the state [m or rad, per second]
+  /// Scales of speed so far, (m/s, rad/s) for each group of connected bodies: speeds that the bodies reached,
+  /// or that the loads could cause.
+  std::vector<double> fastest;
+  std::vector<double> memory;  ///< data that the integrator keeps from step to step
+  /// Largest violation of a row and of its derivative at the state [m or rad; m/s or rad/s].
+  double phi = 0, phi_dot = 0;
   /// The first run began with nearly dependent rows. These rows count as independent along the whole motion.
   bool began_singular = false;
   std::vector<double> angles;  ///< last counted joint angles [rad], in the order of the effects

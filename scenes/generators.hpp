@@ -24,9 +24,9 @@ Scene ladder(int n);
 /// The same seed gives the same tree.
 Scene tree(int n, std::uint64_t seed = 1);
 
-/// A closed ring: a regular polygon of n >= 3 bars on spherical joints, upright in the x-z plane. The first
-/// bar turns about the centre of the polygon on a revolute along y. All other bars also spin and leave the
-/// plane. The ring has 3 n + 5 rows, none redundant.
+/// A closed ring: a regular polygon of n >= 3 bars on spherical joints, upright in the x-z plane. The
+/// midpoint of the first bar is the origin, about which it turns on a revolute along y. All other bars also
+/// spin and leave the plane. The ring has 3 n + 5 rows, none redundant.
 Scene ring(int n);
 
 /// A wheel (10 kg, radius 1 m, upright axle) with n bars on revolutes around its rim, all turning: a scene

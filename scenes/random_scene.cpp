@@ -111,9 +111,9 @@ class Builder {
                                       JointType::universal,     JointType::fixed,    JointType::cylindrical,
                                       JointType::translational, JointType::planar,   JointType::in_line,
                                       JointType::in_plane,      JointType::distance};
-      // Append the types that are missing above. They stand last, so that the draws, which are indices into
-      // this list, keep the meaning of the order above. Drivers are not listed: they are added together with
-      // a revolute.
+      // Append the types that are missing above. A seed draws an index into this list: do not reorder it. A
+      // new type changes the scenes of all seeds. Drivers are not listed: they are added together with a
+      // revolute.
       for (const ConstraintShape& known : constraint_shapes()) {
         const bool is_fitted = known.type.is_basic() ? known.shape.find("f") != nullptr
                                                      : !properties_of(known.type).drives_an_angle;

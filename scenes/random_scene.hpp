@@ -25,7 +25,7 @@ struct RandomOptions {
 };
 
 /// The random scene of a seed. A seed gives the same scene on every platform, and in every version until a
-/// basic constraint is added to the list of types.
+/// type of constraint is added.
 RandomScene random_scene(std::uint64_t seed, const RandomOptions& options = {});
 
 }  // namespace trivium::scenes

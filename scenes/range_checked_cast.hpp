@@ -22,9 +22,10 @@
 
 namespace trivium {
 
-/// Casts the numbers of one part of a scene to Scalar. A number that would become infinite, or lose digits
-/// because it is subnormal in Scalar, throws a ModelError that names the part, the key and the number. If
-/// Scalar holds every double, the checks are compiled away.
+/// Casts the numbers of one part of a scene to Scalar. A number that overflows throws a ModelError that names
+/// the part, the key and the number. A number that underflows (to 0 or to a subnormal number of Scalar, which
+/// has fewer digits) also throws, but only where its magnitude matters; elsewhere it is rounded. If Scalar
+/// holds every double, the checks are compiled away.
 template <class Scalar>
 class RangeCheckedCast {
  public:
@@ -47,8 +48,8 @@ class RangeCheckedCast {
       if (overflows(x)) fail(x, key);
     return Scalar(x);
   }
-  /// Three doubles of a position or a velocity. A component that underflows is rounded to zero. This error,
-  /// 1e-38 in float, has no effect on the motion.
+  /// Three doubles of a position or a velocity. A component may underflow. This error, at most 1e-38 in
+  /// float, has no effect on the motion.
   template <class Three>
   Vector3<Scalar> place(const Three& v, std::string_view key) const {
     if constexpr (!holds_every_double)
@@ -56,8 +57,8 @@ class RangeCheckedCast {
         if (overflows(x)) fail(x, key);
     return {Scalar(v[0]), Scalar(v[1]), Scalar(v[2])};
   }
-  /// Three doubles whose common magnitude matters. A component that underflows is rounded to zero as long as
-  /// another component remains. If all nonzero components underflow, the vector would be lost and is refused.
+  /// Three doubles whose common magnitude matters. A component may underflow as long as another component
+  /// remains. If all nonzero components underflow, the vector would lose its digits and is refused.
   template <class Three>
   Vector3<Scalar> vector(const Three& v, std::string_view key) const {
     if constexpr (!holds_every_double) {

@@ -69,11 +69,13 @@ struct SimulationReport {
   double unaccounted_energy = 0;            ///< largest |change of energy - work| after any step [J]
   /// Sums of the errors of single steps, for methods of the orders 1 to 3 with given steps.
   std::optional<LocalErrorSums> local_errors = {};
-  double length = 0;           ///< bound of the distance of the mechanism's points from the global origin [m]
-  double fastest_energy = 0;   ///< kinetic energy of all bodies at the fastest speed of their components [J]
-  double largest_kinetic = 0;  ///< largest kinetic energy, to compare unaccounted_energy with [J]
+  double length = 0;  ///< bound of the distance of the mechanism's points from the global origin [m]
+  /// Sum of m v^2 / 2 over the bodies, v the fastest speed so far in the body's group of connected bodies
+  /// [J].
+  double fastest_energy = 0;
+  double largest_kinetic = 0;             ///< largest kinetic energy, to compare unaccounted_energy with [J]
   std::vector<SingularPassage> passages;  ///< singular positions that the motion passed, in time order
-  std::vector<std::string> narrow_rows;   ///< narrow_row_warnings at the start
+  std::vector<std::string> narrow_rows;   ///< warnings of rows near the rank tolerance at the start
   std::string near_singular_chart;  ///< if charts are kept: the first body near a singularity, and the time
   std::vector<Impulse<double>> impulses;  ///< jumps of velocities by kinks of drivers, in time order
   RunEnd end;

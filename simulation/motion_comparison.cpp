@@ -47,8 +47,9 @@ class Comparer {
            const ComparisonOptions& options)
       : formulations_(formulations), model_(model), options_(options), run_(options.run) {
     if (!run_.output_step) run_.output_step = (run_.end - model.state.t) / options.outputs;
-    // Progress in units of one run: the runs; those for the bound, neighbours, or with half the step one per
-    // formulation, which costs 2; and the states, which together count as one run per formulation.
+    // Progress in units of one run. Each formulation has its run, and its compared states count as another.
+    // The bound needs either the neighbouring starts or, with given steps, one run of half the step for each
+    // formulation, which counts as 2.
     const double runs = static_cast<double>(formulations.size());
     all_ = (run_.step ? 3 * runs : runs + neighbours) + runs;
   }
@@ -213,7 +214,7 @@ class Comparer {
             now.is_singular = true;
   }
 
-  /// Solves every formulation at the states of all others.
+  /// Solves every formulation at the states of all runs.
   void compare_states() {
     if (is_beyond_dense(model_.mechanism)) return;
     const std::size_t outputs = out_.instants.size(),

@@ -29,7 +29,7 @@ class MotionCsv {
   /// Adds a line. Returns false if this or an earlier line could not be written, as on a full disk.
   bool add(const MotionSample& sample);
   /// Replaces the file by the lines added so far. Throws std::runtime_error if that fails, or if a line could
-  /// not be written; the message says where the lines are that were.
+  /// not be written; the message says where the written lines are.
   void keep();
 
  private:

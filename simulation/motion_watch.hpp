@@ -29,8 +29,8 @@ namespace trivium {
 
 /// Follows one run. `watch` is called at every accepted state and enters constraint violations and energy
 /// into the report. `show` is called at every output: it does the same as `watch`, computes lambda and the
-/// joint reactions, and passes a sample to the observer. In double, `show` throws an IntegrationError if the
-/// motion has changed to another branch.
+/// joint reactions, and passes a sample to the observer. `show` throws an IntegrationError if the motion has
+/// changed to another branch, which is decided in double.
 template <Formulation F>
 class MotionWatch {
  public:

@@ -1,7 +1,7 @@
 #pragma once
 /// A start near that of a motion, for the measurement of how the motion amplifies small differences. Its
-/// distance is about a hundred tolerances. At this distance the errors of the runs do not matter yet, and the
-/// effect is still proportional to the distance. If no state can be projected at this distance, a smaller
+/// distance is about a hundred tolerances. It is large beside the errors of the runs, and small enough that
+/// the effect is proportional to the distance. If no state can be projected at this distance, a smaller
 /// distance is tried.
 
 #include "mechanism/model.hpp"

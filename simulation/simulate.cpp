@@ -35,8 +35,9 @@ void check_that_it_goes(const integrators::MethodInfo& method, const std::string
       method.name, formulation, fmt::join(accepted, ", ")));
 }
 
-/// The narrow rows of the start. A mechanism of more than 300 unknowns is not analysed, since this would cost
-/// more than a short motion, nor one that the dense analysis refuses.
+/// Warnings of rows that the rank tolerance only just keeps or leaves out at the start. A mechanism of more
+/// than 300 unknowns is not analysed, since this would cost more than a short motion, nor one that the dense
+/// analysis refuses.
 std::vector<std::string> narrow_rows_at(const Model<double>& model) {
   constexpr int most_unknowns = 300;
   if (6 * model.mechanism.nb() + model.mechanism.nc() > most_unknowns) return {};
@@ -59,8 +60,8 @@ SimulationReport simulate(const Model<Scalar>& model, const SimulationOptions& o
   if (std::is_same_v<Scalar, double> && model.mechanism.rank_tolerance < standard_rank_tolerance)
     throw integrators::UsageError(
         fmt::format("the rank tolerance is {:.3g}; accepted in simulations: {:.0e} to {:.0e}, since the "
-                    "linear-time solver "
-                    "computes with squares of the shares that it judges",
+                    "linear-time solver computes the square of a row's independent share, which rounding "
+                    "hides if it is smaller",
                     model.mechanism.rank_tolerance, standard_rank_tolerance, largest_rank_tolerance));
   SimulationReport report = with_formulation<Scalar>(
       options.formulation, [&]<Formulation F>() { return simulate_in<F>(model, options, observer); });

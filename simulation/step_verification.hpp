@@ -4,9 +4,9 @@
 ///
 ///     x_h - x_h/2 = (1 - 2^-p) C h^p,     |x_h - x_h/2| / |x_h/2 - x_h/4| = 2^p
 ///
-/// The first difference gives the error, the second one the observed order p. Where the observed order is not
-/// that of the method, the steps are too long for the expansion of the error, or too short for the digits of
-/// double, and the figure is not reliable.
+/// The first difference gives the error, the ratio of both the observed order p. Where the observed order is
+/// not that of the method, the steps are too long for the expansion of the error, or too short for the digits
+/// of double, and the figure is not reliable.
 
 #include <optional>
 #include <string>
@@ -21,7 +21,7 @@ struct ErrorByHalving {
   std::string quantity, unit;
   double error = 0;  ///< estimated error of the motion with step h [unit]
   double t = 0;      ///< of the output with the largest error [s]
-  /// The order observed there; none if the differences are rounding errors, and the error is below them.
+  /// The order observed there; none if the differences are rounding errors, which hide it.
   std::optional<double> order = {};
   int expected_order = 0;  ///< of the method
 

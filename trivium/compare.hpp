@@ -57,8 +57,8 @@ struct ComparedOutput {
   double lambda_bound = 0;       ///< bound of lambda_difference [-]
   /// Largest relative change of lambda up to this output that a neighbouring start of the first formulation
   /// causes, divided by the distance of that start [-]; at least 1, and 1 with given steps. The distance is
-  /// the largest difference of a body's position, orientation, velocity or angular velocity, relative to the
-  /// length and the speed of the mechanism.
+  /// the largest of four differences: of positions relative to the length of the mechanism, of orientations
+  /// [rad], of velocities and angular velocities relative to the largest ones.
   double amplification = 1;
   double position_difference = 0;  ///< distance of centres of mass [m]
   double rotation_difference = 0;  ///< 4 sin(theta / 4) [rad], nearly theta, the angle between orientations

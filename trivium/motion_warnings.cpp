@@ -18,7 +18,7 @@ namespace {
 bool loses_energy(const SimulationReport& report) {
   const double energies =
       std::max({std::abs(report.energy_start), std::abs(report.energy_end), std::abs(report.work),
-                report.fastest_energy});  // a mechanism that is locked has rounding errors alone
+                report.fastest_energy});  // the scale of rounding where all energies are 0
   return energy_is_lost(report.unaccounted_energy, report.largest_kinetic, energies);
 }
 
@@ -39,7 +39,7 @@ std::vector<std::string> warnings_of(const SimulationReport& report) {
   if (report.local_errors && !(report.local_errors->position <= visible * report.length))
     out.push_back(fmt::format(
         "the local errors of the steps add up to {:.1e} m, with a mechanism of {:.1e} m: the motion is "
-        "not accurate, also if its energy is; take smaller steps, and see --verify",
+        "not accurate, even if its energy is conserved; take smaller steps, or check with --verify",
         report.local_errors->position, report.length));
   if (loses_energy(report))
     out.push_back(

@@ -122,8 +122,9 @@ class Scene {
   Scene& add_effect(std::string_view type, Keys keys = {});
 
   /// Sets the rank tolerance [-], 1e-14 to 1e-4: a constraint row follows from the others if less than this
-  /// share of its gradient is independent of them (docs/redundant_constraints.md). The default is 1e-8. Files
-  /// do not have it. Throws an Error of kind input for another number.
+  /// share of its gradient is independent of them (docs/redundant_constraints.md). The default is 1e-8,
+  /// which is also the least that motions accept. Files do not have it. Throws an Error of kind input for
+  /// another number.
   Scene& set_rank_tolerance(double tolerance);
 
   /// Time of the state [s]. Throws an Error of kind input if the scene is wrong.

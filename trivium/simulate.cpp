@@ -39,7 +39,9 @@ void check_settings(const SimulateSettings& s) {
   if (!s.baumgarte) return;
   for (const double x : *s.baumgarte)
     require(x >= 0 && std::isfinite(x), "baumgarte", x, "finite numbers not below 0");
-  require(s.projects, "projects", 0, "true together with baumgarte, which replaces the projection");
+  if (!s.projects)
+    throw Error(ErrorKind::input,
+                "projects: found false; accepted: true, since baumgarte already replaces the projection");
 }
 
 }  // namespace

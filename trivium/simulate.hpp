@@ -23,7 +23,8 @@ struct SimulateSettings {
   std::optional<double> output_step = {};  ///< time between outputs [s]; none: outputs at start and end
   /// Relative tolerance of chosen steps [-]. The error of a step in a number x of the state vector
   /// (positions, rotational coordinates and velocities of the formulation, in SI units) is measured in units
-  /// of atol + rtol |x|. Radau has other sizes |x| for positions (docs/simulating.md). How the errors of all
+  /// of atol + rtol |x|. Implicit methods of the library, hem4 and rattle have other sizes |x| for
+  /// positions (docs/simulating.md). How the errors of all
   /// numbers are combined depends on the method.
   double rtol = 1e-8;
   double atol = 1e-10;  ///< absolute tolerance of chosen steps, as in rtol [the unit of x]
@@ -31,8 +32,10 @@ struct SimulateSettings {
   /// arkode-dirk 2 to 5, default 5.
   std::optional<int> order = {};
   /// Spectral radius at infinity of generalized-alpha and generalized-alpha-gl2, 0 to 1, default 0.8 [-].
+  /// generalized-alpha with chosen steps takes at most 0.95.
   std::optional<double> rho = {};
-  std::optional<double> alpha = {};  ///< parameter of hht, -1/3 to 0, default -0.2 [-]
+  /// Parameter of hht, -1/3 to 0, default -0.2; with chosen steps at most -0.05 [-].
+  std::optional<double> alpha = {};
   /// Implicit methods except those of SUNDIALS: factor Newton's matrix in every iteration, instead of about
   /// once per step.
   bool full_newton = false;
@@ -66,10 +69,9 @@ struct Output : Instant {
   double phi_dot = 0;  ///< largest |Phi'| of a row, divided by the scale of the row [m/s or rad/s]
 };
 
-/// Called at every output, with the state there; false ends the run. CVODE, IDA and
-/// rattle with tolerances step over outputs: the run then ends at the end of the present step, and the
-/// observer is called there once more, as it is where at_step ends the run. Its exceptions pass through
-/// simulate().
+/// Called at every output, with the state there; false ends the run. If the output lies within a step (CVODE,
+/// IDA, rattle with tolerances), the run ends at the end of this step. The observer is called there once
+/// more, also if at_step ends the run. Its exceptions pass through simulate().
 using Observer = std::function<bool(const Output&)>;
 
 /// A sudden change of velocities at time t: the function of time of a driver has a kink there, so that the

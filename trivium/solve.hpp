@@ -49,9 +49,11 @@ struct Check {
   /// unit of Phi: kg for rows in m (cd, dp2 of a unit vector), kg m^2 for dp1 of unit vectors, kg/m^2 for d.
   /// Empty if the structured solver does not compute the weights.
   std::vector<double> mu;
-  std::vector<std::string> contradictory;       ///< dependent rows that contradict those on which they depend
-  std::vector<std::string> warnings;            ///< rows for which the rank tolerance decides narrowly
-  std::vector<std::string> wrong_branches;      ///< joints on a wrong branch (antiparallel axes), and why
+  std::vector<std::string> contradictory;  ///< dependent rows that contradict those on which they depend
+  std::vector<std::string> warnings;       ///< rows for which the rank tolerance decides narrowly
+  /// Joints on a wrong branch (antiparallel axes, opposite x axes, an angle half a turn from the driven one),
+  /// and why.
+  std::vector<std::string> wrong_branches;
   std::vector<std::string> unphysical_inertia;  ///< bodies that declare an unphysical inertia
   /// Whether the state satisfies its constraints. Every position_violation must be at most 1e-8 times the
   /// length of the mechanism; for rows of angles, 1e-8 rad. Every velocity_violation must be at most 1e-8

@@ -20,8 +20,8 @@ namespace trivium {
 namespace {
 
 /// Estimated relative errors and residuals above 1e-6 give a warning: fewer than six digits are then certain.
-/// A residual is allowed 1e6 u as well: in float (u = 6e-8) rounding alone exceeds 1e-6. Related constant:
-/// warn_above in motion_warnings.cpp.
+/// A residual is also accepted up to 1e6 u: in float (u = 6e-8) rounding alone exceeds 1e-6, and a wrong
+/// matrix leaves residuals near 1. Related constant: warn_above in motion_warnings.cpp.
 constexpr double warn_above = 1e-6, rounding_units = 1e6;
 
 void refuse(const std::string& source, const Model<double>& model, const Consistency& consistency,
@@ -56,7 +56,7 @@ void require_consistent(const std::string& source, const Model<double>& model,
   if (consistency.holds()) return;
   // The saved violations are measured with other row scales than those here, hence a factor of 10. The floor
   // 1e-12 is the rounding of violations that are zero. A body that was moved by hand within that margin is
-  // found later: the run compares its saved y with the bodies.
+  // found later: simulate() compares the saved state vector y with the bodies.
   constexpr double measures = 10, floor = 1e-12;
   if (!saved || saved->formulation != formulation) return require_consistent(source, model, saved);
   const bool is_as_left = consistency.wrong_branches.empty() &&

@@ -1,5 +1,5 @@
 /// Two runs in two threads of one process do not disturb each other: each gives the same numbers as it does
-/// alone. Built with the thread sanitizer, the program also ends at the first data race.
+/// alone. Built with the thread sanitizer, the program also fails if there was a data race.
 
 #include <cstdio>
 #include <functional>

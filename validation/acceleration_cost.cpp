@@ -1,8 +1,8 @@
 /// Question: what does one evaluation of the accelerations with all constraint forces cost, and how accurate
-/// is it? The structured solver in every formulation, other engines and general sparse solvers are timed in
-/// one run, in random order. The ratios of the times are meaningful; the microseconds depend on the machine.
-/// The program fails if a Trivium solver fails on a scene, or if a refined solution differs by more than 1e-9
-/// from the solution in quad.
+/// is it? The structured solver in the timed formulations, other engines and general sparse solvers are timed
+/// in one run, in random order. The ratios of the times are meaningful; the microseconds depend on the
+/// machine. The program fails if a Trivium solver fails on a scene, or if a refined solution differs by more
+/// than 1e-9 from the solution in quad.
 
 #include <fmt/format.h>
 
@@ -52,7 +52,7 @@ std::string notes(const std::vector<Measurement>& rows) {
 }
 
 std::string table(const std::vector<Measurement>& rows) {
-  Table table({"engine", "formulation", "us", "us/body", "ratio", "error", "lambda error", "kB"});
+  Table table({"engine", "formulation", "us", "us/body", "ratio", "error", "lambda error", "KiB"});
   for (const Measurement& row : rows)
     table.add({row.engine, refined_formulation(row), row.failed ? "fails" : shown(row.microseconds, "{:.3g}"),
                row.microseconds ? fmt::format("{:.3g}", row.microseconds_per_body()) : "-",
@@ -125,7 +125,7 @@ std::string json(const std::vector<Measurement>& rows, bool passed) {
 class Run {
  public:
   Run(const Program& program, const Options& options) : program_(program), options_(options) {
-    if (options.quick) timing_ = {0.01, 5};
+    if (options.quick) timing_ = {0.01, 5};  // too short for figures, long enough to run every path
   }
 
   int operator()() {
@@ -142,6 +142,7 @@ class Run {
       progress.step();
     }
     if (with_ensemble) {
+      // many portions (ensemble.hpp) for the median of their times
       take(
           "ensemble", [&] { return measure_ensemble(options_.quick ? 40000 : 1000000); }, ensemble_table);
       progress.step();

@@ -1,4 +1,5 @@
-/// The catalogue by every method in every formulation: no run ends but those that docs/limits.md names.
+/// Every method runs the catalogue to the end in r-omega, r-p and r-epsilon, except in the cases of
+/// docs/limits.md.
 
 #include <cmath>
 #include <filesystem>
@@ -13,7 +14,7 @@ namespace {
 using test::catalogue_scene, test::Motion, test::stepping, test::tight;
 
 /// The cosine driver of this scene passes a dead point at 0.25 s; docs/limits.md says which methods end
-/// there.
+/// there with an error.
 bool is_a_known_end(const std::string& scene, const Error& error) {
   return scene == "uwsbel_slider_crank" && error.when() && std::abs(*error.when() - 0.25) < 1e-3;
 }

@@ -1,5 +1,5 @@
-/// Mechanisms that their constraints lock, and mechanisms that share nothing: scales of speed and energy are
-/// those of each connected component, and have a floor from its loads.
+/// Locked mechanisms, and unconnected mechanisms in one scene. Each connected component has its own scales of
+/// speed and energy; its loads set their lower limits.
 
 #include <cmath>
 #include <random>
@@ -55,7 +55,7 @@ TEST(Locked, PinsNearlyInOneLineHoldTheBodyIfTheRankToleranceSaysSo) {
   }
 }
 
-/// A lever that a hinge and a row of a direction hold at rest, up to rounding of its velocity.
+/// A lever that a hinge and a row cd hold at rest, up to rounding of its velocity.
 Scene held_lever() {
   Scene scene;
   scene.name = "lever";

@@ -43,7 +43,7 @@ TEST_P(LowOrder, ErrorsAddUpToTheToleranceTimesTheNumberOfSteps) {
       for (const double rtol : {1e-4, 1e-6}) {
         const Motion motion(scene, tight(formulation, method, c.end, rtol));
         const double steps = static_cast<double>(motion.report.counters.steps);
-        // a factor 5 for what the motion enlarges errors
+        // factor 5: the motion amplifies errors
         EXPECT_LE(apart(motion, exact), 5 * rtol * steps) << c.scene << " " << formulation << " " << rtol;
       }
   }
@@ -56,7 +56,8 @@ INSTANTIATE_TEST_SUITE_P(Methods, LowOrder, testing::ValuesIn(methods_of_low_ord
                            return name;
                          });
 
-// The rows of a driven mechanism admit no motion but one: all errors are along the rows.
+// The rows of a driven mechanism determine its motion: all errors lie in the span of the rows' gradients, and
+// must limit the steps all the same.
 TEST(LowOrder, StepsOfADrivenMechanismFollowTheTolerance) {
   const scenes::Scene scene = catalogue_scene("driven_crank");
   for (const integrators::MethodInfo& method : methods_of_low_order()) {

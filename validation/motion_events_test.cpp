@@ -34,7 +34,7 @@ TEST_P(InEveryFormulation, ADriverWhoseSpeedJumpsStrikesWithAnImpulse) {
   EXPECT_LE(struck.report.unaccounted_energy, 1e-10);
 }
 
-/// A two-link arm whose end a row of distance drives away from the base, as far as it reaches at t = 2.
+/// A two-link arm. A driven row d moves its end away from the base; at t = 2 the arm is stretched.
 scenes::Scene reaching_arm() {
   const scenes::Vector3 z{0, 0, 1};
   scenes::Scene scene;

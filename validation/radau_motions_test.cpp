@@ -57,7 +57,7 @@ TEST_P(Implicit, RadauIsAsAccurateFarFromTheOrigin) {
   }
 }
 
-// Newton's matrix of the start of a stage serves for the whole iteration, also where masses differ much.
+// The Newton matrix of a stage's first iterate serves for the whole iteration, also where masses differ much.
 TEST_P(Implicit, RadauErrsByAFewTolerancesHoweverMassesDiffer) {
   const scenes::Vector3 z{0, 0, 1};
   for (const auto& [upper, lower] : {std::pair(1e6, 1.0), {1.0, 1e6}, {1e6, 1e-6}, {1e-6, 1e6}}) {
@@ -85,8 +85,8 @@ TEST_P(Implicit, RadauKeepsEulerParametersUnit) {
   }
 }
 
-// The platform's dampers enter the matrices of the stages, from which the shifts are computed. The order must
-// be kept.
+// The platform's dampers enter the Newton matrices of the stages, which also give the extra motions sigma_i
+// (radau_stages.hpp). The methods must keep their order.
 TEST_P(Implicit, RadauIsOfItsOrderWhereDampersAre) {
   const scenes::Scene scene = catalogue_scene("stewart_platform");
   const auto errors = [&](const Motion& motion, const Motion& exact) {

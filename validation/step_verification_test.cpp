@@ -1,4 +1,4 @@
-/// The figures of `simulate --verify` against motions at tight tolerances.
+/// The error estimates of `simulate --verify`, compared with the true errors.
 
 #include "simulation/step_verification.hpp"
 
@@ -73,7 +73,7 @@ TEST(VerifiedSteps, OfARunThatGoesOnAreReliableToo) {
   simulate(rest, options, samples);
   for (const ErrorByHalving& error : verify_steps(rest, options, samples.all)) {
     if (error.quantity == "lambda")
-      continue;  // its first values are those of the beginning, with one order less
+      continue;  // after a restart the raw lambda of the first steps has one order less
     EXPECT_TRUE(error.is_reliable()) << error.quantity << " " << *error.order;
   }
 }

@@ -1,6 +1,6 @@
-/// Question: what does accuracy cost in time? The same motions are computed by every method in every
-/// formulation and by Simbody's own integrators, at tolerances from loose to tight. Errors refer to one
-/// reference solution. CPU times are measured in separate runs, in random order; only their ratios are
+/// Question: what does accuracy cost in time? The same motions are computed by every method in the
+/// timed formulations and by Simbody's own integrators, at tolerances from loose to tight. Errors refer to
+/// one reference solution. CPU times are measured in separate runs, in random order; only their ratios are
 /// meaningful. The program fails only if a scene has no reference.
 
 #include <fmt/format.h>
@@ -18,7 +18,8 @@ namespace trivium::precision {
 
 namespace {
 
-/// Lengths of the runs [s]; 1 s for other scenes. The run of the four-bars ends before they lie flat.
+/// Lengths of the runs [s]; 1 s for other scenes. Some periods of each motion, so that errors grow visibly;
+/// the run of the four-bars ends before they lie flat.
 const std::map<std::string, double> lengths{
     {"two_bars", 10}, {"a01_pendulum", 10},    {"n_four_bar_2", 0.6},  {"andrews_squeezer", 0.05},
     {"bricard", 5},   {"flyball_governor", 1}, {"stewart_platform", 2}};
@@ -165,9 +166,9 @@ int main(int argc, char** argv) {
   Program program("What does accuracy cost in time? SCENE may also be two_bars, a double pendulum in space.",
                   "work_precision", "two_bars, IFToMM A01 to A05 and the Stewart platform");
   precision::Options options;
-  program.options().add_flag(
-      "--quick", &options.quick,
-      "Two tolerances and one step for every method; the Simbody methods of order 1 and 2 are left out");
+  program.options().add_flag("--quick", &options.quick,
+                             "At most two tolerances, or one step size, for each method; Simbody's methods "
+                             "of order 1 and 2 are left out");
   program.options()
       .add_option("--repetitions", &options.repetitions, "Number of repetitions of every timed run")
       .between(1, 1000)

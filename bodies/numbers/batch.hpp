@@ -1,6 +1,6 @@
 #pragma once
 /// `Batch<T, N>`: a scalar type that holds N numbers of type T, its lanes. Code over Batch computes N states
-/// of one scene at once, with the vector instructions of the processor.
+/// at once, of one mechanism or of N mechanisms of equal structure, with the processor's vector instructions.
 
 #include <Eigen/Core>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 /// The twelve body-fixed sequences of Euler angles, A = R_s1(a) R_s2(b) R_s3(c), as run-time data. A sequence
-/// is singular where its middle angle makes the first and the third axis parallel. euler_chart_choice.hpp
-/// chooses the sequence of each body.
+/// is singular where its middle angle makes the first and the third axis parallel. The caller sets the
+/// sequence (ChartOptions); euler_chart_choice.hpp chooses the constant rotation C of each body's chart.
 
 #include <array>
 #include <optional>

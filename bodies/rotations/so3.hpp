@@ -6,7 +6,7 @@
 ///
 /// A maps body components (with a bar) to global components. Haug, Computer Aided Kinematics and Dynamics
 /// (1989), chapter 9. Two conventions are fixed here: euler_parameters returns, of p and -p, the one whose
-/// largest component is positive; rotation_vector returns a vector with |phi| <= pi.
+/// component of largest magnitude is positive; rotation_vector returns a vector with |phi| <= pi.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -50,8 +50,8 @@ bool has_the_same_motion(const Model<double>& model, const std::string& method, 
   return difference <= tolerance;
 }
 
-/// The motions agree to rounding: in every formulation the integrators advance the rotation itself, not its
-/// coordinates.
+/// The motions agree to rounding: in a WholeFormulation, as in r-omega, the integrators advance the rotation
+/// (p, omega_bar) and not the coordinates phi.
 bool moves(const Model<double>& model) {
   return has_the_same_motion(model, "dopri5", {}, 1e-12) && has_the_same_motion(model, "radau5", {}, 1e-12) &&
          has_the_same_motion(model, "generalized-alpha", 1e-3, 1e-12);

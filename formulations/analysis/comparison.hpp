@@ -21,10 +21,11 @@ inline double lambda_bound(double u, double kappa) { return bound_factor * u * k
 
 /// A difference of two solutions and the magnitudes that make it relative, all in one norm.
 struct Comparison {
-  /// The difference, the sizes of the two solutions, and reference_size: the size of the solution
-  /// if the terms of the right side are replaced by their magnitudes, |E^-1 b| for lambda.
+  /// The difference, the sizes of the two solutions, and reference_size: the size of the solution with |Q|
+  /// and |gamma| on the right side, |E^-1 b| for lambda.
   double difference = 0, size_1 = 0, size_2 = 0, reference_size = 0;
-  double size_uncancelled = 0;  ///< reference_size with every term by magnitude; 0: not known
+  double size_uncancelled = 0;  ///< reference_size with every term of Q, gamma and Phi by magnitude,
+                                ///< |E^-1 B| (docs/lambda.md); 0: not known
 
   /// The difference relative to the largest of size_1, size_2 and reference_size.
   double relative() const { return over(std::max({size_1, size_2, reference_size})); }
@@ -67,8 +68,8 @@ template <class Scalar>
 AccelerationComparison compare_accelerations(const RowAnalysis& rows, const PhysicalSolution<Scalar>& a,
                                              const PhysicalSolution<Scalar>& b);
 
-/// Differences of accelerations [-], relative to the largest of the two solutions and of the accelerations
-/// that belong to the magnitudes of Q and gamma.
+/// Differences of accelerations [-], relative to the largest of the two solutions and of acceleration_bound
+/// (row_norms.hpp).
 struct AccelerationDistance {
   double all = 0, r_ddot = 0, omega_bar_dot = 0;
 };

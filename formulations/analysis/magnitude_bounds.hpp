@@ -1,7 +1,8 @@
 #pragma once
-/// Bounds of Q, gamma and the row gradients of a tangent system. Every term of a bound enters by its
-/// magnitude, so that nothing cancels. The bounds give the scale of a lambda that is a small difference of
-/// large terms. The bounds of rows come from their features, the bounds of effects from add_load_bounds.
+/// Bounds of Q, gamma and the row gradients of a tangent system. Terms of a bound enter
+/// by their magnitudes, so that they do not cancel. The bounds give the scale of a lambda that is a small
+/// difference of large terms. The bounds of rows come from their features. Wrenches of effects are added with
+/// their signs, and then the terms of effects that have add_load_bounds by magnitude.
 
 #include <cmath>
 #include <vector>

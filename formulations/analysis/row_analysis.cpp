@@ -79,8 +79,8 @@ struct ScaledJacobian {
 
 /// Chooses the dependent rows from the null basis Z: as far as possible the last rows of the file, such that
 /// their rows of Z stay well conditioned. The remainder of a row of Z, orthogonal to the rows already chosen,
-/// must exceed a share of the row's norm (null_space_share). It must also exceed a tenth of this share
-/// itself, because a row of small norm makes the chosen rows badly conditioned even if it is orthogonal to
+/// must exceed a share of the row's norm (null_space_share). Its norm must also exceed a tenth of this
+/// share, because a row of small norm makes the chosen rows badly conditioned even if it is orthogonal to
 /// them. The norms are at most 1, since Z has orthonormal columns. The tenth is chosen by experiment: a
 /// smaller factor costs digits of the multipliers, a larger one passes over more of the last rows.
 std::vector<int> choose_dependent(const MatrixX<double>& Z) {
@@ -91,6 +91,7 @@ std::vector<int> choose_dependent(const MatrixX<double>& Z) {
     MatrixX<double> basis(d, 0);
     for (Eigen::Index k = Z.rows() - 1; k >= 0 && static_cast<Eigen::Index>(chosen.size()) < d; --k) {
       VectorX<double> rest = Z.row(k).transpose();
+      // the second pass removes the rounding errors of the first
       for (int pass = 0; pass < 2; ++pass) rest -= basis * (basis.transpose() * rest);
       const double size = rest.norm();
       if (size <= threshold * Z.row(k).norm() || size <= 0.1 * threshold) continue;
@@ -115,10 +116,12 @@ void decide_rank(const ScaledJacobian& scaled, double rank_tolerance, RowAnalysi
   qr.compute(scaled.Phi.transpose());
   const int rank = static_cast<int>(qr.rank()), defect = nc - rank;
   out.rank = rank;
-  constexpr double decades = 100;
+  // two decades: the verdict on a share this close can change if the points of the row gain or lose two
+  // digits
+  constexpr double margin = 100;
   for (int k = 0; k < std::min<int>(nc, static_cast<int>(scaled.Phi.cols())); ++k) {
     const double share = std::abs(qr.matrixR()(k, k)) / qr.maxPivot();
-    if (share > rank_tolerance / decades && share < rank_tolerance * decades)
+    if (share > rank_tolerance / margin && share < rank_tolerance * margin)
       out.narrow.push_back({static_cast<int>(qr.colsPermutation().indices()[k]), share, rank_tolerance});
   }
 

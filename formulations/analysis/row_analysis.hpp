@@ -14,8 +14,9 @@
 
 namespace trivium {
 
-/// A row for which the rank tolerance decides narrowly: `share` of its scaled gradient is independent of the
-/// rows that count before it, which is within two decades of the tolerance.
+/// A row near the rank tolerance. `share` [-] is the pivot of the row in the QR factorisation of the scaled
+/// Jacobian, relative to the largest pivot: the part of the row's gradient that is independent of the rows
+/// eliminated before it. It is within a factor 100 of the tolerance.
 struct NarrowRow {
   int row = 0;
   double share = 0, tolerance = standard_rank_tolerance;
@@ -26,14 +27,14 @@ struct NarrowRow {
 struct RowAnalysis : RowNorms {
   int rank = 0;
   std::vector<int> independent, dependent;  ///< a dependent row is a combination of independent rows
-  std::vector<bool> unique;                 ///< lambda_k is unique: row k of null_basis is zero
+  std::vector<bool> unique;  ///< lambda_k is unique: row k has a gradient, and row k of null_basis is 0
   /// Basis N of the null space of Phi^T, one column per dependent row with a gradient: Phi^T N = 0, E N has
   /// orthonormal columns. lambda is determined up to N y. The multiplier of a row without a gradient has no
   /// effect and is 0.
   MatrixX<double> null_basis;
   /// [rank x 6 nb] Maps a generalized force w to the coefficients c of the independent rows for which
-  /// |Phi_independent^T c - w| is smallest. This norm is in the geometric scaling (rank_tolerance.hpp):
-  /// moments are divided by the mean lever. Empty if no row is dependent.
+  /// |Phi_independent^T c - w| is smallest. This norm is in the geometric scaling
+  /// (mechanism/rank_tolerance.hpp): moments are divided by the mean lever. Empty if no row is dependent.
   MatrixX<double> combination;
   /// Dependent rows whose right side contradicts the rows that they are a combination of: no acceleration
   /// satisfies them all.
@@ -62,8 +63,8 @@ template <class Types>
 RowAnalysis analyse_rows(const Model<double, Types>& model);
 
 /// The size of the part of a row's gradient that the other rows leave free, with rotations in metres by the
-/// geometric scaling (rank_tolerance.hpp) [unit of the row per m]. It falls to 0 where the row becomes
-/// dependent, as that of a driver does at a dead point or at the end of its reach.
+/// geometric scaling (mechanism/rank_tolerance.hpp) [unit of the row per m]. It falls to 0 where the row
+/// becomes dependent, as that of a driver does at a dead point or at the end of its reach.
 double free_gradient(const TangentSystem& system, int row);
 
 }  // namespace trivium

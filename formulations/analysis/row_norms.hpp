@@ -8,18 +8,20 @@ namespace trivium {
 
 /// Weights and magnitudes at one state; nc rows, nb bodies. M stands for the metric of MassMetric.
 struct RowNorms {
-  /// diag(S)^(1/2), S = Phi M^-1 Phi^T: |E lambda| does not depend on units or on the scale of a row.
+  /// diag(S)^(1/2), S = Phi_q M^-1 Phi_q^T: |E lambda| does not depend on units or on the scale of a row.
   VectorX<double> E;
   VectorX<double> mu;  ///< weights of the rows in a metric for singular M (MassMetric)
 
-  /// b = |Phi| |M^-1 |Q|| + |gamma|, with absolute values of every component: the size of the right side Phi
-  /// M^-1 Q - gamma of S lambda if the terms do not cancel. At least cancellation_floor times
+  /// b = |Phi_q| |M^-1 |Q|| + |gamma|, with absolute values of every component: the size of the right side
+  /// Phi_q M^-1 Q - gamma of S lambda if the terms do not cancel. At least cancellation_floor times
   /// schur_rhs_bound_uncancelled, if that is known.
   VectorX<double> schur_rhs_bound;
   /// b with every term of Q, gamma and Phi by magnitude (magnitude_bounds.hpp); empty if not known.
   VectorX<double> schur_rhs_bound_uncancelled;
   VectorX<double> acceleration_scale;  ///< square root of the metric's diagonal [6 nb]
-  double acceleration_bound = 0;  ///< norm of the accelerations that belong to the magnitudes of Q and gamma
+  /// |L^-1 Q| + |E^-1 gamma| in the metric L L^T: the size of the accelerations that Q and gamma cause. At
+  /// least cancellation_floor times the same from the magnitudes of their terms.
+  double acceleration_bound = 0;
 };
 
 /// Least ratio of b to schur_rhs_bound_uncancelled. Smaller b are raised to it. If all terms of b cancel, the

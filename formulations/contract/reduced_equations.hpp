@@ -13,7 +13,7 @@ namespace trivium {
 
 /// What a formulation F must have for the structured solver, in addition to the printed equations. F::Reduced
 /// is the kinematics of a body in the unknowns x: F::Kinematics itself, or a type that is derived from it and
-/// is made by Reduced{kinematics}. The functions that take a Kinematics receive it too.
+/// is made by Reduced{kinematics}. Functions with a parameter Kinematics are also called with a Reduced.
 template <class F>
 concept ReducedEquations = BodyKinematics<typename F::Reduced> && F::Reduced::rotational_unknowns == 3 &&
                            requires(const Vector3<typename F::Scalar>& v,

@@ -1,6 +1,7 @@
 #pragma once
 /// The definitions of augmented_solver.hpp, compiled in instances/ for float to Real50, and in Real100 the
-/// equations alone. Include this file only for a Scalar without an instance.
+/// equations alone. Include this file for a Scalar without an instance, and for your own formulations,
+/// constraints or effects.
 
 #include "base/error.hpp"
 #include "formulations/printed/augmented_solver.hpp"

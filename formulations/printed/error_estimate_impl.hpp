@@ -1,6 +1,6 @@
 #pragma once
-/// The definitions of error_estimate.hpp, compiled in instances/ for float to Real50. Include this file only
-/// for a Scalar without an instance.
+/// The definitions of error_estimate.hpp, compiled in instances/ for float to Real50. Include this file
+/// for a Scalar without an instance, and for your own formulations, constraints or effects.
 
 #include <algorithm>
 

@@ -21,7 +21,7 @@ class RedundantMultipliers {
  public:
   using Equations = EquationsOfMotion<ROmega<Scalar>>;
 
-  /// For mechanisms where all multipliers are unique.
+  /// For mechanisms in which all rows with a gradient are independent.
   RedundantMultipliers() = default;
   RedundantMultipliers(const Equations& eom, const RowAnalysis& rows);
 

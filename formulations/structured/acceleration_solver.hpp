@@ -1,16 +1,18 @@
 #pragma once
 /// Accelerations and multipliers of one formulation in O(nb). The augmented system, with the normalisation
 /// rows eliminated in closed form, is assembled joint by joint (graph_assembly.hpp) and solved along the
-/// graph of bodies and joints (graph_solver.hpp). One object serves one mechanism. Its plan is made once, and
-/// a solution at another state allocates nothing.
+/// graph of bodies and joints (graph_solver.hpp). One object serves one mechanism. Its plan is made once. A
+/// solution at another state allocates nothing, unless candidates (see below) are examined for the first time
+/// or more rows than before are put back.
 ///
 /// The elimination leaves out the rows whose pivots are small, the candidates: their multiplier is 0. A
 /// candidate may still be independent, by a small sine. If there is a reason, the candidates are examined,
 /// and the independent ones are put back. The other candidates are the dependent rows
 /// (docs/linear_time_solver.md).
 ///
-/// The library has every formulation in double and Quad (instances/). For another Scalar include
-/// acceleration_solver_impl.hpp and graph_solver_impl.hpp.
+/// The library has every formulation in double and Quad (instances/). For another Scalar, and
+/// for your own formulations, constraints or effects, include acceleration_solver_impl.hpp and
+/// graph_solver_impl.hpp.
 
 #include <algorithm>
 #include <optional>
@@ -111,9 +113,11 @@ class AccelerationSolver {
   /// The number of independent rows.
   int rank() { return mechanism_.nc() - static_cast<int>(dependent_rows().size()); }
 
-  // on demand: these cost one solution per dependent row and allocate memory
+  // on demand: these cost one solution per dependent row, unique() one factorisation besides, and allocate
+  // memory
 
-  /// By row, whether its multiplier is unique: its component is 0 in every null space vector of Phi_q^T.
+  /// By row, whether its multiplier is unique: the row has a gradient, and its component is 0 in every null
+  /// space vector of Phi_q^T.
   std::vector<bool> unique();
   /// The lambda of minimum |E lambda| among all with the same Phi_q^T lambda, where E = diag(Phi_q M^-1
   /// Phi_q^T)^(1/2). If there are dependent rows and an inertia is singular, throws a ModelError that names

@@ -1,7 +1,8 @@
 #pragma once
-/// The complete definition of AccelerationSolver, for instances in a Scalar for which the library has none.
-/// This file has the sequence of a solution: bodies, forces, closings, elimination, refinement, check of the
-/// dependent rows. Parts: refinement_impl.hpp, dependent_rows_check_impl.hpp, unique_multipliers_impl.hpp.
+/// The complete definition of AccelerationSolver, for a Scalar without instances, and for your own
+/// formulations, constraints or effects. This file has the sequence of a solution: bodies, forces, closings,
+/// elimination, refinement, check of the dependent rows. Parts: refinement_impl.hpp,
+/// dependent_rows_check_impl.hpp, unique_multipliers_impl.hpp.
 
 #include <fmt/format.h>
 

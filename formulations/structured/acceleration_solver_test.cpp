@@ -135,8 +135,8 @@ TEST(StructuredSolver, NamesTheBodyWhoseMotionHasNoInertia) {
   }
 }
 
-/// Three bodies that hang on each other by rods, the light one between the other two. It is eliminated after
-/// the heavy one, whose forces are then large compared with its own inertia.
+/// Three bodies that hang on each other by rods, the light one between the other two. The light
+/// body is eliminated after the heavy one, whose inertia it takes up and beside which its own is small.
 scenes::Scene hung_on_a_light_body(double light, double heavy) {
   using scenes::Vector3;
   const auto body = [](const char* name, double mass, const Vector3& position) {
@@ -188,7 +188,7 @@ TEST(StructuredSolver, CorrectionsCoverTheErrorOfTheUnrefinedSolution) {
   }
 }
 
-/// A body at 20 000 turns a minute about its own axis, held at two points of the axis by rows of directions.
+/// A body at 20 000 turns a minute about its own axis, held at two points of the axis by cd rows.
 scenes::Scene fast_rotor() {
   scenes::Scene scene;
   scene.name = "rotor";

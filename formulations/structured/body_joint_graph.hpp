@@ -17,9 +17,9 @@ struct GraphEdge : BodyPair {
   /// The first three rows hold a point of i on a point of j along the global axes. The further rows, at most
   /// three, depend on the orientations only.
   bool is_point = false;
-  /// The rows depend on the motion of j relative to i only. A cd row between two moving bodies is not
-  /// relative: its direction is fixed in the global frame, so the row also changes when both bodies rotate
-  /// together.
+  /// The rows constrain the motion of j relative to i only. A single cd row between two moving bodies does
+  /// not: its direction is fixed in the global frame. The three cd rows of a point joint do, because d_ij = 0
+  /// in every frame.
   bool is_relative = true;
   /// The edge is a spring (a row with compliance), not a constraint. A soft edge never belongs to the
   /// spanning tree, and the one entry of `rows` is no row of the mechanism.

@@ -52,16 +52,16 @@ bool GraphSolver<S>::border(const EdgeRow& row) {
   add_row(row, S(1), probe.load);
   solve(probe.load, probe.response);
   refine(probe);
-  const S stiffness = energy(probe.response);
+  const S mobility = energy(probe.response);
   // a response that is rounding error changes by about its own size in another step of refinement
   correct(*matrix_, probe.load, probe.response, probe.rest, probe.rest);
-  if (!(stiffness > S(least_energy_above_rounding) * energy(probe.rest))) return false;
+  if (!(mobility > S(least_energy_above_rounding) * energy(probe.rest))) return false;
   if (bordered_ == most_restored) throw NearlyDependentRows(row);
   if (bordered_ == static_cast<int>(borders_.size()))
     borders_.push_back({row, S(0), GraphVector<S>(plan_.graph), S(0)});
   Border& border = borders_[bordered_++];
   border.row = row;
-  border.stiffness = stiffness;
+  border.mobility = mobility;
   std::swap(border.response, probe.response);
   border.response.edge[row.edge][row.k] = S(-1);
   is_dependent_[row.edge][row.k] = false;

@@ -127,7 +127,7 @@ void GraphSolver<S>::finish(const GraphVector<S>& right_side, GraphVector<S>& so
     const BodyPart<S>&a_i = solution.body[edge.i], &a_j = solution.body[edge.j];
     const S missing =
         border.gamma - on_i.r.dot(a_i.r) - on_i.x.dot(a_i.x) - on_j.r.dot(a_j.r) - on_j.x.dot(a_j.x);
-    solution.add(missing / border.stiffness, border.response);
+    solution.add(missing / border.mobility, border.response);
   }
 }
 

@@ -177,7 +177,7 @@ class GraphSolver {
   /// itself is -1 in the response.
   struct Border {
     EdgeRow row;
-    S stiffness;  ///< Phi_k a, the rate of the row in its own response a; equal to a^T H a
+    S mobility;  ///< Phi_k a, the acceleration along the row under its unit force; equal to a^T H a
     GraphVector<S> response;
     S gamma;  ///< the row's right side in the current solution
   };

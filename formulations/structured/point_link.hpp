@@ -216,7 +216,8 @@ class PointLink {
     gamma.template head<3>() -= rows.sign * unpadded<S>(u);
     gamma.template segment<m>(3) -= w;
   }
-  /// The left side of row k of a closing that the link's own gamma and force cause with the parent at rest.
+  /// C^T a of row k of a closing, for the motion a that this link's gamma and force cause if the parent is at
+  /// rest.
   S closing_rate(const LinkColumn<S>& c, int k) const {
     return c.rest_r.col(k).dot(u_) + c.rest_x.col(k).template head<m>().dot(w_) + free_part(c, k).dot(q_);
   }

@@ -11,8 +11,9 @@
 
 namespace trivium {
 
-/// Sums of squares, by component, of the forces and moments that the multipliers exert on one body. The three
-/// multipliers of a point joint enter together as one force, every other multiplier by itself.
+/// Sums over all joints, by component, of the squares of the force and the moment that the multipliers exert
+/// on one of the joint's two bodies. The three multipliers of the point of a tree joint enter together as one
+/// force, every other multiplier by itself.
 template <class S>
 struct WrenchSize {
   Padded<S> force = Padded<S>::Zero(), moment = force;

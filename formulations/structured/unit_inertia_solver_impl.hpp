@@ -1,6 +1,6 @@
 #pragma once
-/// GraphSolver: decides by geometry alone which rows are independent. It solves the same system with a unit
-/// inertia for every translation and rotation in place of the mass matrix. If positions are inexact, a
+/// GraphSolver: decides by geometry alone which rows are independent. It solves the same system with the
+/// mass 1 and the moments of inertia l^2 for every body, where l is a mean lever. If positions are inexact, a
 /// dependent row differs a little from the combination of other rows that it should be, and a small inertia
 /// in some direction would magnify this difference. A part of dependent_rows_impl.hpp.
 
@@ -88,7 +88,8 @@ class GraphSolver<S>::UnitInertiaSolver {
     }
     solver_.solve(probe.load, probe.response);
     const S rough = solver_.energy(probe.response);
-    // a remainder below the smallest tolerance of search() is dependent whatever its rounding error is
+    // Below the smallest limit of search() the rows are dependent, and a refined remainder, which is smaller
+    // still, would not change this.
     if (all(rough <= square(tolerance() / 30))) return rough;
     solver_.refine(probe);
     return solver_.energy(probe.response);

@@ -167,7 +167,8 @@ class SceneBuilder {
         options_.driven ? TF(TF::Polynomial{{phi, random_.uniform(), random_.uniform()}}) : TF(phi);
   }
 
-  /// Repeats a joint, along its axis if it has one: every row of the second joint is redundant.
+  /// Repeats a joint, a revolute or cylindrical one at another point of its axis: every row of the second
+  /// joint is redundant.
   void double_a_joint() {
     const std::size_t k = random_.index(options_.bodies);
     const scenes::Constraint first = scene_.constraints[k];

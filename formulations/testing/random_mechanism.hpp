@@ -12,7 +12,7 @@ namespace trivium::test {
 struct MechanismOptions {
   int bodies = 3;
   int closings = 1;            ///< rows in addition to the spanning tree: loops
-  int doubled = 0;             ///< joints repeated at another point: redundant rows
+  int doubled = 0;             ///< repeated joints: redundant rows
   bool driven = false;         ///< a rotation driver on the first revolute, f(t) in the closing rows
   double mass_decades = 0.5;   ///< masses between 10^-this and 10^this
   double gimbal_distance = 0;  ///< angle theta of every body in 3-1-3 [rad]; 0: random orientations

@@ -32,7 +32,8 @@ class AnyMethod {
   /// Sets y, and the method's lambda(), to their values at a time t within the last step.
   virtual void interpolate(const S& /*t*/, StateVector<S>& /*y*/) {}
   /// The numbers that the method keeps from step to step (memory.hpp); empty if it keeps none, if it does
-  /// not show them (bdf, Odeint's and SUNDIALS' methods of several steps), or if it has not begun.
+  /// not show them (bdf, Odeint's and SUNDIALS' multistep methods, and all methods under ErrorControl or
+  /// ReversibleSteps), or if it has not begun.
   virtual std::vector<double> memory() { return {}; }
   /// Begins at (t, y) with the memory of another object of the same method; `stop` is the end of the next
   /// given step. Throws a std::invalid_argument if the parts do not fit. A method without memory does

@@ -32,8 +32,8 @@ void raise(Violation<S>& largest, const Violation<S>& next) {
 ///
 ///   size, start          the number of elements of y, and y at the start
 ///   derivative           from (t, y, y'): computes y' at (t, y). Throws a std::runtime_error if y is not a
-///                        possible state. A method that chooses its steps then tries a smaller one; a run
-///                        with given steps ends
+///                        possible state. A method that chooses its steps then tries a smaller one
+///                        (arkode-erk ends the run); a run with given steps ends
 ///   longest_step         the longest step from (t, y) that the model allows [s]
 ///
 /// The constraints:

@@ -16,8 +16,9 @@ namespace trivium::integrators {
 ///                        HasNewtonMatrix for springs with slack. The solution x of this call stretches a
 ///                        spring by its gradient times x. The spring resists only the part of the stretch
 ///                        beyond its slack, a given number per spring: its force is (gamma' damping + beta'
-///                        stiffness) (stretch - slack). Sets `stretch` to the stretch of every spring. Both
-///                        have the unit of the gradient times x, such as m/s^2 where x is a change of v'
+///                        stiffness) (stretch - slack). Sets `stretch` to the stretch of every spring. Slack
+///                        and stretch have the unit of the gradient times x, such as m/s^2 where x is a
+///                        change of v'
 template <class System>
 concept HasSprings = HasNewtonMatrix<System> &&
     requires(System& system, const typename System::Evaluation& at, const typename System::Factors& factors,

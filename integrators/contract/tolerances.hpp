@@ -10,8 +10,8 @@
 namespace trivium::integrators {
 
 /// The error of a step in an element of y is measured in units of atol + rtol |element|; atol has the unit of
-/// the element. How the errors of all elements are combined depends on the method. Radau has other sizes than
-/// |element| for positions (integrators/contract/displacements.hpp).
+/// the element. How the errors of all elements are combined depends on the method. Methods that use
+/// error_norm.hpp take position_sizes (displacements.hpp) in place of |element| for positions.
 struct Tolerances {
   double rtol = 1e-8, atol = 1e-10;
 };

@@ -1,7 +1,7 @@
 #pragma once
 /// Explicit methods of Boost.Odeint for y' = f(t, y): Dormand-Prince 5(4), Fehlberg 7(8), Bulirsch-Stoer and
-/// Adams-Bashforth-Moulton. They choose their steps or take given ones. With given steps, methods that
-/// remember earlier steps restart when the step size changes.
+/// Adams-Bashforth-Moulton. They choose their steps; all but Bulirsch-Stoer also take given ones. With given
+/// steps, methods that remember earlier steps restart when the step size changes.
 
 #include <fmt/format.h>
 

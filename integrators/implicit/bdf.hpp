@@ -46,7 +46,8 @@ class BDF {
   /// The order is 1 to 5.
   BDF(int order, const NewtonOptions& newton) : order_(order), newton_(newton), start_({}, newton) {}
 
-  /// A given step. The past states must have the same distance: where the length changes, others are made.
+  /// A given step. Where the length changes, the method starts again with Radau IIA, since given lengths may
+  /// change by more than most_growth allows.
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
     const S h = stop - t;
     if (!past_.empty() && !is_same_length(h, last_h_)) forget();
@@ -87,7 +88,8 @@ class BDF {
   }
   /// The formulas are unstable if each step is longer than the one before by more than the
   /// factors 2.41, 1.61, 1.28 and 1.12 (orders 2 to 5): the largest root of their first characteristic
-  /// polynomial, other than 1, then exceeds 1 in magnitude. These factors are below.
+  /// polynomial, other than 1, then exceeds 1 in magnitude. The values returned are below
+  /// these limits.
   static double most_growth(int order) {
     constexpr std::array<double, 5> most{2, 2, 1.5, 1.25, 1.1};
     return most[static_cast<std::size_t>(order - 1)];

@@ -6,8 +6,8 @@
 ///   M a_n+1 / (1 + alpha) + g_n+1 - alpha / (1 + alpha) g_n = 0,   g = Phi_q^T lambda - Q
 ///   Phi(q_n+1, t_n+1) = 0
 ///
-/// Where M depends on q, as in r-p and r-epsilon, M(q_n+1)^-1 g_n differs from -a_n = M(q_n)^-1 g_n by a term
-/// of order h. With alpha < 0 the order then falls to 1.
+/// Where M depends on q, as in r-p and r-epsilon, M(q_n+1)^-1 g_n differs from M(q_n)^-1 g_n = -v'_n by a
+/// term of order h. With alpha < 0 the order then falls to 1.
 
 #include <optional>
 

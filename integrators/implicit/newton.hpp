@@ -164,7 +164,8 @@ class Newton {
     system.solve(factors_, at_, left_, no_force_, change, mu_);
   }
   /// Changes the velocities of y at time t such that they miss their rows by `share` times as much as before,
-  /// by the matrix that was factored last.
+  /// by the matrix that was factored last. With index 3 velocities miss their rows by c h^2. A step of
+  /// another length must begin with the violation that belongs to its length, else lambda oscillates.
   void scale_velocity_violation(System& system, const S& t, const S& share, StateVector<S>& y) {
     if (!has_factors_) return;
     system.evaluate(t, y, at_);

@@ -22,7 +22,7 @@
 
 namespace trivium::integrators {
 
-/// The s stages of a step, and of the last one what the prediction needs.
+/// The s stages of a step, and v' and lambda of the previous step's stages for the prediction.
 template <HasSprings System, int s>
 requires HasInternalRows<System>
 class RadauStages {

@@ -262,7 +262,7 @@ class Ida final : public Stepper {
 
   Tolerances tolerances_;
   int nq_ = 0, nv_ = 0, nc_ = 0, ny_ = 0;
-  double momentum_ = 0;  ///< largest component of M v at the start
+  double momentum_ = 0;  ///< largest component of M v where the integrator last began
   Owned<N_Vector> rates_, is_differential_;
   ProjectionIteration<AnySystem<double>> projection_;
   StateVectorD lambda_, y_dot_, v_dot_, force_, mu_, moved_, rate_, displacement_;

@@ -181,10 +181,10 @@ class Rattle {
     // A violation of rows that stands still while the momentum is balanced belongs to a row that the factors
     // leave out: near a singular position a row may be dependent at the start of the step and independent at
     // its end. Up to 1e-6 is accepted, as in projection_iteration.hpp; the next step meets the row. It
-    // stands still if it changes by less than a thousandth in three iterations, chosen by experiment. The
-    // iteration ends at 4 epsilon, or where a residual of rounding size (up to 1024 epsilon, a safety factor)
-    // no longer halves. After the first corrections it must fall every time, else the iteration diverges. The
-    // limits 5 and 50 of the corrections are chosen by experiment.
+    // stands still if it changes by less than a thousandth in each of three successive iterations; both
+    // numbers are chosen by experiment. The iteration ends at 4 epsilon, or where a residual of rounding size
+    // (up to 1024 epsilon, a safety factor) no longer halves. After the first corrections it must fall every
+    // time, else the iteration diverges. The limits 5 and 50 of the corrections are chosen by experiment.
     for (int k = 0; k < 50; ++k) {
       rows = look();
       unbalanced = size_ > S(0) ? S(left_.norm() / size_) : left_.norm();

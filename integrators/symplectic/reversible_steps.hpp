@@ -153,13 +153,14 @@ class ReversibleSteps {
     longest_ = stop - t;
     system.position_sizes(y, sizes_);
     spacing_ = first_step(system, t, y, 2, tolerances_, right_sides_);
+    // d is an eighth of the first step: short beside the changes of v'', long beside rounding
     spacing_ = suited(system, t, y) / 8;
     suited_ = suited(system, t, y);
     method_.begin(system, t, y, t + std::min(suited_, longest_));
     is_between_ = false;
     shortened_ = S(0);
   }
-  /// Q at (t, y); at most the time from the last restart to the next event or the end.
+  /// Q at (t, y); at most the length that the first step after the restart was allowed.
   S suited(System& system, const S& t, const StateVector<S>& y) {
     using std::pow, std::sqrt;
     const int nq = system.position_size(), nv = system.velocity_size();
@@ -195,9 +196,9 @@ class ReversibleSteps {
   Rattle<System> method_;
   const Tolerances tolerances_;
   System* system_ = nullptr;
-  S longest_{0};                        ///< bound of a step [s]
-  S spacing_{0};                        ///< d [s]
-  S smooth_from_{0}, smooth_until_{0};  ///< the last restart; the next event or the end [s]
+  S longest_{0};  ///< bound of a step: the length allowed for the first one after the restart [s]
+  S spacing_{0};  ///< d [s]
+  S smooth_from_{0}, smooth_until_{0};  ///< the last restart; the latest end allowed for the step [s]
   S suited_{0};                         ///< Q at the end of the last step [s]
   S shortened_{0};           ///< length of the next step if the last one was taken back, else 0 [s]
   Point start_, end_;        ///< of the last step

@@ -51,6 +51,7 @@ std::string convergence_order_table(Results& results, Numbers& numbers) {
     if (quantity == "r" && formulation == "r-omega") lines[method].published = published;
     ++compared;
     if (verdict != "ok") ++failed;
+    // a single order; a range such as 1..2 has no distance
     if (published.size() == 1) distance.add(std::abs(order - std::stod(published)), method);
   }
   std::vector<TexColumn> columns{{"l", {"method"}}, {"r", {"published"}}};

@@ -60,7 +60,7 @@ void time_by_method(Results& results, double error) {
   for (const std::string& method : distinct(table, "method")) {
     std::vector<std::string> cells{fmt::format("`{}`", method)};
     for (const std::string& scene : scenes) cells.push_back(cheapest(table, scene, method, error));
-    // Simbody's methods have no formulation and no time; their rows are omitted
+    // Simbody's methods have no formulation, so `cheapest` finds no run of theirs; their rows are omitted
     if (std::any_of(cells.begin() + 1, cells.end(), [](const std::string& cell) { return cell != "-"; }))
       print_row(cells);
   }
@@ -103,7 +103,7 @@ void time_by_engine(Results& results) {
     const std::string column = column_of(row);
     if (std::find(columns.begin(), columns.end(), column) == columns.end()) columns.push_back(column);
     const std::string& time = table.text(row, "microseconds");
-    // emplace keeps the first time: of an engine with several formulations that of r-omega
+    // emplace keeps the first time of a column: for an engine with several formulations, that of r-omega
     cell.emplace(std::pair(table.text(row, "scene"), column),
                  time == "none" ? "-" : rounded(to_number(time)));
   }

@@ -10,7 +10,8 @@
 
 namespace trivium {
 
-/// One violation. Row and column are empty if it concerns the whole file.
+/// One violation. `row` is empty if the violation concerns the whole file, `column` if it concerns a whole
+/// row.
 struct Difference {
   std::string row, column, accepted, regenerated, rule;
 };

@@ -31,7 +31,8 @@ void check_axes(const Vector3& axis, const Vector3& x, const Path& at) {
   if (!(sine > rotation_tolerance)) fail(at / "x", "a vector along the axis", "a vector off the axis");
 }
 
-/// Checks that the side has exactly the vectors that its shape allows, and that each of them has a direction.
+/// Checks that the side has all required vectors and no unknown ones, and that each except the point has a
+/// direction.
 void check_side(const Side& side, const Shape& shape, const Path& at) {
   const auto check = [&](std::string_view key, const std::optional<Vector3>& vector) {
     const Key* known = shape.find(key);

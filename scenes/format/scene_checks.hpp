@@ -23,7 +23,7 @@ inline constexpr double smallest_divisor = 1e-100;   ///< of masses, lengths and
 inline constexpr double rotation_tolerance = 1e-9;   ///< of A A^T = I, and of the sine between x and axis
 inline constexpr std::size_t most_bodies = 100'000;  ///< protects against hostile files, see json.hpp
 
-/// All checks of a scene except the magnitudes.
+/// All checks of a scene except check_magnitudes and check_functions.
 void check_scene(const Scene& scene, const Path& root);
 
 /// Checks that no number exceeds the largest magnitude. The check takes a document, where every number has a

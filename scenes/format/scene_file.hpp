@@ -1,8 +1,9 @@
 #pragma once
 /// Reads and writes scene files (scene format, version 1). A scene that was read has finite numbers, physical
-/// bodies and no dangling names. A scene that was written reads back as the same scene, double for double:
-/// Euler parameters and axes are not normalised here. Limits: 64 MiB, 100 000 bodies, 10 million values, 64
-/// levels of nesting; tolerances and magnitudes are in scene_checks.hpp.
+/// bodies and no dangling names. A scene that was written reads back as the same scene, double for double
+/// (except rank_tolerance, which files do not have): Euler parameters and axes are not normalised here.
+/// Limits: 64 MiB, 100 000 bodies, 10 million values, 64 levels of nesting; tolerances and magnitudes are in
+/// scene_checks.hpp.
 
 #include <filesystem>
 #include <optional>
@@ -22,7 +23,7 @@ Scene read_scene_file(const std::filesystem::path& path, std::optional<double> t
 Scene parse_scene(std::string_view text, std::string_view file_name);
 
 /// The text of the scene's file: keys in the order of the format, defaults omitted. Throws a SceneError if
-/// the reader would refuse the text.
+/// check_scene or check_magnitudes refuses the scene.
 std::string write_scene(const Scene& scene);
 /// Writes the file completely or not at all.
 void write_scene_file(const std::filesystem::path& path, const Scene& scene);

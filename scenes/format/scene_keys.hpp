@@ -61,7 +61,7 @@ inline constexpr Shape scene_shape{"scene",
 inline constexpr Shape saved_shape{
     "saved",
     {need("t"), need("start"), need("formulation"), need("integrator"), need("phi"), need("phi_dot"),
-     may("began_singular"), may("charts"), may("fastest"), need("y"), may("angles"), may("memory")}};
+     may("began_singular"), may("charts"), need("y"), may("angles"), may("fastest"), may("memory")}};
 /// A body.
 inline constexpr Shape body_shape{
     "body",

@@ -19,9 +19,10 @@ namespace trivium {
 /// The absolute measure of a violation is the largest |Phi_k| or |Phi_k'| divided by the row's scale [m or
 /// rad, m/s or rad/s]. The relative measure [-] divides further by the size of the component, which is the
 /// set of bodies connected by rows. For a row of lengths this size is the bound of the distance of the
-/// component's points from the origin, and for Phi_k' its fastest speed. For a row of angles it is 1, and for
-/// Phi_k' the fastest angular velocity. The relative violation caused by rounding is then a few u, whatever
-/// the size of the mechanism.
+/// component's points from the origin, and for Phi_k' a bound of the speed of its points. For a row of angles
+/// it is 1, and for Phi_k' a bound of its angular velocity. Both speeds are at least a thousandth of the
+/// largest so far (move). The relative violation caused by rounding is then a few u, whatever the size of the
+/// mechanism.
 template <class S>
 class ConstraintViolation {
  public:

@@ -3,8 +3,8 @@
 /// mechanism cannot reach, the other rows leave no motion that would move the driver: its grip, the part of
 /// its gradient that they leave free (free_gradient), falls to 0.
 ///
-/// Near the farthest value that the driver's product x . y reaches, the distance from this value is
-/// proportional to the square of the grip. So the values and the grips at two states give the farthest value.
+/// A driver is a row x . y = f(t). Near the farthest value F that x . y can reach, F - f is proportional to
+/// the square of the grip. So f and the grips at two states give F.
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ namespace trivium {
 template <class Types>
 std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vector<int>& drivers,
                       const MechanismState<double>& start, const MechanismState<double>& now) {
-  constexpr double lost = 0.1;
+  constexpr double lost = 0.1;  // at failures by a dead point the grip has fallen by decades
   constexpr int most_unknowns = 600;
   if (drivers.empty() || 6 * mechanism.nb() + mechanism.nc() > most_unknowns) return {};
   const TangentSystem before = tangent_system(mechanism, start), after = tangent_system(mechanism, now);
@@ -44,11 +44,9 @@ std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vect
                farthest = f.f + moved * least * least / (1 - least * least);
   return fmt::format(
       "driver \"{}\" demands f = {:.6g} at t = {}, changing by {:.4g} per second, but the other rows leave "
-      "values {} about {:.6g} within reach: its grip has fallen to {:.1e} of that at the start. It comes to "
-      "a "
-      "dead point or to the end of its reach, where the rank of the rows falls by 1. Give it another "
-      "function "
-      "of time, or drive another joint",
+      "values {} about {:.6g} within reach: the part of its gradient that the other rows leave free has "
+      "fallen to {:.1e} of that at the start. It comes to a dead point or to the end of its reach, where the "
+      "rank of the rows falls by 1. Give it another function of time, or drive another joint",
       mechanism.row_names[worst], f.f, now.t, f.f_t, moved > 0 ? "up to" : "down to", farthest, least);
 }
 

@@ -223,7 +223,8 @@ class FirstOrderEquations {
     return energy;
   }
 
-  /// The kinetic energy of all bodies at the fastest speed of their components so far [J].
+  /// Sum of m v^2 / 2 over the bodies, v the fastest speed so far in the body's group of connected bodies
+  /// [J].
   S fastest_energy() const {
     S twice(0);
     for (int b = 0; b < nb(); ++b)
@@ -350,9 +351,8 @@ class FirstOrderEquations {
   const MechanismState<S> start_state_;
   /// If refinement at the last accepted state corrected the accelerations by this relative amount or less,
   /// solutions between accepted states are not refined: their errors are then far below those of a step.
-  /// 1e-13 is about 1000 u of double, and is used in all Scalars. In float nearly all solutions are refined.
-  /// In quad, solutions between accepted states may have errors up to 1e-13, although their rounding is near
-  /// 1e-34.
+  /// 1e-13 is about 1000 u of double, and is used in quad too: solutions between accepted states may have
+  /// errors up to 1e-13, although their rounding is near 1e-34.
   static constexpr double small_correction = 1e-13;
   // the state accepted last, if the solver still holds its solution, and whether solutions after it are
   // refined

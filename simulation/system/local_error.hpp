@@ -7,8 +7,8 @@
 ///     A_n+1 = A_n exp(h sum_j beta_j omega_bar_n+1-j + h^2/12 omega_bar_n x omega_bar_n+1)
 ///
 /// (Magnus' expansion, of order 4). The differences from the method's own numbers are its local errors. They
-/// count as errors of the points of a body: an angle counts as far as the farthest joint point moves by it.
-/// lambda does not enter.
+/// count as errors of the points of a body: an angle is multiplied by the reach of the body
+/// (mechanism/reach.hpp). lambda does not enter.
 
 #include <algorithm>
 #include <array>

@@ -103,7 +103,8 @@ class SpringRows {
     for_each_resisting_spring(mechanism_.effects, [&](const auto& spring) {
       EdgeRows<S>& rows = assembly.edge_rows(plan_.rows_slot[*edge++]);
       const S resistance = velocity_share * spring.damping + position_share * spring.stiffness;
-      if (resistance == S(0)) rows = {};  // explicit methods have shares of 0: the row has no effect
+      // shares of 0 ask for M and Phi_q alone, as half-explicit methods and RATTLE do: the row has no effect
+      if (resistance == S(0)) rows = {};
       rows.compliance = resistance == S(0) ? S(1) : S(1 / resistance);
     });
   }

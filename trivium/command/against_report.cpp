@@ -37,9 +37,8 @@ std::string AgainstReport::text() const {
   out += fmt::format("\n{}\n", table.text());
   if (options.step)
     out +=
-        "bound: twice the change by halving the step, and number of steps * default tolerance * "
-        "amplification "
-        "for the other code\n";
+        "bound: twice the change by halving the step + number of steps * default tolerance * amplification "
+        "(errors of the other code)\n";
   else if (comparison.neighbour_distance > 0)
     out += fmt::format(
         "bound: 2 * number of steps * tolerance * amplification, measured by runs from neighbouring "

@@ -29,7 +29,7 @@ int run_check(const CheckArguments& arguments) {
   fmt::print("{}", arguments.json ? report.json() : report.text());
   if (!check.contradictory.empty()) {
     fmt::print(stderr,
-               "error: {}: the rows contradict each other, so no acceleration exists; in contradiction to "
+               "error: {}: the rows contradict each other, so no acceleration exists; rows that contradict "
                "earlier rows: {}\n",
                arguments.scene, fmt::join(check.contradictory, ", "));
     return exit_input_error;

@@ -99,9 +99,8 @@ std::string CheckReport::text() const {
     out += fmt::format("condition number    {:.2e}\n", *check.condition);
   else
     out += fmt::format(
-        "condition number    not determined: too large for the dense solver; the rank is from the {} "
-        "solver\n",
-        check.solver);
+        "condition number    not determined: the scene is too large for the dense solver{}\n",
+        check.rank ? fmt::format("; the rank is from the {} solver", check.solver) : std::string());
   if (!check.mu.empty())
     if (const auto [least, most] = std::minmax_element(check.mu.begin(), check.mu.end()); *most > 0)
       out += fmt::format(

@@ -62,7 +62,10 @@ std::string CompareReport::verdict_at_states() const {
     return std::max(now.one_state->lambda, now.one_state->is_constrained ? now.one_state->acceleration : 0) /
            now.one_state->bound;
   });
-  if (!worst) return "not judged: too large for the dense solver, which computes kappa";
+  if (!worst)
+    return std::any_of(c.instants.begin(), c.instants.end(), [](const auto& now) { return now.one_state; })
+               ? "not judged: all compared states are near singular positions"
+               : "not judged: the scene is too large for the dense solver, which computes kappa";
   const char* verdict = c.holds_at_states() ? "holds" : "EXCEEDS";
   if (!c.has_unique_lambda)
     return worst->one_state->is_constrained
@@ -133,10 +136,11 @@ std::string CompareReport::text() const {
     out += "\nbound: number of steps * tolerance; the constraints admit no neighbouring start\n";
   if (comparison.judged_until)
     out += fmt::format(
-        "from t = {:.6g} on, neighbouring motions have diverged or the bound exceeds {} (verdict "
-        "\"parted\"): "
-        "lambda along the motion is not judged\n",
-        *comparison.judged_until, small_difference);
+        "from t = {:.6g} on, {} exceeds {} (verdict \"parted\"): lambda along the motion is not judged\n",
+        *comparison.judged_until,
+        options.step ? "twice the change of lambda by halving the step"
+                     : "the difference of neighbouring motions or the bound",
+        small_difference);
   if (const auto singular = std::count_if(comparison.instants.begin(), comparison.instants.end(),
                                           [](const ComparedInstant& now) { return now.is_singular; });
       singular > 0)

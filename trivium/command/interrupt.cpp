@@ -1,5 +1,5 @@
-/// The first signal only sets a variable, which the run reads after every step. A signal two or more seconds
-/// later restores the default action and is raised again, which ends the program.
+/// The first signal only sets a variable, which the run reads after every step. A signal that
+/// arrives more than a second later restores the default action and is raised again, which ends the program.
 
 #include "trivium/command/interrupt.hpp"
 

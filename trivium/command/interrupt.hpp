@@ -1,7 +1,8 @@
 #pragma once
 /// Ctrl-C during a run. The first SIGINT or SIGTERM ends the run after the current step, so that its results
-/// are kept. A signal two or more seconds later ends the program at once. Signals in between are ignored: a
-/// terminal may send the same Ctrl-C both to the process and to its group.
+/// are kept. A later signal ends the program at once, unless it arrives within a second: a terminal may send
+/// the same Ctrl-C both to the process and to its group. The clock counts whole seconds, so that the second
+/// may last up to two.
 
 namespace trivium {
 

@@ -45,12 +45,14 @@ void add_run_options(ProgramOptions& options, RunArguments& arguments, const std
       "Order: 1 to 5 for bdf (default 2), 2 to 6 or 8 for arkode-erk, 2 to 5 for arkode-dirk (default 5)");
   options.add_option(
       "--rho", &run.parameters.rho,
-      "Spectral radius of generalized-alpha at infinite frequency, 0 to 1 (default 0.8; of index 3 with "
-      "tolerances at most 0.95)");
+      "Spectral radius of generalized-alpha and generalized-alpha-gl2 at infinite frequency, 0 to 1 (default "
+      "0.8; generalized-alpha with tolerances: at most 0.95)");
   options.add_option("--alpha", &run.parameters.alpha,
                      "Parameter alpha of hht, -1/3 to 0 (default -0.2; with tolerances at most -0.05)");
-  options.add_flag("--full-newton", &arguments.full_newton,
-                   "Implicit methods: a new Newton matrix in every iteration, not once per step");
+  options.add_flag(
+      "--full-newton", &arguments.full_newton,
+      "Implicit methods except those of SUNDIALS: a new Newton matrix in every iteration, instead of "
+      "about one per step");
   options.add_option("--sequence", &arguments.sequence, "Euler-angle sequence of r-epsilon")
       .one_of({euler_sequence_names.begin(), euler_sequence_names.end()})
       .show_default();

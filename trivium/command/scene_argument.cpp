@@ -21,8 +21,9 @@ void add_scene_options(ProgramOptions& options, SceneArguments& arguments) {
       .check(finite_time());
   options
       .add_option("--rank-tolerance", &arguments.rank_tolerance,
-                  fmt::format("Share of a row's gradient below which it follows from the others, {:.0e} to "
-                              "{:.0e} (default: {:.0e})",
+                  fmt::format("A row is dependent if less than this share of its gradient is independent of "
+                              "the other rows, {:.0e} to {:.0e} (default: {:.0e}; simulate and compare "
+                              "accept no smaller value)",
                               least_rank_tolerance, largest_rank_tolerance, standard_rank_tolerance))
       .check(number_between(least_rank_tolerance, largest_rank_tolerance));
   const ProgramOption assemble =

@@ -78,7 +78,7 @@ int run_simulate(const SimulateArguments& arguments) {
         fmt::print(
             stderr,
             "warning: the error of {} falls with order {:.2f} as the step is halved, not with the method's "
-            "order {}: its figure is not reliable; take smaller steps\n",
+            "order {}: this error estimate is not reliable; take smaller steps\n",
             e.quantity, *e.order, e.expected_order);
     fmt::print("{}", arguments.json ? of.json(report, verified) : of.text(report, verified));
     bool is_kept = output.keep();

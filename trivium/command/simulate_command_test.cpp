@@ -166,7 +166,8 @@ TEST(Simulate, AKilledRunLeavesTheMotionSoFarUnderANameThatSaysSo) {
   EXPECT_GT(csv_lines(left).size(), 10u);
 }
 
-// glibc fills memory that a program requests with this byte
+// MALLOC_PERTURB_=B: glibc fills requested memory with the complement of the byte B, freed memory with B; 0
+// switches this off
 TEST(Simulate, WritesTheSameBitsWhateverTheMemoryHeldBefore) {
   const fs::path file = fresh("motion.csv");
   const json known = json::parse(run("trivium list --json").out);

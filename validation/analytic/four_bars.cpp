@@ -8,8 +8,8 @@
 
 namespace trivium::analytic {
 
-/// All rods of the four-bars turn by the same angle. This angle moves like that of a pendulum that rotates
-/// full turns: psi / 2 = am(rate t - K).
+/// The upright rods of the four-bars all turn by the same angle, and the couplers translate. The angle moves
+/// like that of a pendulum that rotates full turns: psi / 2 = am(rate t - K).
 void four_bars(const std::string& formulation, Errors& errors) {
   const int loops = 2;
   const double inertia = (loops + 1) / 3.0 + loops, weight = 9.81 * ((loops + 1) / 2.0 + loops),

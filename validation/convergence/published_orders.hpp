@@ -13,13 +13,15 @@ namespace trivium::convergence {
 struct Case {
   std::string label, method;
   integrators::MethodParameters parameters;
-  int order, raw_order;  ///< order of the method's raw lambda; 0 if the method has no lambda of its own
-  int steps;             ///< number of steps of the coarsest run
+  int order, raw_order;  ///< order of the method's raw lambda; 0 if it is not observed
+  /// Number of steps of the coarsest run, chosen by experiment: all errors show their order, and those of the
+  /// finest run are above rounding.
+  int steps;
   /// The order is lower if the mass matrix depends on the position: between 1 and the published order.
   bool needs_constant_mass = false;
   bool is_double = false;  ///< the method belongs to a library that computes in double only
-  /// The scene that is used if the command line names none. On the slider-crank some errors first decrease
-  /// too fast.
+  /// The scene that is used if the command line names none. hedop5 has double_pendulum,
+  /// since on the slider-crank some of its errors first fall faster than its order.
   std::string scene = "spatial_slider_crank";
   /// Errors below this fraction of their quantity show no order [-]. In quad the limit is the difference
   /// between initial states: the scene's positions are doubles, and projections onto the constraints differ

@@ -195,6 +195,7 @@ bool all_turn_about_one_direction(const simbody::Model& model) {
     if (joint.type != simbody::JointType::revolute) return false;
     axes.push_back(motion_of(model, joint.i).A * vector(joint.frame_i.z));
   }
+  // parallel up to rounding: 1e-12 is about 1e4 u
   return std::all_of(axes.begin(), axes.end(),
                      [&](const V& axis) { return axis.cross(axes.front()).norm() < 1e-12; });
 }

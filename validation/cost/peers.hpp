@@ -21,7 +21,7 @@ std::vector<Peer> peers();
 std::vector<std::string> missing_peers();
 
 /// Simbody: a tree of mobilizers, realised to Stage::Acceleration. Closing joints become Simbody's own
-/// constraints; rows that the tree satisfies identically are disabled.
+/// constraints. Those of one row are disabled if the tree satisfies them identically.
 std::unique_ptr<Engine> simbody_engine(const PeerScene& scene);
 /// MuJoCo: mj_forward, with contacts and other unneeded features switched off. Closing joints become
 /// `connect` equalities, which are soft, with the highest stiffness possible. MuJoCo omits the

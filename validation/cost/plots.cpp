@@ -52,8 +52,8 @@ void write_plots(const std::vector<Measurement>& rows, const std::filesystem::pa
     const std::string text = script(rows, family, title, folder / file);
     if (!text.empty()) run_gnuplot(text, folder / file);
   };
-  plot("chain", "W1: chain of n revolutes", "chain.svg");
-  plot("ladder", "W3: ladder of n four-bar loops", "ladder.svg");
+  plot("chain", "chain of n revolutes", "chain.svg");
+  plot("ladder", "ladder of n four-bar loops", "ladder.svg");
 }
 
 }  // namespace trivium::cost

@@ -15,7 +15,8 @@ namespace trivium {
 
 NamedScene consistent_random_scene(std::uint64_t seed, const scenes::RandomOptions& options) {
   // The functions of time of a locked loop may contradict each other. Then no consistent velocity or
-  // acceleration exists, and the mechanism of the next attempt is taken.
+  // acceleration exists, and the mechanism of the next attempt is taken. 2^40 is above all usual seeds, so
+  // that a second attempt is not the first one of another seed.
   for (std::uint64_t attempt = 0;; ++attempt) {
     scenes::RandomScene random = scenes::random_scene(seed + (attempt << 40), options);
     random.scene.name = fmt::format("random_{}", seed);

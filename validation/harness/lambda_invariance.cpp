@@ -49,7 +49,7 @@ Pairs pairs_of(const std::vector<std::string>& names) {
 enum class Verdict {
   ok,
   none,     ///< no multiplier is unique, so that nothing can be compared
-  cancels,  ///< beyond the bound by at most the factor cancellation(): rounding of the data
+  cancels,  ///< exceeds the bound by at most the factor cancellation(), by which terms cancel
   exceeds,
   error
 };

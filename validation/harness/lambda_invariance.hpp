@@ -1,8 +1,8 @@
 #pragma once
 /// Question: is lambda the same number in every formulation? For scenes of the catalogue and random
-/// mechanisms, the program computes the largest relative difference of lambda between formulations, in the
-/// norm of E = diag(Phi M^-1 Phi^T)^(1/2). It fails if a solver fails, or if a difference exceeds the bound
-/// 100 u kappa. The list of formulations is a parameter: a user-written formulation is added by
+/// mechanisms, the program computes the relative difference of lambda between pairs of formulations, in the
+/// norm of E = diag(Phi_q M^-1 Phi_q^T)^(1/2). It fails if a solver fails, or if a difference exceeds the
+/// bound 100 u kappa. The list of formulations is a parameter: a user-written formulation is added by
 /// `AllFormulations::With<Mine>`.
 
 #include <functional>

@@ -52,12 +52,12 @@ std::string cost_table(const SceneResult& result) {
     }
     table.add(row);
   }
-  std::string out =
-      fmt::format("{}, {} s: CPU time to reach a position error (error of the reference: {}{})\n\n{}",
-                  result.scene, result.t_end,
-                  result.reference_error > 0 ? fmt::format("{:.0e} m", result.reference_error)
-                                             : "none in double, the two reference solutions agree",
-                  result.is_trusted ? "; trusted numbers are part of the reference" : "", table.text());
+  std::string out = fmt::format(
+      "{}, {} s: CPU time to reach a position error (error of the reference: {}{})\n\n{}", result.scene,
+      result.t_end,
+      result.reference_error > 0 ? fmt::format("{:.0e} m", result.reference_error)
+                                 : "none in double, the two reference solutions agree",
+      result.is_trusted ? "; the reference is also compared with trusted numbers" : "", table.text());
   for (const double target : position_targets) {
     const RunResult *ours = cheapest(result, target, [](const RunSettings&e) { return !is_peer(e); }),
                     *peer = cheapest(result, target, is_peer);

@@ -22,9 +22,10 @@ namespace trivium::precision {
 
 namespace {
 
-/// Number of outputs of a run, at which errors are taken. Few outputs, because every output ends a step.
+/// Number of outputs of a run, at which errors are taken. Few outputs, because most methods end a step at
+/// every output.
 constexpr int outputs = 10;
-/// A run is not repeated after this total CPU time [s].
+/// A run is not repeated after this total CPU time [s]: longer runs repeat well enough, and would take long.
 constexpr double enough = 1;
 
 SimulationOptions options_of(const TimedMotion& motion, const RunSettings& settings) {
@@ -85,7 +86,8 @@ double time_once(const TimedMotion& motion, const RunSettings& settings) {
   return simulate(motion.model(), options, nobody).seconds;
 }
 
-/// The interval reaches from the second smallest to the second largest time (see confidence()).
+/// The interval reaches from the second smallest to the second largest time; below 5 times from the smallest
+/// to the largest (see confidence()).
 Seconds summary(std::vector<double> seconds) {
   std::sort(seconds.begin(), seconds.end());
   const std::size_t n = seconds.size(), in = n >= 5 ? 1 : 0;
@@ -109,6 +111,7 @@ std::vector<double> output_times(const TimedMotion& motion) {
 ReferenceMotion reference_of(const TimedMotion& motion) {
   Samples first, second;
   const auto model = make_model<Quad>(motion.scene);
+  // two methods with tolerances below the rounding of double
   SimulationOptions options = options_of(motion, {"trivium", "r-omega", "rkf78", 1e-16, {}});
   simulate(model, options, first);
   options.integrator = "bulirsch-stoer";
@@ -126,8 +129,8 @@ std::vector<double> tolerances(bool quick) {
   return {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
 }
 
-/// Methods of low order are measured with given steps: their runs by the tightest tolerances would take 1e5
-/// times as many steps as those by the loosest.
+/// Methods of low order are measured with given steps: the tolerances above span nine decades, for
+/// which a method of order p takes 10^(9/(p+1)) times as many steps: a thousand times with order 2.
 bool is_measured_by_tolerances(const integrators::MethodInfo& method) {
   const bool has_low_order = method.takes_given_steps && method.standard_order <= 4;
   return method.chooses_steps && !has_low_order;
@@ -185,7 +188,7 @@ std::vector<RunResult> measure_runs(const TimedMotion& motion, const ReferenceMo
 }
 
 double confidence(int repetitions) {
-  // The interval misses the median if all repetitions, or all but one, fall on the same side of the median.
+  // The interval misses the median if all repetitions, or from 5 on all but one, fall on one side of it.
   const double n = repetitions;
   return 1 - std::pow(0.5, n - 1) * (repetitions >= 5 ? n + 1 : 1);
 }

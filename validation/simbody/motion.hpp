@@ -8,7 +8,7 @@
 
 namespace trivium::simbody {
 
-/// Simbody's integrators with error control; only the semi-explicit Euler method with given steps is left
+/// All of Simbody's integrators that control their error. SemiExplicitEuler, which takes given steps, is left
 /// out.
 enum class Integrator {
   explicit_euler,

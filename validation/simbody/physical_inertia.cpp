@@ -15,7 +15,7 @@ namespace trivium {
 
 namespace {
 
-/// Key visitor that finds the largest distance from a body's centre of mass to a point of an effect on this
+/// Key visitor that finds the largest distance from a body's centre of mass to an end of a spring on this
 /// body.
 struct Reach : KeyVisitor {
   int of;

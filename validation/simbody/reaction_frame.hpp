@@ -22,6 +22,7 @@ class ReactionFrame {
   ReactionFrame(const Model<double>& model, const RowAnalysis& rows);
 
   const Mechanism<double>& mechanism() const { return model_.mechanism; }
+  /// The Jacobian Phi_q = [Phi_r, Phi_pi_bar] of all rows.
   const MatrixX<double>& Phi() const { return Phi_; }
 
   /// The vector to compare: for every body the metric wrench of all joints together, then the metric wrenches
@@ -41,7 +42,7 @@ class ReactionFrame {
 
   int body_of(const Joint<double>& joint) const;
 
-  /// The reaction -Phi^T lambda on body i; zero on the ground.
+  /// The reaction -Phi_q^T lambda on body i; zero on the ground.
   Reaction<double> reaction_on_i(const Joint<double>& joint, const VectorX<double>& lambda) const;
 
   Vector6 metric_wrench(const Joint<double>& joint, const JointReaction& reaction) const;

@@ -1,6 +1,7 @@
 #pragma once
 /// Motions of the catalogue's scenes, stored for tests, and the parameterised tests that every formulation
-/// must pass. For tests only.
+/// must pass. For tests only. Limits in tests of motions are chosen by experiment, with a margin, unless a
+/// comment gives another reason.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
