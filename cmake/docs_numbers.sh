@@ -58,7 +58,8 @@ check_numbers() {
   done
 }
 
-# check_sentences: each number in a sentence is compared, and each number of a comment stands in the paragraph before it.
+# check_sentences: each number in a sentence is compared, and the numbers of a comment stand in the paragraph before it, in
+# the same order.
 # `100 u kappa`, the unit roundoff of double, and the names of compilers and systems need no comment.
 check_sentences() {
   local text
@@ -72,7 +73,16 @@ check_sentences() {
       }
       return kept
     }
-    function new_paragraph() { split("", inside); split("", paragraph); start = NR }
+    function new_paragraph() { split("", inside); split("", paragraph); length_of = rows = 0; start = NR }
+    # whether the numbers of the comment, list[1] to list[n], are between two places of the paragraph
+    function in_order(from, to, ordered,   j, k) {
+      for (k = 1; k <= n; ++k) {
+        for (j = from; j <= to && sequence[j] != name_of(list[k]); ++j) {}
+        if (j > to) return 0
+        if (ordered) from = j + 1
+      }
+      return 1
+    }
     function complain(   k) {
       for (k = 1; k <= open; ++k) if (!(name[k] in shown)) print line[k] ":nothing compares the number " number[k]
       open = 0
@@ -86,11 +96,19 @@ check_sentences() {
     in_block { for (k = numbers($0, list); k > 0; --k) shown[name_of(list[k])]; next }
     /^<!-- numbers: / {
       sub(/ (of|not) .*/, "")
-      for (k = numbers($0, list); k > 0; --k) {
+      n = numbers($0, list)
+      for (k = 1; k <= n; ++k) {
         x = name_of(list[k])
         if (!(x in paragraph)) print NR ":the number " list[k] " is not in the paragraph above"
         for (j = 1; j <= open; ++j) if (line[j] >= start && name[j] == x) name[j] = "compared"
       }
+      # a line that has all of them must have them in this order, such as a row of a table; else the paragraph
+      is_in_order = in_order(1, length_of, 1)
+      for (r = 1; r <= rows; ++r) {
+        last = r < rows ? first[r + 1] - 1 : length_of
+        if (in_order(first[r], last, 0)) is_in_order = is_in_order && in_order(first[r], last, 1)
+      }
+      if (!is_in_order) print NR ":the paragraph above does not have these numbers in this order"
       next
     }
     /^ *$/ { new_paragraph(); next }
@@ -98,9 +116,11 @@ check_sentences() {
       gsub(/<!--.*-->/, ""); gsub(/\]\([^)]*\)/, "]")
       text = outside(outside($0, "`"), "[$][$]")
       gsub(/100 u kappa|1\.1e-16|Debian 12|(C|g|clang)\+\+ ?[0-9]+|x86-64/, "", text)
-      for (k = numbers(text, list); k > 0; --k) {
+      n = numbers(text, list)
+      if (n) first[++rows] = length_of + 1
+      for (k = 1; k <= n; ++k) {
         x = name_of(list[k])
-        paragraph[x]
+        paragraph[x]; sequence[++length_of] = x
         if (x in shown || list[k] !~ /[.e]|[0-9][0-9]/) continue
         line[++open] = NR; name[open] = x; number[open] = list[k]
       }

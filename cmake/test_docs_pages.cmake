@@ -67,6 +67,7 @@ expect(1 "a file needs words" "At most 1e-8.\n<!-- numbers: 1e-8 of formulations
 expect(1 "no source in the comment" "At most 1e-8.\n<!-- numbers: 1e-8 -->\n")
 expect(0 "^$" "The pendulum has 0.333.\n<!-- numbers: 0.333 of `awk 'BEGIN { print 1 / 3 }'` -->\n")
 expect(1 "the numbers 0.334 are not, in this order, in: `awk" "It has 0.334.\n<!-- numbers: 0.334 of `awk 'BEGIN { print 1 / 3 }'` -->\n")
+expect(1 "does not have these numbers in this order" "It has 0.5 and 0.25.\n<!-- numbers: 0.25 0.5 of `echo 0.25 0.5` -->\n")
 # exit codes
 expect(0 "^$" "```sh\n./run check no_such_scene  # exit code 2\n./run check no_such_scene | head -n 1  # exit code 2\n```\n")
 expect(1 "exit code 2 instead of 3" "```sh\n./run check no_such_scene  # exit code 3\n```\n")
