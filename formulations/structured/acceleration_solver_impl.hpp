@@ -57,6 +57,7 @@ void AccelerationSolver<F>::solve(std::span<const BodyState<F>> state, const S& 
     solver_.start(assembly_.matrix(), right_side_);
     eliminate();
     solver_.substitute(solution_);
+    if (solver_.restore_kept_rows()) solver_.solve(right_side_, solution_);
     if (refinement == Refinement::as_needed) refine_as_needed();
     if (how == DependentRows::detect) check_dependent_rows();
   } catch (...) {

@@ -76,6 +76,7 @@ void GraphSolver<S>::factor(const GraphMatrix<S>& matrix) {
   const auto joint_is_dependent = [&](const EliminationPlan::Link& link) {
     return link.edge >= 0 && !plan_.is_point_link(link) && has_dependent_rows(link.edge);
   };
+  if (how_ == DependentRows::keep) restore_kept_rows();
   if (how_ != DependentRows::detect) return;
   if (has_nearly_dependent_rows_ || std::any_of(plan_.links.begin(), plan_.links.end(), joint_is_dependent))
     restore_independent_rows();

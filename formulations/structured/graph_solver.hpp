@@ -94,6 +94,10 @@ class GraphSolver {
       return decision == DependentRows::keep || decision == DependentRows::keep_count;
     };
     if (keeps(how) && !keeps(how_)) is_marked_ = is_dependent_;
+    if (how != DependentRows::keep)
+      kept_borders_.clear();
+    else if (!keeps(how_))
+      keep_borders_of(*this);
     if (how == DependentRows::detect_near_singular)
       for (auto& rows : is_marked_) rows.fill(false);
     how_ = how;
@@ -101,13 +105,20 @@ class GraphSolver {
   /// Under DependentRows::detect_near_singular: row k of an edge is dependent, whatever its pivot is.
   void mark_dependent(int edge, int k) { is_marked_[edge][k] = true; }
 
-  /// From now on every factorisation keeps the dependent rows of the last factorisation of `other`, and
-  /// leaves out rows whose pivot is rounding besides. The edges that both graphs have must come first in
-  /// both. The dependent rows of further edges do not change.
+  /// From now on every factorisation keeps the dependent and the bordered rows of the last factorisation of
+  /// `other`, and leaves out rows whose pivot is rounding besides. The edges that both graphs have must come
+  /// first in both. The dependent rows of further edges do not change.
   void keep_dependent_rows_of(const GraphSolver& other) {
     how_ = DependentRows::keep;
     std::copy_n(other.is_dependent_.begin(), std::min(is_marked_.size(), other.is_dependent_.size()),
                 is_marked_.begin());
+    keep_borders_of(other);
+  }
+  /// Under DependentRows::keep, after start() and eliminate(): borders the rows again that the last decision
+  /// put back. Returns whether there are any; solve() then gives the solution that satisfies them.
+  bool restore_kept_rows() {
+    for (const EdgeRow& row : kept_borders_) border(row);
+    return !kept_borders_.empty();
   }
 
   /// Whether row k of an edge is dependent in the last factorisation.
@@ -231,6 +242,17 @@ class GraphSolver {
   void finish(const GraphVector<S>& right_side, GraphVector<S>& solution);
   /// Borders a dependent row to the factors. Returns false if the response to the row is rounding error.
   bool border(const EdgeRow& row);
+  /// Leaves the rows that are bordered in `other` out of the elimination, and keeps them to be bordered
+  /// again. The elimination could not tell their pivots, the squares of small sines, from rounding errors.
+  void keep_borders_of(const GraphSolver& other) {
+    kept_borders_.clear();
+    for (int n = 0; n < other.bordered_; ++n) {
+      const EdgeRow& row = other.borders_[n].row;
+      if (plan_.rows_slot[row.edge] < 0) continue;  // a point joint of this tree needs no border
+      kept_borders_.push_back(row);
+      is_marked_[row.edge][row.k] = true;
+    }
+  }
   Probe& cleared_probe();
   void refine(Probe& probe);
   /// Phi_k^T of a row on the bodies i and j of its edge; zero on the ground.
@@ -258,6 +280,7 @@ class GraphSolver {
   // rows put back
   std::vector<Border> borders_;  ///< storage; the first bordered_ of them are in use
   int bordered_ = 0;
+  std::vector<EdgeRow> kept_borders_;  ///< bordered again after every factorisation under DependentRows::keep
   std::vector<EdgeRow> candidates_;
   // allocated when first needed
   std::optional<Probe> probe_;

@@ -135,7 +135,8 @@ enum class DependentRows {
   /// dependent ones. No candidate is put back and no right side is checked. For motions through singular
   /// positions.
   detect_near_singular,
-  /// The rows of the last decision, and rows whose pivot is rounding. At a state that violates its
+  /// The rows of the last decision, and rows whose pivot is rounding. Rows that the decision put back are
+  /// bordered again. At a state that violates its
   /// constraints a little, as the stages of an integrator do, a new decision would take dependent rows for
   /// independent ones.
   keep,
