@@ -29,7 +29,7 @@ struct Case {
   double floor = 1e-16;
 };
 
-/// All methods with given steps; methods with a choice of orders at each of these orders.
+/// All methods with given steps; methods with a choice of orders at each order that shows its slope.
 std::vector<Case> cases();
 
 }  // namespace trivium::convergence
