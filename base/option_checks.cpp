@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "base/whole_file.hpp"
 
@@ -22,6 +23,16 @@ std::optional<double> finite_number(const std::string& text) {
   const auto x = static_cast<double>(std::strtold(text.c_str(), &end));
   const bool whole = !text.empty() && end == text.c_str() + text.size();
   return whole && std::isfinite(x) ? std::optional(x) : std::nullopt;
+}
+
+/// Accepts the finite numbers for which `holds`; `accepted` names them for the message.
+template <class Holds>
+OptionCheck number(Holds holds, std::string accepted, std::string name) {
+  return {[holds, accepted = std::move(accepted)](const std::string& text) {
+            const std::optional<double> x = finite_number(text);
+            return x && holds(*x) ? std::string() : fmt::format("found {}; accepted: {}", text, accepted);
+          },
+          std::move(name)};
 }
 
 }  // namespace
@@ -46,30 +57,16 @@ OptionCheck whole_number(std::uint64_t most) {
 }
 
 OptionCheck positive_number() {
-  return {[](const std::string& text) {
-            const std::optional<double> x = finite_number(text);
-            return x && *x > 0 ? std::string() : fmt::format("found {}; accepted: a number above 0", text);
-          },
-          "POSITIVE"};
+  return number([](double x) { return x > 0; }, "a number above 0", "POSITIVE");
 }
 
 OptionCheck number_between(double least, double most) {
-  return {[least, most](const std::string& text) {
-            const std::optional<double> x = finite_number(text);
-            return x && *x >= least && *x <= most
-                       ? std::string()
-                       : fmt::format("found {}; accepted: a number from {} to {}", text, least, most);
-          },
-          "NUMBER"};
+  return number([least, most](double x) { return x >= least && x <= most; },
+                fmt::format("a number from {} to {}", least, most), "NUMBER");
 }
 
 OptionCheck number_from_zero() {
-  return {[](const std::string& text) {
-            const std::optional<double> x = finite_number(text);
-            return x && *x >= 0 ? std::string()
-                                : fmt::format("found {}; accepted: a number not below 0", text);
-          },
-          "NUMBER"};
+  return number([](double x) { return x >= 0; }, "a number not below 0", "NUMBER");
 }
 
 OptionCheck writable_file() { return {why_not_writable, "FILE"}; }

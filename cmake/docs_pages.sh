@@ -12,10 +12,10 @@
 #                                  in capital letters is checked for its options alone
 #   <!-- output of: COMMAND -->    what follows, up to the next <!-- end -->, is the command's output, as Markdown
 # Words must be equal. Numbers must agree to 1 %; the last digits depend on the processor. Numbers below 1e-9 are rounding:
-# they may differ by a factor of 1000. In `text times` decimal fractions, which may be times of
-# microseconds, may differ by a factor of 100; numbers with an exponent, which are errors of integration, by a factor of 3. Numbers
-# of tests (#12: and Start 12:), and how many dots stand behind a test's name, are not compared. Options named in a page
-# must be options of a program.
+# they may differ by a factor of 1000. In `text times` decimal fractions, which may be times of microseconds, may
+# differ by a factor of 100; numbers with an exponent, which are errors of integration, by a factor of 3. Numbers of tests
+# (#12: and Start 12:), and how many dots stand behind a test's name, are not compared. Options named in a page must be
+# options of a program.
 # Numbers in sentences: docs_numbers.sh.
 set -euo pipefail
 bin=$(realpath "$1") sources=$(realpath "$2") work=$(mkdir -p "$3" && realpath "$3")

@@ -105,8 +105,8 @@ TEST(LocalError, IsThatOfSingleStepsWithinAFactorFive) {
           Samples one;
           try {
             simulate(Model<double>{model.mechanism, samples.all[n].state}, exactly, one);
-          } catch (
-              const Error&) {  // index 3 leaves velocities off redundant rows: no exact motion starts there
+          } catch (const Error&) {
+            // index 3 leaves velocities off redundant rows: no exact motion starts there
             sum = 0;
             break;
           }

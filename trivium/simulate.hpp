@@ -24,8 +24,7 @@ struct SimulateSettings {
   /// Relative tolerance of chosen steps [-]. The error of a step in a number x of the state vector
   /// (positions, rotational coordinates and velocities of the formulation, in SI units) is measured in units
   /// of atol + rtol |x|. Implicit methods of the library, hem4 and rattle have other sizes |x| for
-  /// positions (docs/simulating.md). How the errors of all
-  /// numbers are combined depends on the method.
+  /// positions (docs/simulating.md). How the errors of all numbers are combined depends on the method.
   double rtol = 1e-8;
   double atol = 1e-10;  ///< absolute tolerance of chosen steps, as in rtol [the unit of x]
   /// Order of the method [-]; none: its default. bdf 1 to 5, default 2; arkode-erk 2 to 6 or 8, default 5;

@@ -94,8 +94,8 @@ struct Solution : Instant {
   std::vector<double> lambda_p;        ///< r-p: [nb], multipliers of (p . p - 1)/2 = 0 [N m]; otherwise empty
   std::optional<double> condition;     ///< kappa [-], as in Check
   std::vector<std::string> dependent;  ///< names of the rows that are dependent at this state
-  std::vector<std::string>
-      warnings;  ///< uncertain numbers, unmet equations, narrow ranks, unphysical inertias
+  /// Uncertain numbers, unmet equations, rows near the rank tolerance, unphysical inertias.
+  std::vector<std::string> warnings;
 };
 
 /// Solves the equations of motion at the scene's state. Throws an Error: of kind input if the state violates

@@ -140,10 +140,9 @@ int run(const Program& program) {
 int main(int argc, char** argv) {
   using namespace trivium;
   Program program(
-      "How many instructions does one evaluation of accelerations and multipliers take? Measured on chains "
-      "of "
-      "10 and 100 bodies and a ladder of 40 loops, in r-omega, r-p and r-epsilon, with and without "
-      "refinement.",
+      "How many instructions does one evaluation of accelerations and multipliers take? Measured on "
+      "chains of 10 and 100 bodies and a ladder of 40 loops, in r-omega, r-p and r-epsilon, with and "
+      "without refinement.",
       "instruction_counts", "");
   Workload workload;
   int evaluations = 0;

@@ -17,13 +17,12 @@ namespace {
 using scenes::Scene, scenes::Vector3;
 using test::catalogue_scene, test::Motion, test::side, test::stepping, test::tight;
 
-/// A body that hangs at rest on pins, spherical joints that are not in one line.
-Scene hung_on(int pins) {
+/// A body that hangs at rest on spherical joints at these points of the body.
+Scene hung_on(const std::vector<Vector3>& points) {
   Scene scene;
   scene.name = "hung";
   scene.bodies = {test::body("b", 1, {0.1, 0.2, 0.15}, {1, 0, 0})};
-  const std::vector<Vector3> points{{-1, 0, 0}, {-1, 0, 1}, {-1, 0.1, 2}, {-1, 0.5, -1}};
-  for (int k = 0; k < pins; ++k) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
     const Vector3& p = points[k];
     scene.constraints.push_back(test::joint(JointType::spherical, fmt::format("s{}", k),
                                             side(scenes::ground, Vector3{p[0] + 1, p[1], p[2]}), side(0, p)));
@@ -31,21 +30,8 @@ Scene hung_on(int pins) {
   scene.effects = {Gravity<double>{"", {0, -9.81, 0}}};
   return scene;
 }
-
-/// A body that hangs at rest on three pins, the last of which misses the line of the others by `off` [m].
-Scene hung_on_a_line(double off) {
-  Scene scene;
-  scene.name = "three";
-  scene.bodies = {test::body("b", 1, {0.1, 0.2, 0.15}, {1, 0, 0})};
-  for (int k = 0; k < 3; ++k) {
-    const double y = k == 2 ? off : 0.0, z = k;
-    scene.constraints.push_back(test::joint(JointType::spherical, fmt::format("s{}", k),
-                                            side(scenes::ground, Vector3{0, y, z}),
-                                            side(0, Vector3{-1, y, z})));
-  }
-  scene.effects = {Gravity<double>{"", {0, -9.81, 0}}};
-  return scene;
-}
+/// Three pins, the last of which misses the line of the others by `off` [m].
+Scene hung_on_a_line(double off) { return hung_on({{-1, 0, 0}, {-1, 0, 1}, {-1, off, 2}}); }
 
 // The rank tolerance says whether the last of three pins nearly in one line holds the body.
 TEST(Locked, PinsNearlyInOneLineHoldTheBodyIfTheRankToleranceSaysSo) {
@@ -197,7 +183,9 @@ class EveryMethod : public testing::TestWithParam<integrators::MethodInfo> {};
 
 TEST_P(EveryMethod, LeavesALockedBodyWhereItIs) {
   for (const std::string& formulation : formulations_of(GetParam()))
-    for (const Scene& scene : {hung_on(3), hung_on(4), held_lever()}) {
+    for (const Scene& scene :
+         {hung_on_a_line(0.1), hung_on({{-1, 0, 0}, {-1, 0, 1}, {-1, 0.1, 2}, {-1, 0.5, -1}}),
+          held_lever()}) {
       const Motion motion(scene, options_for(GetParam(), formulation, 0.3));
       const double way = (motion.end().state.pose[0].r - motion.samples[0].state.pose[0].r).norm();
       EXPECT_LE(way, 1e-12) << scene.name << ", " << formulation;

@@ -70,9 +70,9 @@ std::vector<bool> AccelerationSolver<F>::unique() {
   // lever2() below needs the levers of the bodies, which solve() does not measure at every state
   solver_.measure_levers();
   // A multiplier is not unique if its row is dependent and has no gradient, or if the row has more than a
-  // negligible share in a null space vector. The share
-  // is the coefficient times the norm of the row's gradient. In this norm the rotational part is divided by
-  // the lever, a length that is the same for all bodies that joints connect.
+  // negligible share in a null space vector. The share is the coefficient times the norm of the row's
+  // gradient. In this norm the rotational part is divided by the lever, a length that is the same for all
+  // bodies that joints connect.
   const VectorX<S> size2 = row_sizes([&](int b, const Vector3<S>& r, const Vector3<S>& x) {
     return S(r.squaredNorm() + x.squaredNorm() / solver_.lever2(b));
   });

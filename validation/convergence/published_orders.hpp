@@ -20,8 +20,8 @@ struct Case {
   /// The order is lower if the mass matrix depends on the position: between 1 and the published order.
   bool needs_constant_mass = false;
   bool is_double = false;  ///< the method belongs to a library that computes in double only
-  /// The scene that is used if the command line names none. hedop5 has double_pendulum,
-  /// since on the slider-crank some of its errors first fall faster than its order.
+  /// The scene that is used if the command line names none. hedop5 has double_pendulum, since on the
+  /// slider-crank some of its errors first fall faster than its order.
   std::string scene = "spatial_slider_crank";
   /// Errors below this fraction of their quantity show no order [-]. In quad the limit is the difference
   /// between initial states: the scene's positions are doubles, and projections onto the constraints differ
