@@ -67,9 +67,9 @@ struct SimulationReport {
   bool does_work = false;                   ///< a driver or a non-conservative effect may do work
   double work = 0;                          ///< work of drivers and of non-conservative effects [J]
   double unaccounted_energy = 0;            ///< largest |change of energy - work| after any step [J]
-  /// Sums of the errors of single steps, for methods of the orders 1 to 3 with given steps.
+  /// Sums of the errors of single steps, for methods of the orders 1 to 5 with given steps.
   std::optional<LocalErrorSums> local_errors = {};
-  double length = 0;  ///< bound of the distance of the mechanism's points from the global origin [m]
+  std::string errs_most = {};  ///< name of the body of local_errors
   /// Sum of m v^2 / 2 over the bodies, v the fastest speed so far in the body's group of connected bodies
   /// [J].
   double fastest_energy = 0;

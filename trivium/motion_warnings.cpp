@@ -33,14 +33,23 @@ std::vector<std::string> warnings_of(const SimulationReport& report) {
                     counted(report.passages.size(), "singular position", "singular positions"),
                     report.passages.front().t));
   }
-  // A thousandth of the length shows in a drawing. It separates the motions of the catalogue at usual steps
-  // from those of fast tops at the same steps.
+  // A thousandth of the size or of the speed shows in a drawing. It separates the motions of the catalogue at
+  // usual steps from those of fast tops at the same steps.
   constexpr double visible = 1e-3;
-  if (report.local_errors && !(report.local_errors->position <= visible * report.length))
-    out.push_back(fmt::format(
-        "the local errors of the steps add up to {:.1e} m, with a mechanism of {:.1e} m: the motion is "
-        "not accurate, even if its energy is conserved; take smaller steps, or check with --verify",
-        report.local_errors->position, report.length));
+  constexpr long few_steps = 10;  // a run of so few has too few for an estimate
+  if (report.local_errors && report.local_errors->steps == 0 && report.counters.steps > few_steps)
+    out.emplace_back(
+        "the local errors of the steps are not known, since hardly two steps between events and outputs have "
+        "the same length; check with --verify");
+  if (report.local_errors && !(report.local_errors->relative() <= visible))
+    out.push_back(
+        fmt::format("body \"{}\": the local errors of the steps add up to {:.1e} m in a motion of {:.1e} m, "
+                    "and to {:.1e} m/s at "
+                    "speeds up to {:.1e} m/s: it is not accurate, even if its energy is conserved; take "
+                    "smaller steps, or "
+                    "check with --verify",
+                    report.errs_most, report.local_errors->position, report.local_errors->size,
+                    report.local_errors->velocity, report.local_errors->speed));
   if (loses_energy(report))
     out.push_back(
         fmt::format("the energy error is {:.1e} J, the largest kinetic energy {:.1e} J: the motion is not "

@@ -34,9 +34,13 @@ S unaccounted_energy(const MotionEnergy<S>& now, const MotionEnergy<S>& at_start
 /// Whether a run lost or gained energy: its largest unaccounted energy exceeds a thousandth of its largest
 /// kinetic energy plus the rounding of energies of the size `energies` [J]. A NaN counts as too large. 1e-3
 /// is chosen by experiment: it accepts what usual tolerances cost and reports a motion whose energy visibly
-/// changes. 1e-12, about 1e4 u, is the rounding of large energies that cancel.
+/// changes. 1e-12, about 1e4 u, is the rounding of large energies that cancel. Speeds below 1e-5 of those
+/// that belong to `energies` are no motion but rounding, as in a mechanism that its constraints lock;
+/// positions then have errors within usual tolerances, 1e-8, which change the potential energy; 1e-7 leaves a
+/// margin.
 inline bool energy_is_lost(double unaccounted, double largest_kinetic, double energies) {
-  constexpr double share_lost = 1e-3, share_rounded = 1e-12;
+  constexpr double share_lost = 1e-3, share_rounded = 1e-12, share_at_rest = 1e-10, share_tolerated = 1e-7;
+  if (largest_kinetic <= share_at_rest * energies) return !(unaccounted <= share_tolerated * energies);
   return !(unaccounted <= share_lost * largest_kinetic + share_rounded * energies);
 }
 

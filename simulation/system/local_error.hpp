@@ -1,14 +1,18 @@
 #pragma once
 /// An estimate of the error that every step of a method with given steps commits. It asks nothing of the
-/// method: with the accelerations a at the last states, the formula of Adams and Moulton of one order more
-/// than the method's gives the end of the step again,
+/// method. An exact motion satisfies, up to a high power of h, formulas that relate the positions, velocities
+/// and accelerations at the ends of a few steps. The states of a method leave a remainder: its errors in
+/// these steps, or a mean of them. The formulas are so much more accurate than the method that their own
+/// errors are small beside it at usual steps. (Where a motion changes much within a step, such as a stiff
+/// spring that has just been released, the remainder is larger than the error.)
 ///
-///     v_n+1 = v_n + h sum_j beta_j a_n+1-j,   r_n+1 = r_n + h sum_j beta_j v_n+1-j
-///     A_n+1 = A_n exp(h sum_j beta_j omega_bar_n+1-j + h^2/12 omega_bar_n x omega_bar_n+1)
+/// Rotations are measured by Euler parameters p of what is left beside an even rotation,
 ///
-/// (Magnus' expansion, of order 4). The differences from the method's own numbers are its local errors. They
-/// count as errors of the points of a body: an angle is multiplied by the reach of the body
-/// (mechanism/reach.hpp). lambda does not enter.
+///     A_j = A_m exp((j - m) h tilde(omega_bar_m)) A(p),   m a state in the middle,
+///
+/// so that a fast even spin, which many methods integrate exactly, has no remainder. The errors count as
+/// errors of the points of a body: an angle is multiplied by the reach of the body (mechanism/reach.hpp).
+/// lambda does not enter.
 
 #include <algorithm>
 #include <array>
@@ -18,7 +22,6 @@
 
 #include "base/raise.hpp"
 #include "bodies/rotations/so3.hpp"
-#include "integrators/lagrange.hpp"
 
 namespace trivium {
 
@@ -26,84 +29,201 @@ namespace trivium {
 template <class S>
 struct BodyInMotion {
   Vector3<S> r, v, a;                   ///< position [m], velocity [m/s], acceleration [m/s^2], global
-  Matrix3<S> A;                         ///< rotation matrix
+  Vector4<S> p;                         ///< Euler parameters, of either sign
   Vector3<S> omega_bar, omega_bar_dot;  ///< [rad/s, rad/s^2], body frame
 };
 
-/// Sums of local errors over the steps of a motion, for the points of the body that errs most.
+/// Sums of local errors over the steps of a motion, for the points of the body that errs most in comparison
+/// with its size. A sample of the steps is estimated; the others enter with their mean.
 struct LocalErrorSums {
+  int body = 0;
   double position = 0;  ///< [m]
   double velocity = 0;  ///< [m/s]
-  long steps = 0;       ///< in the sums; the first steps, which have too few states before them, are left out
+  // of the bodies that are connected with this body
+  double size = 0;   ///< extent of their motion [m]
+  double speed = 0;  ///< of their fastest point [m/s]
+  long steps = 0;    ///< that were estimated
+
+  /// The larger of both sums, in comparison with the size and the speed [-].
+  double relative() const { return std::max(share(position, size), share(velocity, speed)); }
+
+ private:
+  static double share(double error, double whole) { return error > 0 ? error / whole : 0; }
 };
 
-/// Sums the local errors of a motion, body by body. Methods of the orders 1 to 3 are estimated: at usual
-/// steps their errors are the largest.
+/// A formula that polynomials x(t) satisfy at times h apart,
+///
+///     sum_j of_x_j x_j + h of_rate_j x'_j + h^2 of_second_j x''_j = 0.
+///
+/// It is the divided difference of x that takes time j n_j-fold, n_j = 1, 2 or 3, so that x'_j and x''_j have
+/// weights only if n_j exceeds 1 and 2. All polynomials of a degree below sum_j n_j - 1 satisfy it. It is
+/// scaled such that an error e of x in every step leaves the remainder e.
+template <class S>
+struct StepFormula {
+  std::vector<S> of_x, of_rate, of_second;
+
+  explicit StepFormula(const std::vector<int>& n) {
+    const int times = static_cast<int>(n.size());
+    S scale(0);
+    for (int j = 0; j < times; ++j) {
+      S w(1), L(0), Q(0);  // w(t) = product of (t - l)^-n_l at j, and sums of its logarithmic derivatives
+      for (int l = 0; l < times; ++l) {
+        if (l == j) continue;
+        const S inverse = S(1) / S(j - l);
+        for (int i = 0; i < n[l]; ++i) w *= inverse;
+        L += n[l] * inverse;
+        Q += n[l] * inverse * inverse;
+      }
+      const std::array<S, 3> taylor{w, -L * w, (L * L + Q) * w / 2};  // w(j), w'(j), w''(j) / 2
+      of_x.push_back(taylor[n[j] - 1]);
+      of_rate.push_back(n[j] > 1 ? taylor[n[j] - 2] : S(0));
+      of_second.push_back(n[j] > 2 ? S(taylor[0] / 2) : S(0));
+      scale += j * of_x.back();
+    }
+    for (auto* of : {&of_x, &of_rate, &of_second})
+      for (S& weight : *of) weight /= scale;
+  }
+  int times() const { return static_cast<int>(of_x.size()); }
+};
+
+/// Sums the local errors of a motion, body by body. Methods of the orders 1 to 5 are estimated. At the steps
+/// for which higher orders are made, no formula over past states is more accurate than they are. Every third
+/// step is estimated, or fewer where states are expensive, so that an estimate costs less than a twentieth of
+/// the step. The first steps, in which the formula has too few states, are not estimated.
 template <class S>
 class LocalError {
  public:
-  static constexpr int highest_order = 3;
+  static constexpr int highest_order = 5;
 
-  /// `order` of the method, 1 to 3. `reach` of each body: how far its points move by a rotation of 1 rad [m].
-  LocalError(int order, std::vector<S> reach)
-      : order_(order), reach_(std::move(reach)), sums_(reach_.size()) {
-    integrators::PolynomialNumbers<S> ends;  // of the last steps, in steps
-    for (int j = 0; j <= order; ++j) ends.add(S(-j));
-    beta_ = integral_weights(ends, S(-1), S(0));
-  }
+  /// `order` of the method, 1 to 5. `reach` of each body: how far its points move by a rotation of 1 rad [m].
+  /// `component` of each body: a number that connected bodies have in common, below the number of bodies.
+  LocalError(int order, std::vector<S> reach, std::vector<int> component)
+      // their remainders have at least one power of h more than the errors of the method
+      : positions_(order <= 2 ? std::vector<int>{3, 3} : std::vector<int>{2, 3, 3}),
+        velocities_(std::vector<int>((order + 5) / 2, 2)),
+        reach_(std::move(reach)),
+        component_(std::move(component)),
+        past_(velocities_.times()),
+        sums_(reach_.size()),
+        begin_(reach_.size()),
+        size_(reach_.size(), S(0)),
+        speed_(size_) {}
 
   /// The motion is not smooth at the last state: earlier ones are forgotten.
   void restart() { known_ = std::min(known_, 1); }
+  /// Whether the end of the next step is left out, and need not be given to `add`.
+  bool leaves_out() {
+    if (left_out_ == 0) return false;
+    --left_out_;
+    ++all_steps_;
+    return true;
+  }
 
   /// Adds the end of a step of length h [s]; the first state has no step. A step of another length restarts;
   /// a relative change of h by 1e-6 changes the estimate as little, and is far above the rounding of times.
-  void add(std::vector<BodyInMotion<S>>& bodies, const S& h) {
+  /// If states are expensive, as many as a formula needs are left out after each estimate.
+  void add(std::vector<BodyInMotion<S>>& bodies, const S& h, bool is_expensive) {
     using std::abs;
     if (known_ > 1 && !(abs(h - h_) <= S(1e-6) * h)) restart();
     h_ = h;
-    std::rotate(past_.begin(), past_.end() - 1, past_.end());
-    past_[0].swap(bodies);
-    if (++known_ <= order_) return;
-    known_ = order_ + 1;
+    std::rotate(past_.begin(), past_.begin() + 1, past_.end());
+    past_.back().swap(bodies);
+    measure_sizes(past_.back());
+    ++all_steps_;
+    if (++known_ < static_cast<int>(past_.size())) return;
+    known_ = is_expensive ? 0 : static_cast<int>(past_.size()) - 3;
+    left_out_ = is_expensive ? static_cast<int>(past_.size()) : 0;
     for (std::size_t b = 0; b < sums_.size(); ++b) measure(b);
     ++steps_;
   }
 
-  LocalErrorSums sums() const {
-    LocalErrorSums largest{0, 0, steps_};
-    for (const auto& [position, velocity] : sums_) {
-      raise(largest.position, static_cast<double>(position));
-      raise(largest.velocity, static_cast<double>(velocity));
+  /// `least` of each body: a bound below which the speed of the bodies connected with it is no motion [m/s].
+  LocalErrorSums sums(const std::vector<double>& least) const {
+    LocalErrorSums largest;
+    const double share = steps_ > 0 ? static_cast<double>(all_steps_) / static_cast<double>(steps_) : 0;
+    for (int b = 0; b < static_cast<int>(sums_.size()); ++b) {
+      LocalErrorSums of_body;
+      of_body.body = b;
+      of_body.position = share * static_cast<double>(sums_[b].first);
+      of_body.velocity = share * static_cast<double>(sums_[b].second);
+      of_body.size = static_cast<double>(size_[component_[b]]);
+      of_body.speed = std::max(static_cast<double>(speed_[component_[b]]), least[b]);
+      of_body.steps = steps_;
+      if (b == 0 || of_body.relative() > largest.relative()) largest = of_body;
     }
     return largest;
   }
 
  private:
+  /// The size of a component is the largest distance of its points from where its first body began.
+  void measure_sizes(const std::vector<BodyInMotion<S>>& bodies) {
+    for (std::size_t b = bodies.size(); all_steps_ < 0 && b-- > 0;) begin_[component_[b]] = bodies[b].r;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      const BodyInMotion<S>& body = bodies[b];
+      raise(size_[component_[b]], S((body.r - begin_[component_[b]]).norm() + reach_[b]));
+      raise(speed_[component_[b]], S(body.v.norm() + reach_[b] * body.omega_bar.norm()));
+    }
+  }
   void measure(std::size_t b) {
-    using B = BodyInMotion<S>;
-    const auto integral = [&](Vector3<S> B::*rate) {
-      Vector3<S> sum = Vector3<S>::Zero();
-      for (int j = 0; j <= order_; ++j) sum += beta_[j] * (past_[j][b].*rate);
-      return Vector3<S>(h_ * sum);
-    };
-    const B &now = past_[0][b], &before = past_[1][b];
-    const Vector3<S> turn = integral(&B::omega_bar) + h_ * h_ / 12 * before.omega_bar.cross(now.omega_bar);
-    const Matrix3<S> off =
-        rotation_matrix(exponential_parameters(turn)).transpose() * before.A.transpose() * now.A;
-    const Vector3<S> angle(off(2, 1) - off(1, 2), off(0, 2) - off(2, 0),
-                           off(1, 0) - off(0, 1));  // 2 sin(angle) axis
-    sums_[b].first += (now.r - before.r - integral(&B::v)).norm() + reach_[b] * angle.norm() / 2;
-    sums_[b].second += (now.v - before.v - integral(&B::a)).norm() +
-                       reach_[b] * (now.omega_bar - before.omega_bar - integral(&B::omega_bar_dot)).norm();
+    sums_[b].first += position_error(b);
+    sums_[b].second += velocity_error(b);
+  }
+  S position_error(std::size_t b) const {
+    const int k = positions_.times() - 1, first = static_cast<int>(past_.size()) - 1 - k;
+    const BodyInMotion<S>& middle = past_[first + k / 2][b];
+    const Vector4<S> back = conjugate_parameters(middle.p);
+    Vector3<S> of_r = Vector3<S>::Zero();
+    Vector4<S> of_p = Vector4<S>::Zero();
+    for (int j = 0; j <= k; ++j) {
+      const BodyInMotion<S>& body = past_[first + j][b];
+      const S of_x = positions_.of_x[j], of_rate = h_ * positions_.of_rate[j],
+              of_second = h_ * h_ * positions_.of_second[j];
+      of_r += of_x * (body.r - middle.r) + of_rate * body.v + of_second * body.a;
+      if (j == k / 2) {  // p = (1, 0), p' = 0
+        of_p[0] += of_x;
+        of_p.template tail<3>() += of_second / 2 * body.omega_bar_dot;
+        continue;
+      }
+      const Vector4<S> even = exponential_parameters(Vector3<S>(S(k / 2 - j) * h_ * middle.omega_bar));
+      Vector4<S> p = multiply_parameters(even, multiply_parameters(back, body.p));
+      if (p[0] < S(0)) p = -p;
+      // A(p) turns with omega; `evenly` is the even rotation in the frame of the body
+      const Vector3<S> e = p.template tail<3>(), turned = 2 * middle.omega_bar.cross(e),
+                       evenly = middle.omega_bar + p[0] * turned + turned.cross(e),
+                       omega = body.omega_bar - evenly, omega_dot = body.omega_bar_dot + omega.cross(evenly);
+      of_p += (of_x - of_second / 4 * omega.squaredNorm()) * p +
+              rate_of_parameters(p, Vector3<S>(of_rate * omega + of_second * omega_dot));
+    }
+    return of_r.norm() + 2 * reach_[b] * of_p.norm();
+  }
+  /// p' = G^T omega_bar / 2.
+  static Vector4<S> rate_of_parameters(const Vector4<S>& p, const Vector3<S>& omega_bar) {
+    const Vector3<S> e = p.template tail<3>();
+    Vector4<S> rate;
+    rate << -e.dot(omega_bar) / 2, (p[0] * omega_bar + e.cross(omega_bar)) / 2;
+    return rate;
+  }
+  S velocity_error(std::size_t b) const {
+    Vector3<S> of_v = Vector3<S>::Zero(), of_omega_bar = of_v;
+    for (std::size_t j = 0; j < past_.size(); ++j) {
+      const BodyInMotion<S>& body = past_[j][b];
+      const S of_x = velocities_.of_x[j], of_rate = h_ * velocities_.of_rate[j];
+      of_v += of_x * body.v + of_rate * body.a;
+      of_omega_bar += of_x * body.omega_bar + of_rate * body.omega_bar_dot;
+    }
+    return of_v.norm() + reach_[b] * of_omega_bar.norm();
   }
 
-  int order_, known_ = 0;
-  long steps_ = 0;
+  const StepFormula<S> positions_, velocities_;
+  int known_ = 0, left_out_ = 0;
+  long steps_ = 0, all_steps_ = -1;  ///< the first state has no step
   S h_{0};
-  integrators::PolynomialNumbers<S> beta_;  ///< of Adams and Moulton, the latest value first
   std::vector<S> reach_;
-  std::array<std::vector<BodyInMotion<S>>, highest_order + 1> past_;  ///< the latest first
-  std::vector<std::pair<S, S>> sums_;  ///< per body: of positions [m], of velocities [m/s]
+  std::vector<int> component_;
+  std::vector<std::vector<BodyInMotion<S>>> past_;  ///< the earliest first
+  std::vector<std::pair<S, S>> sums_;               ///< per body: of positions [m], of velocities [m/s]
+  std::vector<Vector3<S>> begin_;                   ///< per component: where its first body began [m]
+  std::vector<S> size_, speed_;                     ///< per component, the largest so far [m, m/s]
 };
 
 }  // namespace trivium

@@ -62,7 +62,7 @@ std::string MotionReport::json(const SimulationReport& r, const std::vector<Erro
       .number("normalisation", r.normalisation);
   if (r.has_raw_lambda) json.number("raw_lambda", r.lambda_gap);
   json.end_object();
-  if (r.local_errors)
+  if (r.local_errors && r.local_errors->steps > 0)
     json.begin_object("local_errors")
         .number("position", r.local_errors->position)
         .number("velocity", r.local_errors->velocity)
@@ -127,7 +127,7 @@ std::string MotionReport::text(const SimulationReport& r, const std::vector<Erro
   }
   if (r.has_raw_lambda) add("largest |raw lambda - lambda of (q, v)|", fmt::format("{:.1e}", r.lambda_gap));
   if (r.normalisation > 0) add("violation of p . p = 1, largest", fmt::format("{:.1e}", r.normalisation));
-  if (r.local_errors) {
+  if (r.local_errors && r.local_errors->steps > 0) {
     add("sum of local errors, positions [m]", fmt::format("{:.1e}", r.local_errors->position));
     add("sum of local errors, velocities [m/s]", fmt::format("{:.1e}", r.local_errors->velocity));
   }
