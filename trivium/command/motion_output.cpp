@@ -31,7 +31,6 @@ MotionOutput::MotionOutput(const Mechanism<double>& mechanism, double t_start,
 
 bool MotionOutput::sample(const MotionSample& sample) {
   last_ = sample.state.t;
-  if (samples_) samples_->push_back(sample);
   if (plot_) plot_->add(sample);
   return !csv_ || csv_->add(sample);  // a run whose results cannot be written ends
 }

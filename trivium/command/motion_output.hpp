@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "base/progress.hpp"
 #include "mechanism/mechanism.hpp"
@@ -28,10 +27,6 @@ class MotionOutput : public SimulationObserver {
   bool keep();
   /// Prints on stderr up to which time the CSV file holds the motion.
   void say_what_is_kept() const;
-  /// Keeps all samples from now on, for --verify.
-  void remember() { samples_.emplace(); }
-  /// The samples that were kept.
-  const std::vector<MotionSample>& samples() const { return *samples_; }
   /// The time of the last output [s]; none if the run failed before its first output.
   const std::optional<double>& last() const { return last_; }
 
@@ -44,7 +39,6 @@ class MotionOutput : public SimulationObserver {
   Progress progress_;
   int ticks_ = 0;
   std::optional<double> last_;
-  std::optional<std::vector<MotionSample>> samples_;
   std::optional<MotionCsv> csv_;
   std::optional<MotionPlot> plot_;
 };

@@ -66,12 +66,11 @@ int run_simulate(const SimulateArguments& arguments) {
   require_consistent(arguments.scene, model, options.from, options.formulation);
   const MotionReport of{model.mechanism, t, options};
   MotionOutput output(model.mechanism, t, options, arguments.out, arguments.plot);
-  if (arguments.verify) output.remember();
   catch_interrupts();
   try {
     const SimulationReport report = simulate(model, options, output);
     std::vector<ErrorByHalving> verified;
-    if (arguments.verify && report.complete) verified = verify_steps(model, options, output.samples());
+    if (arguments.verify && report.complete) verified = verify_steps(model, options);
     for (const std::string& warning : warnings_of(report)) fmt::print(stderr, "warning: {}\n", warning);
     for (const ErrorByHalving& e : verified)
       if (!e.is_reliable())
