@@ -65,6 +65,11 @@ S near_singular_pivot() {
   return static_cast<S>(std::pow(largest_lane(unit_roundoff<S>()), 0.6));
 }
 
+/// Rows of closings with a relative pivot below this make the balance of forces inaccurate and the iterations
+/// of implicit methods slow. Under detect_near_singular they are exchanged for other rows, if there are. The
+/// value, a sine of 0.03, is chosen by experiment: smaller ones leave iterations that diverge.
+inline constexpr double weak_pivot = 1e-3;
+
 /// A pivot is rounding error only if it is at most this share of the magnitude of its terms. 30 is chosen by
 /// experiment: a smaller value takes rounding errors for pivots, a larger one leaves rows out without need.
 template <class S>

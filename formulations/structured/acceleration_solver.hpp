@@ -131,8 +131,13 @@ class AccelerationSolver {
   void measure_violations();
   void stabilise(int edge);
 
+  /// Assembles the rows of the closings, and begins to factor and to eliminate.
+  void start(DependentRows how);
   /// Factors and eliminates link by link. Each joint is evaluated just before its step.
   void eliminate();
+  /// Under detect_near_singular: exchanges rows of weak pivots, if as many rows stay independent without
+  /// them.
+  void exchange_weak_rows();
   void assemble_link(const typename GraphAssembly<F>::LinkJoint& link);
 
   // refinement (refinement_impl.hpp)

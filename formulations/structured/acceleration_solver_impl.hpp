@@ -43,19 +43,13 @@ void AccelerationSolver<F>::solve(std::span<const BodyState<F>> state, const S& 
                                   DependentRows how) {
   try {
     rows_are_decided_ = how != DependentRows::detect;
-    solver_.set_dependent_rows(how);
     t_ = t;
     refinement_ = refinement;
     move_bodies(state);
-    if (how == DependentRows::detect_near_singular)
-      assembly_.find_vanishing_rows(S(vanishing_row_tolerance),
-                                    [&](int edge, int k) { solver_.mark_dependent(edge, k); });
     if (baumgarte_) measure_violations();
-    assembly_.assemble_closings(t_, right_side_);
-    if (baumgarte_)
-      for (const int e : candidate_edges_) stabilise(e);
-    solver_.start(assembly_.matrix(), right_side_);
+    start(how);
     eliminate();
+    if (how == DependentRows::detect_near_singular) exchange_weak_rows();
     solver_.substitute(solution_);
     if (solver_.restore_kept_rows()) solver_.solve(right_side_, solution_);
     if (refinement == Refinement::as_needed) refine_as_needed();
@@ -63,6 +57,30 @@ void AccelerationSolver<F>::solve(std::span<const BodyState<F>> state, const S& 
   } catch (...) {
     forget();
     throw;
+  }
+}
+
+template <Formulation F>
+void AccelerationSolver<F>::start(DependentRows how) {
+  solver_.set_dependent_rows(how);
+  if (how == DependentRows::detect_near_singular)
+    assembly_.find_vanishing_rows(S(vanishing_row_tolerance),
+                                  [&](int edge, int k) { solver_.mark_dependent(edge, k); });
+  assembly_.assemble_closings(t_, right_side_);
+  if (baumgarte_)
+    for (const int e : candidate_edges_) stabilise(e);
+  solver_.start(assembly_.matrix(), right_side_);
+}
+
+template <Formulation F>
+void AccelerationSolver<F>::exchange_weak_rows() {
+  const int found = solver_.dependent_row_count();
+  if (found == 0 || !(solver_.weakest_pivot() < S(weak_pivot))) return;
+  for (const bool without : {true, false}) {
+    start(DependentRows::detect_near_singular);
+    if (without) solver_.leave_out_below(S(weak_pivot));
+    eliminate();
+    if (solver_.dependent_row_count() == found) return;
   }
 }
 

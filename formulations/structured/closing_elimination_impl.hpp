@@ -117,6 +117,7 @@ void GraphSolver<S>::choose_rows(int c) {
     }
     if (best < 0) break;
     is_done[best] = true;
+    if (best_share < weakest_pivot_) weakest_pivot_ = best_share;
     const Vector6<S> column = block.col(best);
     block -= column * column.transpose() / column[best];
   }

@@ -137,6 +137,7 @@ void GraphSolver<S>::start_factors(const GraphMatrix<S>& matrix) {
   matrix_ = &matrix;
   bordered_ = 0;
   has_nearly_dependent_rows_ = false;
+  weakest_pivot_ = S(1);
   for (const EliminationPlan::Link& link : plan_.links)
     for (const EliminationPlan::Column& column : link.columns) column_[column.slot] = {};
   for (Matrix6<S>& block : coupling_) block.setZero();

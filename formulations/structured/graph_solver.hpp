@@ -100,8 +100,15 @@ class GraphSolver {
       keep_borders_of(*this);
     if (how == DependentRows::detect_near_singular)
       for (auto& rows : is_marked_) rows.fill(false);
+    near_singular_pivot_ = trivium::near_singular_pivot<S>();
     how_ = how;
   }
+  /// Under DependentRows::detect_near_singular: rows of closings are dependent if their relative pivot is at
+  /// most this, until the next set_dependent_rows().
+  void leave_out_below(const S& pivot) { near_singular_pivot_ = pivot; }
+  /// The least relative pivot of a closing's independent row in the last factorisation under
+  /// detect_near_singular; 1 if there are none.
+  const S& weakest_pivot() const { return weakest_pivot_; }
   /// Under DependentRows::detect_near_singular: row k of an edge is dependent, whatever its pivot is.
   void mark_dependent(int edge, int k) { is_marked_[edge][k] = true; }
 
@@ -261,7 +268,8 @@ class GraphSolver {
   S energy(const GraphVector<S>& a) const;
   [[noreturn]] static void throw_singular(const EliminationPlan::Link& link, Elimination result);
 
-  const S dependent_pivot_, near_singular_pivot_;  ///< see rank_tolerance.hpp
+  const S dependent_pivot_;  ///< see rank_tolerance.hpp
+  S near_singular_pivot_, weakest_pivot_{1};
   bool has_nearly_dependent_rows_ = false;
 
   EliminationPlan plan_;
