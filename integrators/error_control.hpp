@@ -55,7 +55,7 @@ class ErrorControl {
     // evaluate the accelerations once more. A fifth is chosen by experiment.
     const StepRule<S> rule{S(-1) / (order_ + 1), S(most_growth_), S(1) + S(most_growth_ - 1) / 5};
     take_chosen_step(
-        system, step_size_, rule, counters_, t, y, stop,
+        step_size_, rule, counters_, t, stop,
         [&](const S& h) {
           if (!has_stepped_) method_.begin(system, t, y, S(t + h));
           method_.attempt(system, t, S(t + h), y, end_.y);

@@ -20,6 +20,31 @@ namespace trivium::integrators {
 
 namespace {
 
+/// Calls `advance`, which moves (t, y) on. If it fails, the error gets the time of (t, y) unless it has one,
+/// and the cause if the system knows it; the cause stands first, since the row or body that a method finds at
+/// fault is often a neighbour. `step` is the length of the given step, or 0.
+template <class S, class Advance>
+void with_cause(AnySystem<S>& system, const S& t, const StateVector<S>& y, const S& step,
+                const Advance& advance) {
+  try {
+    advance();
+  } catch (const UsageError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    const auto* known = dynamic_cast<const Error*>(&error);
+    const Place place{known ? known->where() : "",
+                      known && known->when() ? known->when() : static_cast<double>(t)};
+    std::string cause;
+    try {
+      cause = system.diagnose(t, y, step);
+    } catch (const std::runtime_error&) {  // not even that is known at this state
+    }
+    if (cause.empty()) throw IntegrationError(error.what(), place);
+    throw IntegrationError({{}, place.when},
+                           cause + "; the method ended with: " + without_advice(error.what()));
+  }
+}
+
 /// Takes one step, at most to `stop`, and projects its end if `projects`. If the step or its projection is
 /// not acceptable (see integrate.hpp), a shorter step is tried, if the method can shorten its steps. A given
 /// step that is longer than the system's longest_step is an error; a chosen one is shortened.
@@ -45,15 +70,11 @@ void checked_step(AnySystem<S>& system, AnyMethod<S>& method, S& t, StateVector<
     } catch (const UsageError&) {
       throw;
     } catch (const std::runtime_error& error) {
+      if (trouble.empty()) throw;
       const auto* known = dynamic_cast<const Error*>(&error);
-      const Place place{known ? known->where() : "",
-                        known && known->when() ? known->when() : static_cast<double>(before_t)};
-      std::string why = error.what();
-      if (!trouble.empty()) why += "; an earlier, longer step failed because: " + trouble;
-      // a failure of a given step may come from the model, such as singular coordinates
-      const std::string diagnose = system.diagnose(before_t, before);
-      if (!diagnose.empty() && why.find(diagnose) == std::string::npos) why += "; " + diagnose;
-      throw IntegrationError(why, place);
+      throw IntegrationError(
+          fmt::format("{}; an earlier, longer step failed because: {}", error.what(), trouble),
+          known ? Place{known->where(), known->when()} : Place{});
     }
     const auto stepped = y;
     try {
@@ -67,6 +88,11 @@ void checked_step(AnySystem<S>& system, AnyMethod<S>& method, S& t, StateVector<
                                "steps, or control the step size by tolerances");
       if (!projects) return;
       const int row = project(system, t, y, report);
+      if (!(project.drift() <= method.largest_drift()))
+        throw IntegrationError(
+            {fmt::format("row \"{}\"", system.row_name(row)), static_cast<double>(t)},
+            "the step violates the constraints by far more than the tolerances; take tighter "
+            "tolerances");
       if (!system.projection_is_too_large(before, stepped, y)) return;
       throw IntegrationError(
           {fmt::format("row \"{}\"", system.row_name(row)), static_cast<double>(t)},
@@ -88,16 +114,13 @@ class Progress {
  public:
   Progress(const S& t, const S& length) : since_(t), least_(S(1e-7) * length) {}
 
-  void step(AnySystem<S>& system, const S& t, const StateVector<S>& y) {
+  void step(const S& t) {
     if (++steps_ < judged_steps) return;
-    if (!(t - since_ >= least_)) {
-      const std::string diagnose = system.diagnose(t, y);
-      throw IntegrationError(
-          {{}, static_cast<double>(t)},
-          fmt::format("the run does not get on: its last {} steps have moved it by {:.2e} s; {}",
-                      judged_steps, static_cast<double>(S(t - since_)),
-                      diagnose.empty() ? "looser tolerances or another method may succeed" : diagnose));
-    }
+    if (!(t - since_ >= least_))
+      throw IntegrationError({{}, static_cast<double>(t)},
+                             fmt::format("the run does not get on: its last {} steps have moved it by {:.2e} "
+                                         "s; other tolerances or another method may succeed",
+                                         judged_steps, static_cast<double>(S(t - since_))));
     steps_ = 0;
     since_ = t;
   }
@@ -116,7 +139,7 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
                const std::function<Continue(const S& t, const StateVector<S>& y)>& at_step,
                const std::function<Continue(const S& t, const StateVector<S>& y)>& at_output) {
   S t(grid.begin());
-  StateVector<S> y = system.start();
+  StateVector<S> y = system.start(), before;
   ProjectionIteration<AnySystem<S>> project;
   if (projects && !grid.goes_on()) {
     ProjectionReport<S> of_the_start;  // not part of the report: the input may be given to fewer digits
@@ -138,7 +161,11 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
     const S little = 8 * std::numeric_limits<S>::epsilon() * max(S(abs(S(grid.start()))), S(abs(stop->t)));
     const S target = stop->is_event ? stop->t - little : stop->t;
     while (t < target) {
-      checked_step(system, method, t, y, target, grid.has_given_steps(), projects, project, report);
+      const S begin = t, given = grid.has_given_steps() ? S(target - t) : S(0);
+      before = y;
+      with_cause(system, begin, before, given, [&] {
+        checked_step(system, method, t, y, target, grid.has_given_steps(), projects, project, report);
+      });
       const bool looks_back = due && due->t < t;
       bool goes_on = true;  // if it is false after an output within the step, the run ends at the step's end
       for (; goes_on && due && due->t < t; due = following.next()) {
@@ -151,8 +178,10 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
         StateVector<S> at_end;
         method.interpolate(t, at_end);
       }
-      if (system.accept_state(t, y)) method.restart();
-      progress.step(system, t, y);
+      with_cause(system, begin, before, given, [&] {
+        if (system.accept_state(t, y)) method.restart();
+        progress.step(t);
+      });
       if (at_step(t, y) == Continue::no) goes_on = false;
       const bool is_output = due && due->t == t && due->t < stop->t;
       if (is_output) due = following.next();
@@ -160,8 +189,8 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
       if (!goes_on) return false;
     }
     if (stop->is_event) {
-      const S before = std::exchange(t, stop->t);
-      system.pass_discontinuity(before, t, y);
+      const S before_t = std::exchange(t, stop->t);
+      system.pass_discontinuity(before_t, t, y);
       system.accept_state(t, y);  // the motion starts anew here, as a run continued from here does
       method.restart();
     }

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <optional>
 
 #include "integrators/contract/errors.hpp"
 #include "integrators/contract/first_order_system.hpp"
@@ -29,10 +30,18 @@ class ProjectionIteration {
   int operator()(System& system, const S& t, StateVector<S>& y, ProjectionReport<S>& report) {
     is_factored_ = false;
     system.normalise(y);
+    std::optional<S> found;
+    const S left = left_;
     approach(
         system, t, "position", report.position, report.position_left, report.changes,
-        [&] { return system.position_violation(t, y); },
+        [&] {
+          const Violation<S> off = system.position_violation(t, y);
+          left_ = off.relative;
+          if (!found) found = left_;
+          return off;
+        },
         [&](bool factor) { system.correct_positions(t, y, factor); });
+    drift_ = *found - 10 * left;
     system.normalise(y);
     return approach(
         system, t, "velocity", report.velocity, report.velocity_left, report.changes,
@@ -40,12 +49,16 @@ class ProjectionIteration {
         [&](bool factor) { system.correct_velocities(t, y, factor); });
   }
 
+  /// The relative violation of positions that the last projection found, beyond ten times what the projection
+  /// before it had left: dependent rows may differ from the others by a small amount that no projection
+  /// removes.
+  const S& drift() const { return drift_; }
+
  private:
   /// Corrects until the violation is rounding, or until a correction by a matrix that is factored at the
   /// current state no longer halves the violation. Near a singular position nearly dependent rows are left
-  /// out of the corrections, so that a violation above rounding may remain for some steps. A relative
-  /// violation above 1e-6 is an error; the value is chosen by experiment: singular positions leave less, and
-  /// projections that start too far away leave more.
+  /// out of the corrections, so that a violation above rounding may remain for some steps, up to
+  /// most_violation.
   template <class Measure, class Correct>
   int approach(System& system, const S& t, const char* what, S& found, S& left, long& changes,
                const Measure& measure, const Correct& correct) {
@@ -66,7 +79,7 @@ class ProjectionIteration {
       is_factored_ = false;  // the matrix of an earlier state is too far from the one at this state
     }
     raise(left, off.size);
-    if (!(off.relative <= S(1e-6)))
+    if (!(off.relative <= S(most_violation)))
       throw IntegrationError({fmt::format("row \"{}\"", system.row_name(off.row)), static_cast<double>(t)},
                              fmt::format("the {} violation after this step is too large for the projection "
                                          "to converge; take smaller steps or tighter tolerances",
@@ -75,6 +88,7 @@ class ProjectionIteration {
   }
 
   bool is_factored_ = false;
+  S drift_{0}, left_{0};
 };
 
 }  // namespace trivium::integrators

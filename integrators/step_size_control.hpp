@@ -128,18 +128,12 @@ void require_finite(const StateVector<S>& y, const S& t) {
                            "the state is no longer finite, or exceeds 1e100; take smaller steps");
 }
 
-/// Ends the run with the reason `why`, if one is known.
-template <FirstOrderSystem System>
-[[noreturn]] void give_up(System& system, const typename System::Scalar& t,
-                          const StateVector<typename System::Scalar>& y, std::string why) {
-  // "take smaller steps" is no advice where steps have become too small
-  constexpr std::string_view advice = "; take smaller steps";
-  if (why.ends_with(advice)) why.resize(why.size() - advice.size());
-  const std::string diagnose = system.diagnose(t, y);
-  throw IntegrationError(
-      {{}, static_cast<double>(t)},
-      fmt::format("the step size has become too small{}{}", why.empty() ? "" : ": " + why,
-                  diagnose.empty() ? "; looser tolerances or another method may succeed" : "; " + diagnose));
+/// Ends the run at time t with the reason `why`, if one is known.
+[[noreturn]] inline void give_up(double t, const std::string& why) {
+  throw IntegrationError({{}, t},
+                         fmt::format("the step size has become too small{}{}; other tolerances or another "
+                                     "method may succeed",
+                                     why.empty() ? "" : ": ", without_advice(why)));
 }
 
 /// The factor from a step size to the next: 0.9 error^power, between 0.2 and `most`, for an estimated error
@@ -162,14 +156,11 @@ struct StepRule {
 /// Tries step sizes until `attempt(h)` returns an estimated error of at most 1 [tolerances]; `accept(h)` then
 /// takes the step. After an attempt that throws a runtime_error a quarter of the size is tried. Ends the run
 /// if the step size becomes too small.
-template <FirstOrderSystem System, class Attempt, class Accept>
-void take_chosen_step(System& system, StepSizeControl<typename System::Scalar>& step_size,
-                      const StepRule<typename System::Scalar>& rule, Counters& counters,
-                      typename System::Scalar& t, const StateVector<typename System::Scalar>& y,
-                      const typename System::Scalar& stop, const Attempt& attempt, const Accept& accept) {
-  using S = typename System::Scalar;
+template <class S, class Attempt, class Accept>
+void take_chosen_step(StepSizeControl<S>& step_size, const StepRule<S>& rule, Counters& counters, S& t,
+                      const S& stop, const Attempt& attempt, const Accept& accept) {
   for (std::string trouble;;) {
-    if (step_size.is_too_small(t, stop)) give_up(system, t, y, trouble);
+    if (step_size.is_too_small(t, stop)) give_up(static_cast<double>(t), trouble);
     const S h = step_size.length(t, stop);
     try {
       const S error = attempt(h);

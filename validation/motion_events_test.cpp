@@ -9,7 +9,8 @@
 namespace trivium {
 namespace {
 
-using test::in_quad, test::InEveryFormulation, test::Motion, test::tight, test::wellformed_scene;
+using test::in_quad, test::InEveryFormulation, test::Motion, test::stepping, test::tight,
+    test::wellformed_scene;
 
 // The bob hangs straight below its hook. An impulse J at the hook changes the hook's speed by 1 m/s = J (1/m
 // + l^2/I).
@@ -71,6 +72,52 @@ TEST_P(InEveryFormulation, ADriverThatDemandsTooMuchIsNamedAtTheEndOfItsReach) {
       ASSERT_TRUE(error.when().has_value()) << method.name;
       EXPECT_NEAR(*error.when(), 2, 2e-3) << method.name;
     }
+  }
+}
+
+// Steps that cannot be shortened fail earlier, and often at a neighbouring row.
+TEST_P(InEveryFormulation, ADriverThatDemandsTooMuchIsNamedAtGivenStepsToo) {
+  for (const integrators::MethodInfo& method : integrators::methods()) {
+    if (!goes_with(method, GetParam()) || !method.takes_given_steps) continue;
+    for (const double step : {1e-2, 1e-3}) try {
+        const Motion motion(reaching_arm(), stepping(GetParam(), std::string(method.name), 3, step));
+        ADD_FAILURE() << method.name;
+      } catch (const Error& error) {
+        const std::string what = error.what();
+        EXPECT_NE(what.find("driver \"drive\" demands f = "), std::string::npos)
+            << method.name << ", " << step << ": " << what;
+        EXPECT_EQ(what.find("take smaller steps"), std::string::npos) << what;
+        EXPECT_NEAR(*error.when(), 2, 1.5 * step) << method.name;
+      }
+  }
+}
+
+// At t = 2 the pendulum's driver has nearly no grip, but does not demand too much.
+TEST_P(InEveryFormulation, AHealthyDriverIsNotBlamedForAnother) {
+  scenes::Scene scene = reaching_arm();
+  const scenes::Vector3 z{0, 0, 1};
+  scene.bodies.push_back(test::body("c", 1, {0.02, 0.03, 0.025}, {6, 0, 0}));
+  scene.bodies[2].angular_velocity = {0, 0, 0.9995 * std::acos(0.0) / 2};
+  scene.bodies[2].velocity = {0, scene.bodies[2].angular_velocity[2], 0};
+  scene.constraints.push_back(test::joint(JointType::revolute, "C",
+                                          test::side(scenes::ground, scenes::Vector3{5, 0, 0}, z),
+                                          test::side(2, scenes::Vector3{-1, 0, 0}, z)));
+  auto healthy = test::joint(basic_type<CD>, "healthy", test::side(scenes::ground, scenes::Vector3{}),
+                             test::side(2, scenes::Vector3{}));
+  healthy.direction = {0, 1, 0};
+  healthy.f = TimeFunction(TimeFunction::Harmonic{0, 0.9995, std::acos(0.0) / 2, 0});
+  scene.constraints.push_back(healthy);
+  for (const char* method : {"radau5", "dopri5", "bdf", "generalized-alpha", "hedop5"}) {
+    try {
+      const Motion motion(scene, stepping(GetParam(), method, 3, 1e-3));
+      ADD_FAILURE() << method;
+    } catch (const Error& error) {
+      const std::string what = error.what();
+      EXPECT_NE(what.find("driver \"drive\" demands f = "), std::string::npos) << method << ": " << what;
+    }
+    scenes::Scene alone = scene;
+    alone.constraints.erase(alone.constraints.begin() + 2);  // without "drive"
+    EXPECT_NO_THROW(Motion(alone, stepping(GetParam(), method, 3, 1e-3))) << method;
   }
 }
 

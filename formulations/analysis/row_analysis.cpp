@@ -241,16 +241,32 @@ std::vector<std::string> narrow_row_warnings(const std::vector<std::string>& row
   return out;
 }
 
-double free_gradient(const TangentSystem& s, int row) {
-  const ScaledJacobian scaled(s);
-  MatrixX<double> others = scaled.Phi.transpose();
+FreeMotion free_motion(const TangentSystem& s, int row) {
+  const VectorX<double> columns = geometric_column_scale(s);
+  MatrixX<double> others = columns.asDiagonal() * s.Phi.transpose();
+  VectorX<double> gradient = others.col(row);
   others.col(row).setZero();
   Eigen::ColPivHouseholderQR<MatrixX<double>> qr;
   qr.setThreshold(s.rank_tolerance);
   qr.compute(others);
-  VectorX<double> gradient =
-      qr.householderQ().transpose() * (s.Phi.row(row) * scaled.columns.asDiagonal()).transpose();
-  return gradient.tail(gradient.size() - qr.rank()).norm();
+  gradient = qr.householderQ().transpose() * gradient;
+  gradient.head(qr.rank()).setZero();
+  FreeMotion motion{gradient.norm(), VectorX<double>::Zero(gradient.size())};
+  if (motion.gradient > 0)
+    motion.q_dot = columns.asDiagonal() * (qr.householderQ() * gradient) / motion.gradient;
+  return motion;
+}
+
+double free_curvature(const TangentSystem& s, int row, const VectorX<double>& gamma) {
+  const VectorX<double> columns = geometric_column_scale(s);
+  MatrixX<double> others = s.Phi * columns.asDiagonal();
+  others.row(row).setZero();
+  VectorX<double> right = gamma;
+  right[row] = 0;
+  Eigen::CompleteOrthogonalDecomposition<MatrixX<double>> held;
+  held.setThreshold(s.rank_tolerance);
+  const VectorX<double> q_ddot = columns.asDiagonal() * held.compute(others).solve(right);
+  return s.Phi.row(row).dot(q_ddot) - gamma[row];
 }
 
 template RowAnalysis analyse_rows<StandardTypes>(const Model<double>&);

@@ -62,9 +62,20 @@ inline constexpr int most_dense_unknowns = 6000;
 template <class Types>
 RowAnalysis analyse_rows(const Model<double, Types>& model);
 
-/// The size of the part of a row's gradient that the other rows leave free, with rotations in metres by the
-/// geometric scaling (mechanism/rank_tolerance.hpp) [unit of the row per m]. It falls to 0 where the row
-/// becomes dependent, as that of a driver does at a dead point or at the end of its reach.
-double free_gradient(const TangentSystem& system, int row);
+/// A motion that changes one row while the other rows hold, with rotations in metres by the geometric scaling
+/// (mechanism/rank_tolerance.hpp).
+struct FreeMotion {
+  /// The rate of the row along this motion: the size of the part of its gradient that the other rows leave
+  /// free [unit of the row per m]. It falls to 0 where the row becomes dependent, as that of a driver does at
+  /// a dead point or at the end of its reach.
+  double gradient = 0;
+  VectorX<double> q_dot;  ///< [6 nb], as the columns of Phi; 0 if the gradient is 0
+};
+/// The motion that changes a row fastest while the other rows hold.
+FreeMotion free_motion(const TangentSystem& system, int row);
+
+/// The second derivative of the row along the path that begins with its free motion. `gamma` holds the right
+/// sides of all rows at the velocities q_dot of this motion, without their functions of time.
+double free_curvature(const TangentSystem& system, int row, const VectorX<double>& gamma);
 
 }  // namespace trivium

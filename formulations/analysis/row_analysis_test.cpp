@@ -267,27 +267,49 @@ TEST(RowAnalysis, DecidesByTheRankToleranceOfTheScene) {
   }
 }
 
-TEST(FreeGradient, OfADriverFallsToZeroAtTheEndOfItsReach) {
-  // two links in a line reach no farther; bent by a little they reach a little less
-  const auto grip = [](double bend) {
-    scenes::Scene scene;
-    scene.bodies = {test::body("a", 1, {1, 1, 1}, {0.5, 0, 0}),
-                    test::body("b", 1, {1, 1, 1}, {1 + 0.5 * std::cos(bend), 0.5 * std::sin(bend), 0})};
-    scene.bodies[1].orientation = scenes::AxisAngle{{0, 0, 1}, bend};
-    const scenes::Vector3 z{0, 0, 1};
-    scene.constraints = {
-        test::joint(JointType::revolute, "A", test::side(scenes::ground, scenes::Vector3{}, z),
-                    test::side(0, scenes::Vector3{-0.5, 0, 0}, z)),
-        test::joint(JointType::revolute, "B", test::side(0, scenes::Vector3{0.5, 0, 0}, z),
-                    test::side(1, scenes::Vector3{-0.5, 0, 0}, z)),
-        test::joint(basic_type<D>, "drive", test::side(scenes::ground, scenes::Vector3{}),
-                    test::side(1, scenes::Vector3{0.5, 0, 0}))};
-    const Model<double> model = make_model<double>(scene);
-    return free_gradient(tangent_system(model.mechanism, model.state), model.mechanism.nc() - 1);
+/// Two links of length 1 in the plane, `bend` apart; the last row is d . d of their ends.
+Model<double> two_links(double bend) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("a", 1, {1, 1, 1}, {0.5, 0, 0}),
+                  test::body("b", 1, {1, 1, 1}, {1 + 0.5 * std::cos(bend), 0.5 * std::sin(bend), 0})};
+  scene.bodies[1].orientation = scenes::AxisAngle{{0, 0, 1}, bend};
+  const scenes::Vector3 z{0, 0, 1};
+  scene.constraints = {test::joint(JointType::revolute, "A", test::side(scenes::ground, scenes::Vector3{}, z),
+                                   test::side(0, scenes::Vector3{-0.5, 0, 0}, z)),
+                       test::joint(JointType::revolute, "B", test::side(0, scenes::Vector3{0.5, 0, 0}, z),
+                                   test::side(1, scenes::Vector3{-0.5, 0, 0}, z)),
+                       test::joint(basic_type<D>, "drive", test::side(scenes::ground, scenes::Vector3{}),
+                                   test::side(1, scenes::Vector3{0.5, 0, 0}))};
+  return make_model<double>(scene);
+}
+
+// two links in a line reach no farther; bent by a little they reach a little less
+TEST(FreeMotion, OfADriverFallsToZeroAtTheEndOfItsReach) {
+  const auto gradient = [](double bend) {
+    const Model<double> model = two_links(bend);
+    return free_motion(tangent_system(model.mechanism, model.state), model.mechanism.nc() - 1).gradient;
   };
-  EXPECT_GT(grip(1), 0.1);
-  EXPECT_NEAR(grip(1e-3) / grip(1e-4), 10, 0.1);
-  EXPECT_LE(grip(0), 1e-15);
+  EXPECT_GT(gradient(1), 0.1);
+  EXPECT_NEAR(gradient(1e-3) / gradient(1e-4), 10, 0.1);
+  EXPECT_LE(gradient(0), 1e-15);
+}
+
+TEST(FreeMotion, AndItsCurvatureTellHowFarARowCanReach) {
+  for (const double bend : {0.3, 0.1, 0.01}) {
+    Model<double> model = two_links(bend);
+    const int row = model.mechanism.nc() - 1;
+    const TangentSystem s = tangent_system(model.mechanism, model.state);
+    const FreeMotion motion = free_motion(s, row);
+    EXPECT_NEAR(s.Phi.row(row).dot(motion.q_dot), motion.gradient, 1e-14);
+    EXPECT_LE((s.Phi.topRows(row) * motion.q_dot).norm(), 1e-14);
+    for (std::size_t b = 0; b < 2; ++b)
+      model.state.twist[b] = {motion.q_dot.segment<3>(6 * b), motion.q_dot.segment<3>(6 * b + 3)};
+    const VectorX<double> gamma = tangent_system(model.mechanism, model.state).gamma;
+    const double curvature = free_curvature(s, row, gamma);
+    EXPECT_LT(curvature, 0);
+    const double missing = 2 - 2 * std::cos(bend);  // 2^2 - |d|^2
+    EXPECT_NEAR(-motion.gradient * motion.gradient / (2 * curvature), missing, missing * bend);
+  }
 }
 
 TEST(RowAnalysis, OfNothingIsEmpty) {

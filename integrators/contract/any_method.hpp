@@ -3,6 +3,7 @@
 /// entries in the list of methods (MethodEntry) make them. A step costs one virtual call, which is small
 /// compared with the step.
 
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -31,6 +32,9 @@ class AnyMethod {
   virtual bool interpolates() const { return false; }
   /// Sets y, and the method's lambda(), to their values at a time t within the last step.
   virtual void interpolate(const S& /*t*/, StateVector<S>& /*y*/) {}
+  /// The relative violation of positions at the end of a chosen step, before its projection, above which the
+  /// method's estimate of its error is not believed, so that the step is taken back.
+  virtual S largest_drift() const { return std::numeric_limits<S>::max(); }
   /// The numbers that the method keeps from step to step (memory.hpp); empty if it keeps none, if it does
   /// not show them (bdf, Odeint's and SUNDIALS' multistep methods, and all methods under ErrorControl or
   /// ReversibleSteps), or if it has not begun.
@@ -67,6 +71,12 @@ class MethodAdapter final : public AnyMethod<S> {
   }
   void interpolate(const S& t, StateVector<S>& y) override {
     if constexpr (requires { method_.interpolate(t, y); }) method_.interpolate(t, y);
+  }
+  S largest_drift() const override {
+    if constexpr (requires { method_.largest_drift(); })
+      return method_.largest_drift();
+    else
+      return AnyMethod<S>::largest_drift();
   }
   std::vector<double> memory() override {
     std::vector<double> numbers;

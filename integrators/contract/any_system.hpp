@@ -40,7 +40,7 @@ class AnySystem {
   virtual void normalise(StateVector<S>& y) = 0;
   virtual bool accept_state(const S& t, StateVector<S>& y) = 0;
   virtual bool pass_discontinuity(const S& before, const S& t, StateVector<S>& y) = 0;
-  virtual std::string diagnose(const S& t, const StateVector<S>& y) = 0;
+  virtual std::string diagnose(const S& t, const StateVector<S>& y, const S& step) = 0;
 
   // HasDisplacements
   virtual int position_size() const = 0;
@@ -67,6 +67,7 @@ class AnySystem {
                      StateVector<S>& left) = 0;
   virtual Violation<S> position_rows(const AnyEvaluation& at, StateVector<S>& rows) = 0;
   virtual Violation<S> velocity_rows(const AnyEvaluation& at, StateVector<S>& rows) = 0;
+  virtual void clear_dependent(StateVector<S>& lambda) = 0;
   virtual S work_rate(const AnyEvaluation& at, const StateVector<S>& lambda) = 0;
 
   // HasNewtonMatrix
@@ -129,7 +130,9 @@ class SystemAdapter final : public AnySystem<typename System::Scalar> {
   bool pass_discontinuity(const S& before, const S& t, StateVector<S>& y) override {
     return system_.pass_discontinuity(before, t, y);
   }
-  std::string diagnose(const S& t, const StateVector<S>& y) override { return system_.diagnose(t, y); }
+  std::string diagnose(const S& t, const StateVector<S>& y, const S& step) override {
+    return system_.diagnose(t, y, step);
+  }
 
   int position_size() const override {
     return ask_of<Group::displacements, int>([&](auto& system) { return system.position_size(); });
@@ -187,6 +190,9 @@ class SystemAdapter final : public AnySystem<typename System::Scalar> {
   Violation<S> velocity_rows(const AnyEvaluation& at, StateVector<S>& rows) override {
     return ask_of<Group::residual, Violation<S>>(
         [&](auto& system) { return system.velocity_rows(own(at), rows); });
+  }
+  void clear_dependent(StateVector<S>& lambda) override {
+    ask_of<Group::residual, void>([&](auto& system) { system.clear_dependent(lambda); });
   }
   S work_rate(const AnyEvaluation& at, const StateVector<S>& lambda) override {
     return ask_of<Group::residual, S>([&](auto& system) { return S(system.work_rate(own(at), lambda)); });

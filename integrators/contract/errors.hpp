@@ -3,6 +3,7 @@
 /// (exit code 2).
 
 #include <string>
+#include <string_view>
 
 #include "base/error.hpp"
 
@@ -18,6 +19,15 @@ class IntegrationError : public Error {
   IntegrationError(const std::string& what, const Place& place)
       : Error(ErrorKind::integration, what, place) {}
 };
+
+/// The message without advice on steps or tolerances at its end, which does not help if the cause is another.
+inline std::string without_advice(std::string message) {
+  const std::size_t end = message.rfind("; ");
+  if (end == std::string::npos) return message;
+  const std::string_view advice = std::string_view(message).substr(end + 2);
+  if (advice.starts_with("take smaller steps") || advice.starts_with("other tolerances")) message.resize(end);
+  return message;
+}
 
 /// A request that cannot be fulfilled, such as times that contradict each other or a method with steps of a
 /// kind that it does not take.

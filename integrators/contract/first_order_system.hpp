@@ -21,6 +21,11 @@ struct Violation {
   int row = -1;
 };
 
+/// A relative violation above this is an error, and no rounding, also where a row is not solved for. The
+/// value is chosen by experiment: singular positions leave less, and projections that start too far away
+/// leave more.
+constexpr double most_violation = 1e-6;
+
 using trivium::raise;
 /// Keeps the violation with the larger relative value; a NaN stays.
 template <class S>
@@ -59,8 +64,8 @@ void raise(Violation<S>& largest, const Violation<S>& next) {
 ///                        invalid
 ///   pass_discontinuity   from (before, t, y): moves y over a time t at which the model may jump; `before` is
 ///                        the time just before t. Returns whether y jumped
-///   diagnose             a property of the model near (t, y) that may have made steps fail, as a text; empty
-///                        if there is none
+///   diagnose             from (t, y, h): a property of the model that may have made a step of length h from
+///                        (t, y) fail, as a text; empty if there is none. h = 0 if the step chose its length
 template <class System>
 concept FirstOrderSystem = requires(System& system, const typename System::Scalar& t,
                                     const StateVector<typename System::Scalar>& y,
@@ -78,7 +83,7 @@ concept FirstOrderSystem = requires(System& system, const typename System::Scala
   system.normalise(changed);
   { system.accept_state(t, changed) } -> std::same_as<bool>;
   { system.pass_discontinuity(t, t, changed) } -> std::same_as<bool>;
-  { system.diagnose(t, y) } -> std::convertible_to<std::string>;
+  { system.diagnose(t, y, t) } -> std::convertible_to<std::string>;
 };
 
 }  // namespace trivium::integrators

@@ -35,6 +35,9 @@ namespace trivium::integrators {
 ///                        (internal_rows.hpp)
 ///   position_rows, velocity_rows
 ///                        from (at, rows): Phi, and Phi_q v - nu. Each returns its Violation
+///   clear_dependent      from (lambda): sets the multipliers of dependent rows to 0. The factors do not
+///   change
+///                        them, and the others take over their forces
 ///   work_rate            from (at, lambda): the rate [W] of the work, which is the element of y after q and
 ///                        v
 template <class System>
@@ -52,6 +55,7 @@ concept HasResidual = HasDisplacements<System> && std::default_initializable<typ
   { system.residual(at, v, v, changed) } -> std::convertible_to<typename System::Scalar>;
   { system.position_rows(at, changed) } -> std::same_as<Violation<typename System::Scalar>>;
   { system.velocity_rows(at, changed) } -> std::same_as<Violation<typename System::Scalar>>;
+  system.clear_dependent(changed);
   { system.work_rate(at, v) } -> std::convertible_to<typename System::Scalar>;
 };
 

@@ -45,7 +45,7 @@ class SphericalPendulum {
   S longest_step(const S&, const Y&) const { return std::numeric_limits<S>::max(); }
   bool accept_state(const S&, Y&) const { return false; }
   bool pass_discontinuity(const S&, const S&, Y&) const { return false; }
-  std::string diagnose(const S&, const Y&) const { return {}; }
+  std::string diagnose(const S&, const Y&, const S&) const { return {}; }
 
   // displacements: they are added to the positions
   int position_size() const { return 3; }
@@ -80,6 +80,7 @@ class SphericalPendulum {
     phi.setConstant(1, phi_of(at.r));
     return of_positions(phi[0]);
   }
+  void clear_dependent(Y& /*lambda*/) const {}
   Violation<S> velocity_rows(const Evaluation& at, Y& phi_dot) const {
     phi_dot.setConstant(1, at.r.dot(at.v));
     return of_velocities(phi_dot[0], at.v);

@@ -55,7 +55,7 @@ class HalfExplicit {
     }
     // the embedded formula has order 4, hence the power -1/5; growth by at most 5, about as in Odeint
     take_chosen_step(
-        system, step_size_, {S(-0.2), S(5)}, counters_, t, y, stop,
+        step_size_, {S(-0.2), S(5)}, counters_, t, stop,
         [&](const S& h) {
           advance(system, t, h, y);
           return error_of(h, y);

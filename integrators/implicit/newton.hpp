@@ -84,7 +84,8 @@ class Newton {
     bool is_fresh = false;
     Violation<S> violation;
     anderson_.clear();
-    S before = std::numeric_limits<S>::max();
+    system.clear_dependent(x.lambda);
+    S before = std::numeric_limits<S>::max(), least = before;
     for (int k = 0, rises = 0; k < most_iterations && rises < most_rises; ++k) {
       place(x, y);
       if (system.normalise_step(is_stabilised ? S(1) : shares.position, y,
@@ -102,11 +103,21 @@ class Newton {
       if (imbalance <= enough() && violation.relative <= rounding<S>()) return;
       // `is_fresh`: the matrix of the last correction was factored at the iterate that it corrected. If even
       // such a correction does not halve the residual, rounding is reached or the iteration diverges. Up to
-      // 1000 times the bounds (a safety factor) it counts as rounding.
+      // 1000 times the bounds (a safety factor) it counts as rounding, and the best iterate is taken:
+      // near a singular position the rounding of a correction can exceed the residual that it removes.
       const S now = imbalance / enough() + violation.relative / rounding<S>();
       const bool falls = now <= before / 2;
+      if (imbalance < least && violation.relative <= S(1e3) * rounding<S>()) {
+        least = imbalance;
+        best_ = x;
+      }
       if (!falls && is_fresh) {
-        if (imbalance <= S(1e3) * enough() && violation.relative <= S(1e3) * rounding<S>()) return;
+        if (least <= S(1e3) * enough()) {
+          x = best_;
+          place(x, y);
+          system.evaluate(t, y, at_);
+          return;
+        }
         ++rises;
       }
       before = now;
@@ -189,6 +200,7 @@ class Newton {
   typename System::Evaluation at_;
   typename System::Factors factors_;
   bool has_factors_ = false;
+  StepUnknowns<S> best_;
   StateVector<S> force_, left_, phi_, phi_dot_;
   StateVector<S> change_, v_change_, lambda_change_, mu_, no_force_;
 };

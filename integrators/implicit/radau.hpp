@@ -88,7 +88,7 @@ class Radau {
     error_->begin(system, t, y);
     // a step may be up to 8 times as long as the one before, as in RADAU5
     take_chosen_step(
-        system, step_size_, {S(-1) / (s + 1), S(8)}, counters_, t, y, stop,
+        step_size_, {S(-1) / (s + 1), S(8)}, counters_, t, stop,
         [&](const S& h) {
           const S error = advance(system, t, h, y);
           if (error <= S(1)) row_projection_.move(system, stages_.last().factors, S(t + h), stages_.last().y);
@@ -165,6 +165,7 @@ class Radau {
   bool solve_stages(System& system, const S& t, const S& h, const StateVector<S>& y) {
     v_ = y.segment(nq_, nv_);
     anderson_.clear();
+    for (int i = 0; i < s; ++i) system.clear_dependent(stages_[i].lambda);
     S before = std::numeric_limits<S>::max(), moved_before = before, moved_earlier = before;
     // 1000: a safety factor, as rounding may leave more than rounding<S>()
     const S enough = std::max(S(newton_.tolerance), rounding<S>()),

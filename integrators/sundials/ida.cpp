@@ -47,6 +47,13 @@ class Ida final : public Stepper {
   const StateVectorD* lambda() const override { return has_begun() ? &lambda_ : nullptr; }
 
  private:
+  /// Whether a row with a multiplier has become dependent: another row takes over its force, and the
+  /// multipliers of past steps no longer predict those of the next.
+  bool is_outdated() override {
+    cleared_ = lambda_;
+    system().clear_dependent(cleared_);
+    return cleared_ != lambda_;
+  }
   void begin(double t, const StateVectorD& y, double first_step) override {
     nq_ = system().position_size();
     nv_ = system().velocity_size();
@@ -265,7 +272,7 @@ class Ida final : public Stepper {
   double momentum_ = 0;  ///< largest component of M v where the integrator last began
   Owned<N_Vector> rates_, is_differential_;
   ProjectionIteration<AnySystem<double>> projection_;
-  StateVectorD lambda_, y_dot_, v_dot_, force_, mu_, moved_, rate_, displacement_;
+  StateVectorD lambda_, cleared_, y_dot_, v_dot_, force_, mu_, moved_, rate_, displacement_;
   StateVectorD off_q_, off_v_, off_work_, phi_, phi_dot_;  ///< residuals of the equations
   StateVectorD at_, phi_dot_at_, force_at_;                ///< values where the matrix was factored
   AnyEvaluation evaluated_, linearised_;                   ///< models: evaluated last; of the factored matrix

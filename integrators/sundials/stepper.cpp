@@ -33,6 +33,7 @@ void Stepper::step(AnySystem<double>& system, double& t, StateVectorD& y, const 
   system_ = &system;
   trouble_.clear();
   message_.clear();
+  if (has_begun_ && is_outdated()) restart();
   if (has_begun_ && !keeps_nothing()) {
     offset_ += y - returned_;
   } else {
@@ -45,11 +46,11 @@ void Stepper::step(AnySystem<double>& system, double& t, StateVectorD& y, const 
   const double aim = target(t, stop, planned());
   accept(functions_.set_stop(memory_, aim), "set the stop time");
   double reached = t;
-  if (advance(aim, reached) < 0) fail(t, y);
+  if (advance(aim, reached) < 0) fail(t);
   // A step of a few epsilons of t is no progress: the library could repeat such steps without end. The bound
   // 4 epsilon is that of StepSizeControl.
   constexpr double least = 4 * std::numeric_limits<double>::epsilon();
-  if (reached < stop && !(reached - t > least * std::abs(t))) fail(t, y);
+  if (reached < stop && !(reached - t > least * std::abs(t))) fail(t);
   y = state(numbers());
   // The library may end a step within its own rounding of the stop time. 1e-14, about 50 epsilon, is far
   // above the rounding of a time and far below a step.
@@ -102,9 +103,9 @@ void Stepper::take_counters() {
   counters_.iterations = before_.iterations + iterations;
 }
 
-void Stepper::fail(double t, const StateVectorD& y) {
+void Stepper::fail(double t) {
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
-  give_up(*system_, t, y, trouble_.empty() ? message_ : trouble_);
+  give_up(t, trouble_.empty() ? message_ : trouble_);
 }
 
 void Stepper::open(void* memory) {

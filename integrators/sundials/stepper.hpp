@@ -58,6 +58,8 @@ class Stepper : public AnyMethod<double> {
   virtual int advance(double stop, double& t) = 0;
   /// Whether nothing is kept from step to step: each step is then a first step.
   virtual bool keeps_nothing() const { return false; }
+  /// Whether what is kept no longer belongs to the system, so that the method must begin again.
+  virtual bool is_outdated() { return false; }
   /// The size that the library plans for its next step; 0 with given steps.
   virtual double planned() const;
   /// Solves A x = b with the factors made last.
@@ -113,7 +115,7 @@ class Stepper : public AnyMethod<double> {
   Counters counters_;
 
  private:
-  void fail(double t, const StateVectorD& y);
+  [[noreturn]] void fail(double t);
   void take_counters();
   /// A linear solver that calls solve(), and an empty matrix that the library requires.
   Owned<SUNLinearSolver> make_linear_solver();

@@ -58,7 +58,7 @@ class ReversibleSteps {
     smooth_until_ = stop;
     std::string trouble;
     for (int k = 0, attempts = 0;; ++attempts) {
-      if (is_within_rounding(h, t, stop)) give_up(system, t, start_.y, trouble);
+      if (is_within_rounding(h, t, stop)) give_up(static_cast<double>(t), trouble);
       if (attempts > 0) {
         y = start_.y;
         method_.recall(system, t, y, start_.memory);

@@ -34,7 +34,7 @@ struct Free {
   std::string row_name(int) const { return "none"; }
   bool accept_state(double, StateVector<double>&) { return settled++ == changes_at; }
   bool pass_discontinuity(double, double, StateVector<double>&) { return false; }
-  std::string diagnose(double, const StateVector<double>&) { return {}; }
+  std::string diagnose(double, const StateVector<double>&, double) { return {}; }
 };
 
 /// A particle (x, y, x', y') on the unit circle at constant speed: Phi = (x^2 + y^2 - 1) / 2.

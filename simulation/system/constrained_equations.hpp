@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "integrators/contract/constrained_system.hpp"
+#include "integrators/contract/tolerances.hpp"
 #include "mechanism/reach.hpp"
 #include "simulation/system/displacements.hpp"
 #include "simulation/system/first_order_equations.hpp"
@@ -97,7 +98,9 @@ class ConstrainedEquations {
   bool pass_discontinuity(const S& before, const S& t, StateVector& y) {
     return first_order_.pass_discontinuity(before, t, y);
   }
-  std::string diagnose(const S& t, const StateVector& y) { return first_order_.diagnose(t, y); }
+  std::string diagnose(const S& t, const StateVector& y, const S& step) {
+    return first_order_.diagnose(t, y, step);
+  }
 
   // the lengths of q, v and lambda; y = (q, v, work)
   int position_size() const { return layout_.position_size(); }
@@ -169,17 +172,20 @@ class ConstrainedEquations {
     assemble(*at);
     return balance_.measure(*at, wrenches_, force, lambda, left);
   }
-  /// Phi in the order of the mechanism's rows. Returns the violation of positions.
+  /// Phi in the order of the mechanism's rows. Returns the violation of positions, without dependent rows.
   Violation position_rows(const Evaluation& at, StateVector& phi) {
     at->assembly.positions(at->t, given_);
     matrix_.take_rows(given_, phi);
-    return at->violation.measure_positions(given_);
+    return without_dependent_rows([&] { return at->violation.measure_positions(given_); });
   }
-  /// Phi' = Phi_q q' - nu in the same order. Returns the violation of velocities.
+  /// Phi' = Phi_q q' - nu in the same order. Returns the violation of velocities, without dependent rows.
   Violation velocity_rows(const Evaluation& at, StateVector& phi_dot) {
     at->assembly.velocities(at->t, given_);
     matrix_.take_rows(given_, phi_dot);
-    return at->violation.measure_velocities(given_);
+    return without_dependent_rows([&] { return at->violation.measure_velocities(given_); });
+  }
+  void clear_dependent(StateVector& lambda) {
+    for_each_dependent_row([&](int e, int k) { lambda[plan_->graph.edges[e].rows[k]] = S(0); });
   }
   const std::string& row_name(int row) const { return violation_.row_name(row); }
   /// The rate of the work done on the mechanism [W].
@@ -258,6 +264,27 @@ class ConstrainedEquations {
   void give(const StateVector& left, const StateVector& rows) {
     matrix_.put_reduced(left, given_);
     matrix_.put_rows(rows, given_);
+  }
+
+  /// Measures the rows in given_. Dependent rows are not solved for. Where they differ from a combination of
+  /// the others, if only by the digits that a file leaves out, no iteration meets them; they count only if
+  /// they are off by more than most_violation.
+  template <class Measure>
+  Violation without_dependent_rows(const Measure& measure) {
+    const Violation all = measure();
+    if (all.relative <= integrators::rounding<S>() || !(all.relative <= S(integrators::most_violation)))
+      return all;
+    for_each_dependent_row([&](int e, int k) { given_.edge[e][k] = S(0); });
+    return measure();
+  }
+  /// Calls act(edge, k) with the rows that were dependent at the last accepted state.
+  template <class Act>
+  void for_each_dependent_row(const Act& act) {
+    const GraphSolver<S>& solved = first_order_.solver().factors();
+    const auto& edges = first_order_.solver().plan().graph.edges;
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e)
+      for (int k = 0; k < edges[e].size(); ++k)
+        if (solved.is_dependent(e, k)) act(e, k);
   }
 
   FirstOrderEquations<F> first_order_;

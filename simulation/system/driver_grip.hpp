@@ -1,13 +1,13 @@
 #pragma once
 /// Why a driver may have ended a motion. At a dead point, and where a driver demands a position that the
 /// mechanism cannot reach, the other rows leave no motion that would move the driver: its grip, the part of
-/// its gradient that they leave free (free_gradient), falls to 0.
-///
-/// A driver is a row x . y = f(t). Near the farthest value F that x . y can reach, F - f is proportional to
-/// the square of the grip. So f and the grips at two states give F.
+/// its gradient that they leave free (free_motion), falls to 0.
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,36 +18,79 @@
 
 namespace trivium {
 
-/// A message about the driver that has lost most of its grip since the start; empty if none has less than a
-/// tenth of it. `drivers` are rows. Mechanisms of more than 600 unknowns are not looked at, since the dense
-/// analysis would take seconds.
+/// How far the value of a row can go from a state while the other rows hold.
+struct RowReach {
+  double grip = 0;     ///< size of the free gradient [unit of the row per m]
+  double farther = 0;  ///< from the present value to the extremum that is nearest [unit of the row]
+};
+
+/// The reach of a row x . y = f(t). Along its free motion the row has the slope s, its grip, and a curvature
+/// c, so that its extremum is s^2 / (-2 c) away. Exact near the extremum.
+template <class Types>
+RowReach reach_of(const Mechanism<double, Types>& mechanism, MechanismState<double> state, int row) {
+  const TangentSystem here = tangent_system(mechanism, state);
+  const FreeMotion motion = free_motion(here, row);
+  if (!(motion.gradient > 0)) return {};
+  const auto gamma_of = [&](double velocities) {
+    for (int b = 0; b < mechanism.nb(); ++b)
+      state.twist[b] = {velocities * motion.q_dot.template segment<3>(6 * b),
+                        velocities * motion.q_dot.template segment<3>(6 * b + 3)};
+    return tangent_system(mechanism, state).gamma;
+  };
+  // without what is constant or linear in the velocities, such as f'' of the functions of time
+  const VectorX<double> gamma = (gamma_of(1) + gamma_of(-1)) / 2 - gamma_of(0);
+  const double curvature = free_curvature(here, row, gamma);
+  return {motion.gradient, -motion.gradient * motion.gradient / (2 * curvature)};
+}
+
+/// When f(t) comes to the end of a reach, `farther` from its present value, for the first time within
+/// `horizon` after t [s]; nothing if it does not. A function that turns back before counts as coming to the
+/// end if it uses 99 % of the way: `farther` has errors.
+inline std::optional<double> time_to(const TimeFunction& f, double t, double farther, double horizon) {
+  const double now = f(t).f;
+  const auto is_used = [&](double value) {
+    return (value - now) * farther >= 0.99 * farther * farther - 1e-12 * std::abs(now * farther);
+  };
+  if (is_used(now)) return 0;
+  // each time 5 % farther than the last, so that a maximum is met to 1e-3 of its distance
+  for (double dt = 1e-9 * horizon; dt < 1.05 * horizon; dt *= 1.05)
+    if (is_used(f(t + std::min(dt, horizon)).f)) return std::min(dt, horizon);
+  return {};
+}
+
+/// A message about the driver that comes to the end of its reach first, within a step of length `step` [s]
+/// after `now` or a hundredth of the time since the start; empty if none does. `drivers` are rows. Mechanisms
+/// of more than 600 unknowns are not looked at, since the dense analysis would take seconds.
 template <class Types>
 std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vector<int>& drivers,
-                      const MechanismState<double>& start, const MechanismState<double>& now) {
-  constexpr double lost = 0.1;  // at failures by a dead point the grip has fallen by decades
+                      const MechanismState<double>& start, const MechanismState<double>& now, double step) {
+  constexpr double lost = 0.5;  // of the grip at the start; farther away `farther` says little
   constexpr int most_unknowns = 600;
   if (drivers.empty() || 6 * mechanism.nb() + mechanism.nc() > most_unknowns) return {};
-  const TangentSystem before = tangent_system(mechanism, start), after = tangent_system(mechanism, now);
-  double least = lost;
+  const TangentSystem before = tangent_system(mechanism, start);
+  double first = std::max(step, (now.t - start.t) / 100), share = 0;
   int worst = -1;
+  RowReach reach;
   for (const int row : drivers) {
-    const double at_start = free_gradient(before, row), share = free_gradient(after, row) / at_start;
-    if (at_start > 0 && share < least) {
-      least = share;
-      worst = row;
-    }
+    const RowReach of_row = reach_of(mechanism, now, row);
+    const double at_start = free_motion(before, row).gradient;
+    if (!(of_row.grip < lost * at_start) || !std::isfinite(of_row.farther)) continue;
+    const auto time = time_to(function_of(mechanism.rows[row]), now.t, of_row.farther, first);
+    if (!time) continue;
+    first = *time;
+    worst = row;
+    reach = of_row;
+    share = of_row.grip / at_start;
   }
   if (worst < 0) return {};
-  const TimeFunction& function = function_of(mechanism.rows[worst]);
-  const Jet<double> f = function(now.t);
-  const double moved = f.f - function(start.t).f,
-               farthest = f.f + moved * least * least / (1 - least * least);
+  const Jet<double> f = function_of(mechanism.rows[worst])(now.t);
   return fmt::format(
       "driver \"{}\" demands f = {:.6g} at t = {}, changing by {:.4g} per second, but the other rows leave "
       "values {} about {:.6g} within reach: the part of its gradient that the other rows leave free has "
       "fallen to {:.1e} of that at the start. It comes to a dead point or to the end of its reach, where the "
       "rank of the rows falls by 1. Give it another function of time, or drive another joint",
-      mechanism.row_names[worst], f.f, now.t, f.f_t, moved > 0 ? "up to" : "down to", farthest, least);
+      mechanism.row_names[worst], f.f, now.t, f.f_t, reach.farther >= 0 ? "up to" : "down to",
+      f.f + reach.farther, share);
 }
 
 }  // namespace trivium

@@ -28,6 +28,7 @@
 #include "simulation/system/energy_account.hpp"
 #include "simulation/system/motion_log.hpp"
 #include "simulation/system/saved_numbers.hpp"
+#include "simulation/system/singular_position.hpp"
 #include "simulation/system/state_layout.hpp"
 
 namespace trivium {
@@ -232,12 +233,15 @@ class FirstOrderEquations {
     return twice / 2;
   }
 
-  /// A message if a singular chart near (t, y) or a driver may have made an integrator fail; empty if not.
-  std::string diagnose(const S& t, const StateVector& y) {
+  /// A message if a singular chart, a driver or a singular position near (t, y) may have made a step from
+  /// there fail; empty if not.
+  std::string diagnose(const S& t, const StateVector& y, const S& step) {
     std::string message = near_singular_chart(t, y);
-    if constexpr (std::is_same_v<S, double>)
-      if (message.empty())
-        message = lost_grip(mechanism_, account_.drivers(), start_state_, to_mechanism_state(t, y));
+    if constexpr (std::is_same_v<S, double>) {
+      const MechanismState<double> now = to_mechanism_state(t, y);
+      if (message.empty()) message = lost_grip(mechanism_, account_.drivers(), start_state_, now, step);
+      if (message.empty()) message = near_singular_position(mechanism_, start_state_, now);
+    }
     return message;
   }
   /// A message about a body near the singularity of its chart; empty if there is none.

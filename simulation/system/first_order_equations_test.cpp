@@ -243,10 +243,10 @@ TEST(ARawChart, IsSuspectedNearItsSingularity) {
   const scenes::Scene scene = test::random_scene(3, {.bodies = 2});
   auto form = form_of<F>(scene, {{{}, false}, {}});
   StateVector y = form.start();
-  EXPECT_EQ(form.diagnose(0, y), "");
+  EXPECT_EQ(form.diagnose(0, y, 0), "");
   y[StateLayout<F>::positions + 4] = 1e-3;
-  EXPECT_NE(form.diagnose(0, y).find("\"" + scene.bodies[1].name + "\""), std::string::npos)
-      << form.diagnose(0, y);
+  EXPECT_NE(form.diagnose(0, y, 0).find("\"" + scene.bodies[1].name + "\""), std::string::npos)
+      << form.diagnose(0, y, 0);
   EXPECT_FALSE(form.accept_state(0, y));
 }
 

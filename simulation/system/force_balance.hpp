@@ -3,9 +3,10 @@
 ///
 ///     residual = Q - force - Phi_q^T lambda,   where `force` stands for M v'
 ///
-/// This file decides which part of a residual is rounding. Two sources of rounding are not visible in the
-/// resulting forces on a body: stiff springs whose forces cancel, and moment arms that are differences of
-/// positions far from the origin. Their rounding is subtracted from the residual.
+/// This file decides which part of a residual is rounding. Three sources of rounding are not visible in the
+/// resulting forces on a body: stiff springs whose forces cancel, constraint forces that cancel, as on a body
+/// that several pins hold against a torque, and moment arms that are differences of positions far from the
+/// origin. Their rounding is subtracted from the residual.
 
 #include <algorithm>
 #include <limits>
@@ -66,21 +67,36 @@ class ForceBalance {
       size.moment_left = std::max(size.moment_left, S(norm(left_x) - u * of_springs(b).moment));
     }
     if (!(all_left <= std::numeric_limits<S>::max())) return std::numeric_limits<S>::max();
+    // 1000: constraint forces that are hardly larger than the sums have no more rounding than these
+    const S multiplier = lambda.size() > 0 ? S(lambda.cwiseAbs().maxCoeff()) : S(0);
+    if (std::any_of(size_.begin(), size_.end(), [&](const BalanceSize& size) {
+          return size.force_left > S(0) && size.force < multiplier / 1000;
+        }))
+      measure_multipliers(components, lambda);
     S largest(0);
     for (int b = 0; b < mechanism_.nb(); ++b) {
       const BalanceSize& size = size_[components.component_of(b)];
       const auto take_share = [&](const S& part, const S& whole) {
         if (part > largest * whole) largest = part / whole;
       };
-      take_share(size.force_left, size.force);
+      take_share(S(size.force_left - u * size.multipliers), size.force);
       // moment arms are differences of positions up to length_of, with a rounding of epsilon length_of
-      take_share(S(size.moment_left - u * components.length_of(b) * size.force),
+      take_share(S(size.moment_left - u * components.length_of(b) * (size.force + size.multipliers)),
                  S(size.moment + components.arm_of(b) * size.force));
     }
     return largest;
   }
 
  private:
+  /// Sums the magnitudes of the multipliers of each component.
+  void measure_multipliers(const ConstraintViolation<S>& components, const StateVector& lambda) {
+    using std::abs;
+    for (const GraphEdge& edge : plan_.graph.edges) {
+      if (edge.is_soft) continue;
+      BalanceSize& size = size_[components.component_of(edge.i < mechanism_.nb() ? edge.i : edge.j)];
+      for (int k = 0; k < edge.size(); ++k) size.multipliers += abs(lambda[edge.rows[k]]);
+    }
+  }
   /// Writes Phi_q^T lambda of every body into on_.
   void apply_multipliers(const GraphAssembly<F>& assembly, const StateVector& lambda) {
     std::fill(on_.begin(), on_.end(), BodyPart<S>{});
@@ -113,6 +129,7 @@ class ForceBalance {
   /// Largest values over the bodies of a component: sum of the acting magnitudes, and residual.
   struct BalanceSize {
     S force{0}, moment{0}, force_left{0}, moment_left{0};
+    S multipliers{0};  ///< sum of their magnitudes, where constraint forces cancel [N]
   };
 
   const MechanismOf<F>& mechanism_;
