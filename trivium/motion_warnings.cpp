@@ -42,14 +42,12 @@ std::vector<std::string> warnings_of(const SimulationReport& report) {
         "the local errors of the steps are not known, since hardly two steps between events and outputs have "
         "the same length; check with --verify");
   if (report.local_errors && !(report.local_errors->relative() <= visible))
-    out.push_back(
-        fmt::format("body \"{}\": the local errors of the steps add up to {:.1e} m in a motion of {:.1e} m, "
-                    "and to {:.1e} m/s at "
-                    "speeds up to {:.1e} m/s: it is not accurate, even if its energy is conserved; take "
-                    "smaller steps, or "
-                    "check with --verify",
-                    report.errs_most, report.local_errors->position, report.local_errors->size,
-                    report.local_errors->velocity, report.local_errors->speed));
+    out.push_back(fmt::format(
+        "body \"{}\": the local errors of the steps add up to {:.1e} m in a motion of {:.1e} m, and "
+        "to {:.1e} m/s at speeds up to {:.1e} m/s: it may not be accurate, even if its energy is "
+        "conserved; take smaller steps, or check with --verify",
+        report.errs_most, report.local_errors->position, report.local_errors->size,
+        report.local_errors->velocity, report.local_errors->speed));
   if (loses_energy(report))
     out.push_back(
         fmt::format("the energy error is {:.1e} J, the largest kinetic energy {:.1e} J: the motion is not "

@@ -64,7 +64,8 @@ inline std::optional<double> time_to(const TimeFunction& f, double t, double far
 template <class Types>
 std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vector<int>& drivers,
                       const MechanismState<double>& start, const MechanismState<double>& now, double step) {
-  constexpr double lost = 0.5;  // of the grip at the start; farther away `farther` says little
+  // of the grip at the start; above `lost` `farther` says little
+  constexpr double lost = 0.5, at_end = 1e-3;
   constexpr int most_unknowns = 600;
   if (drivers.empty() || 6 * mechanism.nb() + mechanism.nc() > most_unknowns) return {};
   const TangentSystem before = tangent_system(mechanism, start);
@@ -75,7 +76,10 @@ std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vect
     const RowReach of_row = reach_of(mechanism, now, row);
     const double at_start = free_motion(before, row).gradient;
     if (!(of_row.grip < lost * at_start) || !std::isfinite(of_row.farther)) continue;
-    const auto time = time_to(function_of(mechanism.rows[row]), now.t, of_row.farther, first);
+    // with so little grip the driver is at the end, also if its function has just turned back
+    const auto time = of_row.grip < at_end * at_start
+                          ? std::optional<double>(0)
+                          : time_to(function_of(mechanism.rows[row]), now.t, of_row.farther, first);
     if (!time) continue;
     first = *time;
     worst = row;
