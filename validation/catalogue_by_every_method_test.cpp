@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "validation/testing/catalogue_motion.hpp"
+#include "validation/testing/every_method.hpp"
 
 namespace trivium {
 namespace {
@@ -38,11 +39,7 @@ TEST_P(CatalogueByEveryMethod, MovesInEveryFormulation) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, CatalogueByEveryMethod, testing::ValuesIn(integrators::methods()),
-                         [](const auto& method) {
-                           std::string name(method.param.name);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         test::method_in_a_name);
 
 }  // namespace
 }  // namespace trivium

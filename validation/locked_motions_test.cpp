@@ -10,12 +10,14 @@
 #include "scenes/testing/scene_builders.hpp"
 #include "simulation/system/energy_account.hpp"
 #include "validation/testing/catalogue_motion.hpp"
+#include "validation/testing/every_method.hpp"
 
 namespace trivium {
 namespace {
 
 using scenes::Scene, scenes::Vector3;
-using test::catalogue_scene, test::Motion, test::side, test::stepping, test::tight;
+using test::catalogue_scene, test::formulations_of, test::Motion, test::options_for, test::side,
+    test::stepping, test::tight;
 
 /// A body that hangs at rest on spherical joints at these points of the body.
 Scene hung_on(const std::vector<Vector3>& points) {
@@ -167,18 +169,6 @@ Scene beside(const Scene& a, const Scene& b) {
   return both;
 }
 
-/// Options for a method: tolerances if it chooses its steps, else given steps.
-SimulationOptions options_for(const integrators::MethodInfo& method, const std::string& formulation,
-                              double end) {
-  const std::string name(method.name);
-  return method.chooses_steps ? tight(formulation, name, end, 1e-8) : stepping(formulation, name, end, 1e-3);
-}
-
-std::vector<std::string> formulations_of(const integrators::MethodInfo& method) {
-  if (method.needs_constant_inertia) return {"r-omega", "r-epsilon-omega-first"};
-  return {"r-omega", "r-p", "r-epsilon", "r-epsilon-omega-first"};
-}
-
 class EveryMethod : public testing::TestWithParam<integrators::MethodInfo> {};
 
 TEST_P(EveryMethod, LeavesALockedBodyWhereItIs) {
@@ -208,11 +198,7 @@ TEST_P(EveryMethod, MovesABodyAsItWouldMoveWithoutALockedOneBesideIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Locked, EveryMethod, testing::ValuesIn(integrators::methods()),
-                         [](const auto& method) {
-                           std::string name(method.param.name);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         test::method_in_a_name);
 
 // 40 drawn pairs of the catalogue, by a method with given steps and by one that chooses its steps
 TEST(SideBySide, TwoScenesMoveAsEachAlone) {

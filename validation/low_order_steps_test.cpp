@@ -7,6 +7,7 @@
 
 #include "scenes/testing/scene_builders.hpp"
 #include "validation/testing/catalogue_motion.hpp"
+#include "validation/testing/every_method.hpp"
 
 namespace trivium {
 namespace {
@@ -21,13 +22,7 @@ std::vector<integrators::MethodInfo> methods_of_low_order() {
   return found;
 }
 
-class LowOrder : public testing::TestWithParam<integrators::MethodInfo> {
- protected:
-  std::vector<std::string> formulations() const {
-    if (GetParam().needs_constant_inertia) return {"r-omega", "r-epsilon-omega-first"};
-    return {"r-omega", "r-p", "r-epsilon", "r-epsilon-omega-first"};
-  }
-};
+class LowOrder : public testing::TestWithParam<integrators::MethodInfo> {};
 
 TEST_P(LowOrder, ErrorsAddUpToTheToleranceTimesTheNumberOfSteps) {
   const std::string method(GetParam().name);
@@ -39,7 +34,7 @@ TEST_P(LowOrder, ErrorsAddUpToTheToleranceTimesTheNumberOfSteps) {
                         Case{"heavy_top", 0.2}, Case{"welded_rotor", 0.3}}) {
     const scenes::Scene scene = catalogue_scene(c.scene);
     const Motion exact(scene, tight("r-omega", "rkf78", c.end, 1e-12));
-    for (const std::string& formulation : formulations())
+    for (const std::string& formulation : test::formulations_of(GetParam()))
       for (const double rtol : {1e-4, 1e-6}) {
         const Motion motion(scene, tight(formulation, method, c.end, rtol));
         const double steps = static_cast<double>(motion.report.counters.steps);
@@ -50,11 +45,7 @@ TEST_P(LowOrder, ErrorsAddUpToTheToleranceTimesTheNumberOfSteps) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, LowOrder, testing::ValuesIn(methods_of_low_order()),
-                         [](const auto& method) {
-                           std::string name(method.param.name);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         test::method_in_a_name);
 
 // The rows of a driven mechanism determine its motion: all errors lie in the span of the rows' gradients, and
 // must limit the steps all the same.

@@ -4,6 +4,7 @@
 
 #include "integrators/methods.hpp"
 #include "scenes/testing/scene_builders.hpp"
+#include "scenes/testing/two_link_arm.hpp"
 #include "validation/testing/catalogue_motion.hpp"
 
 namespace trivium {
@@ -37,18 +38,8 @@ TEST_P(InEveryFormulation, ADriverWhoseSpeedJumpsStrikesWithAnImpulse) {
 
 /// A two-link arm. A driven row d moves its end away from the base; at t = 2 the arm is stretched.
 scenes::Scene reaching_arm() {
-  const scenes::Vector3 z{0, 0, 1};
-  scenes::Scene scene;
+  scenes::Scene scene = test::two_link_arm(std::acos(0.0));
   scene.name = "reaching arm";
-  scene.bodies = {test::body("a", 1, {0.02, 0.03, 0.025}, {0.5, 0, 0}),
-                  test::body("b", 1, {0.02, 0.03, 0.025}, {1, 0.5, 0})};
-  scene.bodies[1].orientation = scenes::AxisAngle{z, std::acos(0.0)};
-  scene.constraints = {test::joint(JointType::revolute, "A", test::side(scenes::ground, scenes::Vector3{}, z),
-                                   test::side(0, scenes::Vector3{-0.5, 0, 0}, z)),
-                       test::joint(JointType::revolute, "B", test::side(0, scenes::Vector3{0.5, 0, 0}, z),
-                                   test::side(1, scenes::Vector3{-0.5, 0, 0}, z)),
-                       test::joint(basic_type<D>, "drive", test::side(scenes::ground, scenes::Vector3{}),
-                                   test::side(1, scenes::Vector3{0.5, 0, 0}))};
   scene.constraints[2].f = TimeFunction(TimeFunction::Polynomial{{2, 0, 0.5}});
   scene.effects = {Gravity<double>{"", {0, -9.81, 0}}};
   return scene;

@@ -7,25 +7,14 @@
 
 #include "scenes/testing/scene_builders.hpp"
 #include "validation/testing/catalogue_motion.hpp"
+#include "validation/testing/every_method.hpp"
 
 namespace trivium {
 namespace {
 
-using test::catalogue_scene, test::Motion, test::stepping, test::tight;
+using test::catalogue_scene, test::formulations_of, test::Motion, test::options_for, test::tight;
 
-std::vector<std::string> formulations_of(const integrators::MethodInfo& method) {
-  if (method.needs_constant_inertia) return {"r-omega", "r-epsilon-omega-first"};
-  return {"r-omega", "r-p", "r-epsilon"};
-}
-
-class Redundant : public testing::TestWithParam<integrators::MethodInfo> {
- protected:
-  SimulationOptions options(const std::string& formulation, double end) const {
-    const std::string name(GetParam().name);
-    return GetParam().chooses_steps ? tight(formulation, name, end, 1e-8)
-                                    : stepping(formulation, name, end, 1e-3);
-  }
-};
+class Redundant : public testing::TestWithParam<integrators::MethodInfo> {};
 
 scenes::Vector3 rounded(const scenes::Vector3& x) {
   const auto digits = [](double number) { return std::round(1e10 * number) / 1e10; };
@@ -52,7 +41,7 @@ TEST_P(Redundant, RowsOfFewDigitsAreNoObstacle) {
     const scenes::Scene scene = catalogue_scene(name);
     const Motion exact(scene, tight("r-omega", "rkf78", 0.3, 1e-12));
     for (const std::string& formulation : formulations_of(GetParam())) {
-      const Motion motion(rounded(scene), options(formulation, 0.3));
+      const Motion motion(rounded(scene), options_for(GetParam(), formulation, 0.3));
       EXPECT_LE(apart(motion, exact), 1e-5) << name << ", " << formulation;
       EXPECT_LE(motion.report.phi, 2e-9) << name << ", " << formulation;
     }
@@ -65,7 +54,7 @@ TEST_P(Redundant, RowsTakeOverFromEachOther) {
   const scenes::Scene scene = catalogue_scene("parallelogram");
   const Motion exact(scene, tight("r-omega", "rkf78", 7, 1e-12));
   for (const std::string& formulation : formulations_of(GetParam())) {
-    const Motion motion(scene, options(formulation, 7));
+    const Motion motion(scene, options_for(GetParam(), formulation, 7));
     EXPECT_LE(apart(motion, exact), 3e-3) << formulation;
     EXPECT_LE(motion.report.phi, 1e-10) << formulation;
     EXPECT_TRUE(motion.report.passages.empty()) << formulation;
@@ -73,11 +62,7 @@ TEST_P(Redundant, RowsTakeOverFromEachOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Redundant, testing::ValuesIn(integrators::methods()),
-                         [](const auto& method) {
-                           std::string name(method.param.name);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         test::method_in_a_name);
 
 // The estimate of Fehlberg 7(8) does not see a singular position between its first and its last stages.
 TEST(FlatParallelogram, IsFollowedByRkf78InREpsilon) {

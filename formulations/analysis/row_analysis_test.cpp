@@ -11,6 +11,7 @@
 #include "mechanism/mechanism_cast.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "scenes/testing/scene_builders.hpp"
+#include "scenes/testing/two_link_arm.hpp"
 
 namespace trivium {
 namespace {
@@ -267,21 +268,7 @@ TEST(RowAnalysis, DecidesByTheRankToleranceOfTheScene) {
   }
 }
 
-/// Two links of length 1 in the plane, `bend` apart; the last row is d . d of their ends.
-Model<double> two_links(double bend) {
-  scenes::Scene scene;
-  scene.bodies = {test::body("a", 1, {1, 1, 1}, {0.5, 0, 0}),
-                  test::body("b", 1, {1, 1, 1}, {1 + 0.5 * std::cos(bend), 0.5 * std::sin(bend), 0})};
-  scene.bodies[1].orientation = scenes::AxisAngle{{0, 0, 1}, bend};
-  const scenes::Vector3 z{0, 0, 1};
-  scene.constraints = {test::joint(JointType::revolute, "A", test::side(scenes::ground, scenes::Vector3{}, z),
-                                   test::side(0, scenes::Vector3{-0.5, 0, 0}, z)),
-                       test::joint(JointType::revolute, "B", test::side(0, scenes::Vector3{0.5, 0, 0}, z),
-                                   test::side(1, scenes::Vector3{-0.5, 0, 0}, z)),
-                       test::joint(basic_type<D>, "drive", test::side(scenes::ground, scenes::Vector3{}),
-                                   test::side(1, scenes::Vector3{0.5, 0, 0}))};
-  return make_model<double>(scene);
-}
+Model<double> two_links(double bend) { return make_model<double>(test::two_link_arm(bend)); }
 
 // two links in a line reach no farther; bent by a little they reach a little less
 TEST(FreeMotion, OfADriverFallsToZeroAtTheEndOfItsReach) {
