@@ -45,15 +45,14 @@ void with_cause(AnySystem<S>& system, const S& t, const StateVector<S>& y, const
   }
 }
 
-/// Takes one step, at most to `stop`, and projects its end if `projects`. If the step or its projection is
-/// not acceptable (see integrate.hpp), a shorter step is tried, if the method can shorten its steps. A given
-/// step that is longer than the system's longest_step is an error; a chosen one is shortened.
+/// Takes one step from (t, y) = (before_t, before), at most to `stop`, and projects its end if `projects`. If
+/// the step or its projection is not acceptable (see integrate.hpp), a shorter step is tried, if the method
+/// can shorten its steps. A given step that is longer than the system's longest_step is an error; a chosen
+/// one is shortened.
 template <class S>
-void checked_step(AnySystem<S>& system, AnyMethod<S>& method, S& t, StateVector<S>& y, const S& stop,
-                  bool is_given, bool projects, ProjectionIteration<AnySystem<S>>& project,
-                  ProjectionReport<S>& report) {
-  const auto before_t = t;
-  const auto before = y;
+void checked_step(AnySystem<S>& system, AnyMethod<S>& method, const S& before_t, const StateVector<S>& before,
+                  S& t, StateVector<S>& y, const S& stop, bool is_given, bool projects,
+                  ProjectionIteration<AnySystem<S>>& project, ProjectionReport<S>& report) {
   const auto longest = system.longest_step(t, y);
   if (is_given && longest < stop - t && !is_same_length(longest, S(stop - t)))
     throw IntegrationError(
@@ -164,7 +163,8 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
       const S begin = t, given = grid.has_given_steps() ? S(target - t) : S(0);
       before = y;
       with_cause(system, begin, before, given, [&] {
-        checked_step(system, method, t, y, target, grid.has_given_steps(), projects, project, report);
+        checked_step(system, method, begin, before, t, y, target, grid.has_given_steps(), projects, project,
+                     report);
       });
       const bool looks_back = due && due->t < t;
       bool goes_on = true;  // if it is false after an output within the step, the run ends at the step's end

@@ -35,9 +35,9 @@ namespace trivium::integrators {
 ///                        (internal_rows.hpp)
 ///   position_rows, velocity_rows
 ///                        from (at, rows): Phi, and Phi_q v - nu. Each returns its Violation
-///   clear_dependent      from (lambda): sets the multipliers of dependent rows to 0. The factors do not
-///   change
-///                        them, and the others take over their forces
+///   clear_dependent      from (lambda): sets the multipliers of dependent rows to 0. A solution with
+///                        factors does not change them, and the other rows take over
+///                        their forces
 ///   work_rate            from (at, lambda): the rate [W] of the work, which is the element of y after q and
 ///                        v
 template <class System>

@@ -107,12 +107,14 @@ class Newton {
       // near a singular position the rounding of a correction can exceed the residual that it removes.
       const S now = imbalance / enough() + violation.relative / rounding<S>();
       const bool falls = now <= before / 2;
-      if (imbalance < least && violation.relative <= S(1e3) * rounding<S>()) {
+      const bool is_best = imbalance < least && violation.relative <= S(1e3) * rounding<S>();
+      if (is_best) {
         least = imbalance;
         best_ = x;
       }
       if (!falls && is_fresh) {
         if (least <= S(1e3) * enough()) {
+          if (is_best) return;
           x = best_;
           place(x, y);
           system.evaluate(t, y, at_);

@@ -24,11 +24,12 @@ struct RowReach {
   double farther = 0;  ///< from the present value to the extremum that is nearest [unit of the row]
 };
 
-/// The reach of a row x . y = f(t). Along its free motion the row has the slope s, its grip, and a curvature
-/// c, so that its extremum is s^2 / (-2 c) away. Exact near the extremum.
+/// The reach of a row x . y = f(t) from a state, with its tangent system `here`. Along its free motion the
+/// row has the slope s, its grip, and a curvature c, so that its extremum is s^2 / (-2 c) away. Exact near
+/// the extremum.
 template <class Types>
-RowReach reach_of(const Mechanism<double, Types>& mechanism, MechanismState<double> state, int row) {
-  const TangentSystem here = tangent_system(mechanism, state);
+RowReach reach_of(const Mechanism<double, Types>& mechanism, MechanismState<double> state,
+                  const TangentSystem& here, int row) {
   const FreeMotion motion = free_motion(here, row);
   if (!(motion.gradient > 0)) return {};
   const auto gamma_of = [&](double velocities) {
@@ -59,21 +60,19 @@ inline std::optional<double> time_to(const TimeFunction& f, double t, double far
 }
 
 /// A message about the driver that comes to the end of its reach first, within a step of length `step` [s]
-/// after `now` or a hundredth of the time since the start; empty if none does. `drivers` are rows. Mechanisms
-/// of more than 600 unknowns are not looked at, since the dense analysis would take seconds.
+/// after `now` or a hundredth of the time since the start; empty if none does. `drivers` are rows.
 template <class Types>
 std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vector<int>& drivers,
                       const MechanismState<double>& start, const MechanismState<double>& now, double step) {
   // of the grip at the start; above `lost` `farther` says little
   constexpr double lost = 0.5, at_end = 1e-3;
-  constexpr int most_unknowns = 600;
-  if (drivers.empty() || 6 * mechanism.nb() + mechanism.nc() > most_unknowns) return {};
-  const TangentSystem before = tangent_system(mechanism, start);
+  if (drivers.empty()) return {};
+  const TangentSystem before = tangent_system(mechanism, start), after = tangent_system(mechanism, now);
   double first = std::max(step, (now.t - start.t) / 100), share = 0;
   int worst = -1;
   RowReach reach;
   for (const int row : drivers) {
-    const RowReach of_row = reach_of(mechanism, now, row);
+    const RowReach of_row = reach_of(mechanism, now, after, row);
     const double at_start = free_motion(before, row).gradient;
     if (!(of_row.grip < lost * at_start) || !std::isfinite(of_row.farther)) continue;
     // with so little grip the driver is at the end, also if its function has just turned back

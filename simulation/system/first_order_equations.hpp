@@ -238,6 +238,8 @@ class FirstOrderEquations {
   std::string diagnose(const S& t, const StateVector& y, const S& step) {
     std::string message = near_singular_chart(t, y);
     if constexpr (std::is_same_v<S, double>) {
+      constexpr int most_unknowns = 600;  // the dense analysis of more would take seconds
+      if (6 * nb() + mechanism_.nc() > most_unknowns) return message;
       const MechanismState<double> now = to_mechanism_state(t, y);
       if (message.empty()) message = lost_grip(mechanism_, account_.drivers(), start_state_, now, step);
       if (message.empty()) message = near_singular_position(mechanism_, start_state_, now);

@@ -12,14 +12,12 @@
 
 namespace trivium {
 
-/// A message if the rows are much closer to being dependent than at the start; empty if not, and for
-/// mechanisms of more than 600 unknowns, since the dense analysis would take seconds.
+/// A message if the rows are much closer to being dependent than at the start; empty if not.
 template <class Types>
 std::string near_singular_position(const Mechanism<double, Types>& mechanism,
                                    const MechanismState<double>& start, const MechanismState<double>& now) {
   constexpr double much = 30;  // ordinary motions change the condition number by a few times
-  constexpr int most_unknowns = 600;
-  if (mechanism.nc() == 0 || 6 * mechanism.nb() + mechanism.nc() > most_unknowns) return {};
+  if (mechanism.nc() == 0) return {};
   const RowAnalysis before = analyse_rows(tangent_system(mechanism, start)),
                     here = analyse_rows(tangent_system(mechanism, now));
   if (here.rank >= before.rank && here.kappa <= much * before.kappa) return {};
