@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/r_omega.hpp"
+#include "formulations/formulation_list.hpp"
 #include "integrators/methods.hpp"
 #include "mechanism/reach.hpp"
 #include "scenes/catalogue.hpp"
@@ -68,7 +68,11 @@ TEST(StepFormula, LeavesTheErrorThatEveryStepCommits) {
   }
 }
 
-const std::vector<double> speeds{1, 1};
+LocalErrorSums sums_of(const LocalError<double>& local) {
+  const std::size_t bodies = local.sums().bodies();
+  return local.sums().sums(std::vector<double>(bodies, 1),
+                           std::vector<std::pair<double, double>>(bodies, {1, 1}));
+}
 
 TEST(LocalError, OfAnExactMotionFallsWithThePowerOfItsFormula) {
   for (const auto& [order, power] : {std::pair{1, 5}, {2, 5}, {4, 7}, {5, 7}}) {
@@ -78,8 +82,8 @@ TEST(LocalError, OfAnExactMotionFallsWithThePowerOfItsFormula) {
         std::vector<BodyInMotion<double>> bodies{turning(n * h)};
         local.add(bodies, h, true);
       }
-      EXPECT_GE(local.sums(speeds).steps, 1);
-      return local.sums(speeds).position / 6;
+      EXPECT_GE(sums_of(local).steps, 1);
+      return sums_of(local).position / 6;
     };
     EXPECT_GE(std::log2(sums_with(0.04) / sums_with(0.02)), power - 0.4) << order;
   }
@@ -97,7 +101,7 @@ TEST(LocalError, OfAnEvenSpinIsRounding) {
       std::vector<BodyInMotion<double>> bodies{body};
       local.add(bodies, 0.1, true);
     }
-    EXPECT_LE(local.sums(speeds).position, 1e-12) << order;
+    EXPECT_LE(sums_of(local).position, 1e-12) << order;
   }
 }
 
@@ -112,10 +116,10 @@ TEST(LocalError, CountsStepsThatAreNotEstimatedLikeTheOthers) {
     std::vector<BodyInMotion<double>> bodies{still, drifting};
     local.add(bodies, 0.1, true);
   }
-  EXPECT_EQ(local.sums(speeds).steps, 2);
-  EXPECT_EQ(local.sums(speeds).body, 1);
-  EXPECT_NEAR(local.sums(speeds).position, 0.09, 1e-14);
-  EXPECT_NEAR(local.sums(speeds).size, 0.58 + 0.3, 1e-14);  // from where body 0 began
+  EXPECT_EQ(sums_of(local).steps, 2);
+  EXPECT_EQ(sums_of(local).body, 1);
+  EXPECT_NEAR(sums_of(local).position, 0.09, 1e-14);
+  EXPECT_NEAR(sums_of(local).size, 0.58 + 0.3, 1e-14);  // from where body 0 began
 }
 
 TEST(LocalError, IsComparedWithTheSizeOfConnectedBodiesAlone) {
@@ -128,8 +132,8 @@ TEST(LocalError, IsComparedWithTheSizeOfConnectedBodiesAlone) {
     }
     local.add(bodies, 0.1, true);
   }
-  EXPECT_EQ(local.sums(speeds).body, 0);
-  EXPECT_NEAR(local.sums(speeds).size, 0.06 + 0.3, 1e-12);
+  EXPECT_EQ(sums_of(local).body, 0);
+  EXPECT_NEAR(sums_of(local).size, 0.06 + 0.3, 1e-12);
 }
 
 TEST(LocalError, ForgetsTheStatesBeforeAStepOfAnotherLength) {
@@ -140,11 +144,34 @@ TEST(LocalError, ForgetsTheStatesBeforeAStepOfAnotherLength) {
       std::vector<BodyInMotion<double>> bodies{turning(t += h)};
       local.add(bodies, h, true);
     }
-    return local.sums({1}).steps;
+    return sums_of(local).steps;
   };
   EXPECT_EQ(estimated({0.01, 0.01, 0.01}), 1);
   EXPECT_EQ(estimated({0.01, 0.01, 0.02}), 0);
   EXPECT_EQ(estimated({0.01, 0.01, 0.02, 0.02}), 1);
+}
+
+TEST(HalvedSteps, LeaveTheMotionAsItIs) {
+  for (const char* name : {"heavy_top", "four_bar", "spatial_slider_crank", "driven_crank"})
+    for (const char* method : {"rkf78", "radau9"})
+      for (const auto& formulation : formulation_names()) {
+        SimulationOptions options;
+        options.formulation = formulation;
+        options.integrator = method;
+        options.step = 2e-3;
+        options.end = 0.4;
+        const Model<double> model = make_model<double>(test::catalogue_scene(name));
+        Samples watched, alone;
+        simulate(model, options, watched);
+        options.watches = false;
+        simulate(model, options, alone);
+        for (std::size_t b = 0; b < model.state.pose.size(); ++b) {
+          EXPECT_EQ(watched.all.back().state.pose[b].r, alone.all.back().state.pose[b].r);
+          EXPECT_EQ(watched.all.back().state.pose[b].p, alone.all.back().state.pose[b].p);
+          EXPECT_EQ(watched.all.back().state.twist[b].r_dot, alone.all.back().state.twist[b].r_dot)
+              << name << ", " << method << ", " << formulation;
+        }
+      }
 }
 
 /// The sum over the steps of the errors of one body, of positions [m] and of velocities [m/s], without the
@@ -180,17 +207,20 @@ struct Estimated {
   double longest_step;    ///< [s]; each of the others is half of the one before
 };
 
-// Velocities are compared where the method
-// meets their rows.
 constexpr std::size_t not_estimated = 4;  // steps, by the formula for order 5
+// velocities are compared where the method meets their rows
 class LocalErrors : public ::testing::TestWithParam<Estimated> {};
 TEST_P(LocalErrors, AreThoseOfSingleStepsWithinAFactorFive) {
+  const bool needs_halved_steps =
+      integrators::find_method(GetParam().method)->standard_order > LocalError<double>::highest_order;
   std::vector<double> of_positions, of_velocities;
   for (const auto& file : catalogue())
     for (const double halved : {1, 2, 4, 8}) {
       const double h = GetParam().longest_step / halved;
       const std::string name = file.stem().string();
       if (name == "n_four_bar_40") continue;  // slow, and of the kind of n_four_bar_2
+      // the motion shows nothing of a singular position, where these methods err far more than elsewhere
+      if (needs_halved_steps && name.starts_with("n_four_bar")) continue;
       const Model<double> model = make_model<double>(test::catalogue_scene(name));
       SimulationOptions options;
       options.integrator = GetParam().method;
@@ -231,7 +261,9 @@ INSTANTIATE_TEST_SUITE_P(Methods, LocalErrors,
                                            Estimated{"rattle", true, 4e-3}, Estimated{"rattle4", true, 4e-3},
                                            Estimated{"hem4", true, 4e-3}, Estimated{"dopri5", true, 1.6e-2},
                                            Estimated{"hedop5", true, 1.6e-2}, Estimated{"abm", true, 8e-3},
-                                           Estimated{"radau5", true, 1.6e-2}));
+                                           Estimated{"radau5", true, 1.6e-2},
+                                           Estimated{"rkf78", true, 3.2e-2},
+                                           Estimated{"radau9", true, 6.4e-2}));
 
 }  // namespace
 }  // namespace trivium

@@ -11,7 +11,7 @@
 #include "integrators/projection_report.hpp"
 #include "mechanism/mechanism_state.hpp"
 #include "mechanism/saved_run.hpp"
-#include "simulation/system/local_error.hpp"
+#include "simulation/system/error_sums.hpp"
 #include "simulation/system/motion_log.hpp"
 
 namespace trivium {
@@ -67,7 +67,7 @@ struct SimulationReport {
   bool does_work = false;                   ///< a driver or a non-conservative effect may do work
   double work = 0;                          ///< work of drivers and of non-conservative effects [J]
   double unaccounted_energy = 0;            ///< largest |change of energy - work| after any step [J]
-  /// Sums of the errors of single steps, for methods of the orders 1 to 5 with given steps.
+  /// Sums of the errors of single steps, for methods with given steps.
   std::optional<LocalErrorSums> local_errors = {};
   std::string errs_most = {};  ///< name of the body of local_errors
   /// Sum of m v^2 / 2 over the bodies, v the fastest speed so far in the body's group of connected bodies

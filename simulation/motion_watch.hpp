@@ -22,8 +22,8 @@
 #include "integrators/contract/any_method.hpp"
 #include "integrators/contract/errors.hpp"
 #include "mechanism/mechanism_cast.hpp"
-#include "mechanism/reach.hpp"
 #include "simulation/simulate.hpp"
+#include "simulation/step_errors.hpp"
 #include "simulation/system/constrained_equations.hpp"
 
 namespace trivium {
@@ -39,21 +39,20 @@ class MotionWatch {
   using StateVector = VectorX<S>;
 
   /// This run begins at time t. Energies and work in the report count from there: in a run that continues an
-  /// earlier one, y contains the work of the earlier run, which is subtracted. All arguments must outlive
-  /// this object.
+  /// earlier one, y contains the work of the earlier run, which is subtracted. `step_errors` is absent if
+  /// errors of single steps are not estimated. All other arguments must outlive this object.
   MotionWatch(ConstrainedEquations<F>& equations, const integrators::AnyMethod<S>& method,
               const SimulationOptions& options, SimulationObserver& observer, SimulationReport& report,
-              const S& t, int order)
+              const S& t, std::optional<StepErrors<F>> step_errors)
       : equations_(equations),
         method_(method),
         options_(options),
         observer_(observer),
         report_(report),
-        at_start_(first_order().energy(t, equations.start())) {
+        at_start_(first_order().energy(t, equations.start())),
+        step_errors_(std::move(step_errors)) {
     report_.does_work = first_order().does_work();
     report_.energy_start = static_cast<double>(at_start_.total());
-    if (options.step && order >= 1 && order <= LocalError<S>::highest_order)
-      local_error_.emplace(order, reaches(first_order().mechanism()), components());
   }
 
   /// The values of a state that both the report and a sample contain.
@@ -74,7 +73,7 @@ class MotionWatch {
     raise(report_.unaccounted_energy, static_cast<double>(unaccounted_energy(seen.energy, at_start_)));
     raise(report_.largest_kinetic, static_cast<double>(seen.energy.kinetic));
     report_.energy_end = static_cast<double>(seen.energy.total());
-    if (local_error_) measure_step(t, y, phi_dot);
+    if (step_errors_) step_errors_->step(t, y, phi_dot);
     report_.work = static_cast<double>(S(seen.energy.work - at_start_.work));
     // with kept charts, a step across a singularity can end in a wrong state without an error
     if (!options_.charts.reframe && report_.near_singular_chart.empty())
@@ -135,11 +134,8 @@ class MotionWatch {
   /// The end of the run, from which another run can continue.
   RunEnd end(const S& start, const S& t, const StateVector& y) {
     report_.fastest_energy = static_cast<double>(first_order().fastest_energy());
-    if (local_error_) {
-      std::vector<double> least;  // the speed that loads could give
-      for (int b = 0; b < first_order().nb(); ++b)
-        least.push_back(static_cast<double>(first_order().measure().fastest_of(b)));
-      report_.local_errors = local_error_->sums(least);
+    if (step_errors_) {
+      report_.local_errors = step_errors_->sums();
       report_.errs_most = first_order().mechanism().body_names[report_.local_errors->body];
     }
     RunEnd end{state_at(t, y), {}, first_order().save(y)};
@@ -154,42 +150,6 @@ class MotionWatch {
 
  private:
   FirstOrderEquations<F>& first_order() { return equations_.first_order(); }
-
-  std::vector<int> components() {
-    std::vector<int> component;
-    for (int b = 0; b < first_order().nb(); ++b) component.push_back(first_order().measure().component_of(b));
-    return component;
-  }
-
-  /// Adds the step that ended at an accepted state to the sums of local errors. `off` is the violation of
-  /// velocities there, just measured. With index 3 it is of order h^2 and does not accumulate; the velocities
-  /// are projected, so that only errors count that do.
-  void measure_step(const S& t, const StateVector& y, const integrators::Violation<S>& off) {
-    if (!measured_.empty() && t == measured_t_) return;  // an output at the end of a step
-    if (method_.counters().restarts != restarts_) local_error_->restart();
-    restarts_ = method_.counters().restarts;
-    const S h = t - std::exchange(measured_t_, t);
-    if (local_error_->leaves_out()) return;
-    met_ = y;
-    const bool is_off = off.relative > 1000 * std::numeric_limits<S>::epsilon();
-    if (is_off) first_order().correct_velocities(t, met_, false);
-    AccelerationSolver<F>& solver = first_order().solved(t, y);
-    measured_.resize(first_order().nb());
-    for (int b = 0; b < first_order().nb(); ++b) {
-      const auto& body = solver.assembly().body()[b];
-      measured_[b] = {body.r,           body.r_dot,
-                      solver.r_ddot(b), euler_parameters(body.A),
-                      body.omega_bar,   solver.omega_bar_dot(b)};
-      if (!is_off) continue;
-      BodyState<F> state = first_order().state()[b];
-      const auto& layout = first_order().layout();
-      state.q = F::from_orientation(state.chart, layout.orientation(met_, b), layout.velocity(met_, b));
-      measured_[b].v = layout.rate(met_, b).template head<3>();
-      measured_[b].omega_bar = kinematics_of(state).omega_bar;
-    }
-    local_error_->add(measured_, h, is_off);
-    measured_.resize(first_order().nb());
-  }
 
   /// Long steps can lead to another branch, where the rows of a joint hold too, such as half a turn beside a
   /// driven angle. Throws an IntegrationError that names the joint; not if the motion began on such a branch.
@@ -252,11 +212,7 @@ class MotionWatch {
   SimulationObserver& observer_;
   SimulationReport& report_;
   const MotionEnergy<S> at_start_;
-  std::optional<LocalError<S>> local_error_;
-  std::vector<BodyInMotion<S>> measured_;
-  StateVector met_;  ///< the state with projected velocities
-  S measured_t_{0};
-  long restarts_ = 0;
+  std::optional<StepErrors<F>> step_errors_;
   bool has_shown_ = false, began_on_another_branch_ = false;
   std::vector<Joint<double>> joints_;  ///< of the mechanism in double, if S is another Scalar
 };

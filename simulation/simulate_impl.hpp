@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <type_traits>
 
 #include "bodies/numbers/scalar.hpp"
@@ -32,9 +33,7 @@ class Simulation {
         entry_(entry_of(options)),
         is_implicit_(is_implicit(entry_.info, options)),
         projects_(options.projects && !is_implicit_),
-        method_(integrators::make_method<S>(
-            entry_, options.step ? integrators::Steps::given : integrators::Steps::chosen, options.tolerances,
-            parameters(options, projects_))),
+        method_(make_method()),
         equations_(model.mechanism, model.state,
                    {options.charts, options.baumgarte, projects_ || is_implicit_, saved_run(options)}) {}
 
@@ -45,9 +44,8 @@ class Simulation {
     TimeGrid grid(from ? from->start : begin, options_.end, options_.output_step, options_.step,
                   equations_.first_order().mechanism().kinks());
     if (from) grid = grid.from(begin);
-    MotionWatch<F> watch(equations_, *method_, options_, observer_, report_, start_,
-                         options_.parameters.order.value_or(entry_.info.standard_order));
     SystemAdapter<ConstrainedEquations<F>> system(equations_);
+    MotionWatch<F> watch(equations_, *method_, options_, observer_, report_, start_, step_errors(system));
     ProjectionReport<S> projection;
     if (from && from->integrator == entry_.info.name && options_.step) recall(system, *from);
     S end_t = start_;
@@ -112,6 +110,18 @@ class Simulation {
     return given;
   }
 
+  std::unique_ptr<integrators::AnyMethod<S>> make_method() const {
+    return integrators::make_method<S>(entry_,
+                                       options_.step ? integrators::Steps::given : integrators::Steps::chosen,
+                                       options_.tolerances, parameters(options_, projects_));
+  }
+  /// The errors of given steps, if the order of the method is known.
+  std::optional<StepErrors<F>> step_errors(integrators::AnySystem<S>& system) {
+    const int order = options_.parameters.order.value_or(entry_.info.standard_order);
+    if (!options_.step || order < 1) return {};
+    return StepErrors<F>(equations_.first_order(), *method_, order,
+                         HalvedSteps<S>(system, make_method(), projects_));
+  }
   /// Gives the method the memory of the saved run, such as an auxiliary acceleration.
   void recall(integrators::AnySystem<S>& system, const SavedRun& from) {
     if (from.memory.empty()) return;

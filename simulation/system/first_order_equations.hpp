@@ -167,13 +167,13 @@ class FirstOrderEquations {
   /// lets effects count turns. Returns whether a chart changed; y is then in the new chart. Throws a
   /// ModelError.
   bool accept_state(const S& t, StateVector& y) {
-    accepted_t_.reset();
+    solved_t_.reset();
     const bool reframed = charts_.is_on() && reframe(t, y);
     solve_as(t, y, Refinement::as_needed, detection_);
     log_.note_dependent_rows(t, solver_.factors().dependent_row_count());
     refines_ = !(solver_.corrections().acceleration <= small_correction);
-    accepted_t_ = t;
-    accepted_ = y;
+    solved_t_ = t;
+    solved_ = y;
     projection_.accept_state();
     take_motion();
     mechanism_.effects.follow(view(t));
@@ -192,7 +192,11 @@ class FirstOrderEquations {
 
   /// The acceleration solver with its refined solution at (t, y).
   AccelerationSolver<F>& solved(const S& t, const StateVector& y) {
-    if (!is_accepted(t, y)) solve_as(t, y, Refinement::as_needed, DependentRows::keep);
+    if (!is_solved(t, y)) {
+      solve_as(t, y, Refinement::as_needed, DependentRows::keep);
+      solved_t_ = t;
+      solved_ = y;
+    }
     return solver_;
   }
   MechanismState<S> to_mechanism_state(const S& t, const StateVector& y) {
@@ -294,7 +298,7 @@ class FirstOrderEquations {
   const ConstraintViolation<S>& measure() const { return projection_.measure(); }
   /// Moves the bodies to y.
   void load(const StateVector& y) {
-    if (accepted_t_ && accepted_ != y) accepted_t_.reset();  // the solution no longer belongs to the bodies
+    if (solved_t_ && solved_ != y) solved_t_.reset();  // the solution no longer belongs to the bodies
     measured_ = Rows::none;
     layout_.load(y, state_);
   }
@@ -313,15 +317,15 @@ class FirstOrderEquations {
   bool is_measured(const S& t, const StateVector& y, Rows rows) const {
     return measured_ == rows && measured_t_ == t && measured_y_ == y;
   }
-  bool is_accepted(const S& t, const StateVector& y) const {
-    return accepted_t_ && *accepted_t_ == t && accepted_ == y;
+  bool is_solved(const S& t, const StateVector& y) const {
+    return solved_t_ && *solved_t_ == t && solved_ == y;
   }
   void solve(const S& t, const StateVector& y) {
-    if (!is_accepted(t, y))
+    if (!is_solved(t, y))
       solve_as(t, y, refines_ ? Refinement::as_needed : Refinement::none, DependentRows::keep);
   }
   void solve_as(const S& t, const StateVector& y, Refinement refinement, DependentRows how) {
-    accepted_t_.reset();
+    solved_t_.reset();
     load(y);
     ++factorisations_;
     solver_.solve(state_, t, refinement, how);
@@ -360,10 +364,10 @@ class FirstOrderEquations {
   /// 1e-13 is about 1000 u of double, and is used in quad too: solutions between accepted states may have
   /// errors up to 1e-13, although their rounding is near 1e-34.
   static constexpr double small_correction = 1e-13;
-  // the state accepted last, if the solver still holds its solution, and whether solutions after it are
-  // refined
-  std::optional<S> accepted_t_;
-  StateVector accepted_;
+  // the state whose refined solution the solver holds, if any, and whether solutions between accepted states
+  // are refined
+  std::optional<S> solved_t_;
+  StateVector solved_;
   bool refines_ = false;
   // the state at which rows were measured last, and whether they were rows of positions or of velocities
   Rows measured_ = Rows::none;

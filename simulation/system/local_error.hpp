@@ -10,46 +10,19 @@
 ///
 ///     A_j = A_m exp((j - m) h tilde(omega_bar_m)) A(p),   m a state in the middle,
 ///
-/// so that a fast even spin, which many methods integrate exactly, has no remainder. The errors count as
-/// errors of the points of a body: an angle is multiplied by the reach of the body (mechanism/reach.hpp).
-/// lambda does not enter.
+/// so that a fast even spin, which many methods integrate exactly, has no remainder.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "base/raise.hpp"
 #include "bodies/rotations/so3.hpp"
+#include "simulation/system/error_sums.hpp"
 
 namespace trivium {
-
-/// What a body does at the end of a step.
-template <class S>
-struct BodyInMotion {
-  Vector3<S> r, v, a;                   ///< position [m], velocity [m/s], acceleration [m/s^2], global
-  Vector4<S> p;                         ///< Euler parameters, of either sign
-  Vector3<S> omega_bar, omega_bar_dot;  ///< [rad/s, rad/s^2], body frame
-};
-
-/// Sums of local errors over the steps of a motion, for the points of the body that errs most in comparison
-/// with its size. A sample of the steps is estimated; the others enter with their mean.
-struct LocalErrorSums {
-  int body = 0;
-  double position = 0;  ///< [m]
-  double velocity = 0;  ///< [m/s]
-  // of the bodies that are connected with this body
-  double size = 0;   ///< extent of their motion [m]
-  double speed = 0;  ///< of their fastest point [m/s]
-  long steps = 0;    ///< that were estimated
-
-  /// The larger of both sums, in comparison with the size and the speed [-].
-  double relative() const { return std::max(share(position, size), share(velocity, speed)); }
-
- private:
-  static double share(double error, double whole) { return error > 0 ? error / whole : 0; }
-};
 
 /// A formula that polynomials x(t) satisfy at times h apart,
 ///
@@ -86,28 +59,28 @@ struct StepFormula {
   int times() const { return static_cast<int>(of_x.size()); }
 };
 
-/// Sums the local errors of a motion, body by body. Methods of the orders 1 to 5 are estimated. At the steps
-/// for which higher orders are made, no formula over past states is more accurate than they are. Every third
-/// step is estimated, or fewer where states are expensive, so that an estimate costs less than a twentieth of
-/// the step. The first steps, in which the formula has too few states, are not estimated.
+/// Sums the local errors of a method. Every fourth step is estimated, or fewer where states are expensive, so
+/// that an estimate costs less than a twentieth of the step. The first steps, in which the formula has too
+/// few states, are not estimated.
+///
+/// At the steps for which orders above 5 are made, no formula over past states is more accurate than the
+/// method. A formula over the two ends of a step leaves a remainder of order h^m then, which tells where
+/// errors are large: for a method of order p they go about with its power (p + 1) / m. The sums are those of
+/// these powers. A factor is missing, which halved steps find (simulation/halved_steps.hpp).
 template <class S>
 class LocalError {
  public:
   static constexpr int highest_order = 5;
 
-  /// `order` of the method, 1 to 5. `reach` of each body: how far its points move by a rotation of 1 rad [m].
-  /// `component` of each body: a number that connected bodies have in common, below the number of bodies.
+  /// `order` of the method; `reach` and `component` of each body as for ErrorSums.
   LocalError(int order, std::vector<S> reach, std::vector<int> component)
-      // their remainders have at least one power of h more than the errors of the method
-      : positions_(order <= 2 ? std::vector<int>{3, 3} : std::vector<int>{2, 3, 3}),
-        velocities_(std::vector<int>((order + 5) / 2, 2)),
-        reach_(std::move(reach)),
-        component_(std::move(component)),
-        past_(velocities_.times()),
-        sums_(reach_.size()),
-        begin_(reach_.size()),
-        size_(reach_.size(), S(0)),
-        speed_(size_) {}
+      // up to order 5 their remainders have at least one power of h more than the errors of the method
+      : positions_(order <= 2 || order > highest_order ? std::vector<int>{3, 3} : std::vector<int>{2, 3, 3}),
+        velocities_(std::vector<int>(order > highest_order ? 2 : (order + 5) / 2, 2)),
+        sums_(std::move(reach), std::move(component)),
+        past_(velocities_.times()) {
+    if (order > highest_order) powers_ = {S(order + 1) / 4, S(order + 1) / 2};
+  }
 
   /// The motion is not smooth at the last state: earlier ones are forgotten.
   void restart() { known_ = std::min(known_, 1); }
@@ -115,60 +88,41 @@ class LocalError {
   bool leaves_out() {
     if (left_out_ == 0) return false;
     --left_out_;
-    ++all_steps_;
+    sums_.step();
     return true;
   }
 
   /// Adds the end of a step of length h [s]; the first state has no step. A step of another length restarts;
   /// a relative change of h by 1e-6 changes the estimate as little, and is far above the rounding of times.
-  /// If states are expensive, as many as a formula needs are left out after each estimate.
-  void add(std::vector<BodyInMotion<S>>& bodies, const S& h, bool is_expensive) {
+  /// If states are expensive, as many as a formula needs are left out after each estimate. Returns whether
+  /// the step was estimated.
+  bool add(std::vector<BodyInMotion<S>>& bodies, const S& h, bool is_expensive) {
     using std::abs;
     if (known_ > 1 && !(abs(h - h_) <= S(1e-6) * h)) restart();
     h_ = h;
     std::rotate(past_.begin(), past_.begin() + 1, past_.end());
     past_.back().swap(bodies);
-    measure_sizes(past_.back());
-    ++all_steps_;
-    if (++known_ < static_cast<int>(past_.size())) return;
-    known_ = is_expensive ? 0 : static_cast<int>(past_.size()) - 3;
+    sums_.see(past_.back());
+    if (std::exchange(has_begun_, true)) sums_.step();  // the first state has no step
+    if (++known_ < static_cast<int>(past_.size())) return false;
+    known_ = is_expensive ? 0 : static_cast<int>(past_.size()) - (powers_ ? 1 : 4);
     left_out_ = is_expensive ? static_cast<int>(past_.size()) : 0;
-    for (std::size_t b = 0; b < sums_.size(); ++b) measure(b);
-    ++steps_;
+    last_.clear();
+    for (int b = 0; b < sums_.bodies(); ++b) last_.emplace_back(raised(position_error(b), velocity_error(b)));
+    sums_.add(last_);
+    return true;
   }
-
-  /// `least` of each body: a bound below which the speed of the bodies connected with it is no motion [m/s].
-  LocalErrorSums sums(const std::vector<double>& least) const {
-    LocalErrorSums largest;
-    const double share = steps_ > 0 ? static_cast<double>(all_steps_) / static_cast<double>(steps_) : 0;
-    for (int b = 0; b < static_cast<int>(sums_.size()); ++b) {
-      LocalErrorSums of_body;
-      of_body.body = b;
-      of_body.position = share * static_cast<double>(sums_[b].first);
-      of_body.velocity = share * static_cast<double>(sums_[b].second);
-      of_body.size = static_cast<double>(size_[component_[b]]);
-      of_body.speed = std::max(static_cast<double>(speed_[component_[b]]), least[b]);
-      of_body.steps = steps_;
-      if (b == 0 || of_body.relative() > largest.relative()) largest = of_body;
-    }
-    return largest;
-  }
+  /// What the step that was estimated last adds to the sums: of positions, of velocities of every body.
+  const std::vector<std::pair<S, S>>& last() const { return last_; }
+  const ErrorSums<S>& sums() const { return sums_; }
 
  private:
-  /// The size of a component is the largest distance of its points from where its first body began.
-  void measure_sizes(const std::vector<BodyInMotion<S>>& bodies) {
-    for (std::size_t b = bodies.size(); all_steps_ < 0 && b-- > 0;) begin_[component_[b]] = bodies[b].r;
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-      const BodyInMotion<S>& body = bodies[b];
-      raise(size_[component_[b]], S((body.r - begin_[component_[b]]).norm() + reach_[b]));
-      raise(speed_[component_[b]], S(body.v.norm() + reach_[b] * body.omega_bar.norm()));
-    }
+  std::pair<S, S> raised(const S& position, const S& velocity) const {
+    using std::pow;
+    if (!powers_) return {position, velocity};
+    return {pow(position, powers_->first), pow(velocity, powers_->second)};
   }
-  void measure(std::size_t b) {
-    sums_[b].first += position_error(b);
-    sums_[b].second += velocity_error(b);
-  }
-  S position_error(std::size_t b) const {
+  S position_error(int b) const {
     const int k = positions_.times() - 1, first = static_cast<int>(past_.size()) - 1 - k;
     const BodyInMotion<S>& middle = past_[first + k / 2][b];
     const Vector4<S> back = conjugate_parameters(middle.p);
@@ -194,7 +148,7 @@ class LocalError {
       of_p += (of_x - of_second / 4 * omega.squaredNorm()) * p +
               rate_of_parameters(p, Vector3<S>(of_rate * omega + of_second * omega_dot));
     }
-    return of_r.norm() + 2 * reach_[b] * of_p.norm();
+    return of_r.norm() + 2 * sums_.reach(b) * of_p.norm();
   }
   /// p' = G^T omega_bar / 2.
   static Vector4<S> rate_of_parameters(const Vector4<S>& p, const Vector3<S>& omega_bar) {
@@ -203,7 +157,7 @@ class LocalError {
     rate << -e.dot(omega_bar) / 2, (p[0] * omega_bar + e.cross(omega_bar)) / 2;
     return rate;
   }
-  S velocity_error(std::size_t b) const {
+  S velocity_error(int b) const {
     Vector3<S> of_v = Vector3<S>::Zero(), of_omega_bar = of_v;
     for (std::size_t j = 0; j < past_.size(); ++j) {
       const BodyInMotion<S>& body = past_[j][b];
@@ -211,19 +165,17 @@ class LocalError {
       of_v += of_x * body.v + of_rate * body.a;
       of_omega_bar += of_x * body.omega_bar + of_rate * body.omega_bar_dot;
     }
-    return of_v.norm() + reach_[b] * of_omega_bar.norm();
+    return of_v.norm() + sums_.reach(b) * of_omega_bar.norm();
   }
 
   const StepFormula<S> positions_, velocities_;
-  int known_ = 0, left_out_ = 0;
-  long steps_ = 0, all_steps_ = -1;  ///< the first state has no step
-  S h_{0};
-  std::vector<S> reach_;
-  std::vector<int> component_;
+  std::optional<std::pair<S, S>> powers_;  ///< for orders above 5
+  ErrorSums<S> sums_;
   std::vector<std::vector<BodyInMotion<S>>> past_;  ///< the earliest first
-  std::vector<std::pair<S, S>> sums_;               ///< per body: of positions [m], of velocities [m/s]
-  std::vector<Vector3<S>> begin_;                   ///< per component: where its first body began [m]
-  std::vector<S> size_, speed_;                     ///< per component, the largest so far [m, m/s]
+  std::vector<std::pair<S, S>> last_;
+  S h_{0};
+  int known_ = 0, left_out_ = 0;
+  bool has_begun_ = false;
 };
 
 }  // namespace trivium

@@ -1,0 +1,109 @@
+#pragma once
+/// Sums of the errors that the steps of a motion commit, body by body. The errors count as errors of the
+/// points of a body: an angle is multiplied by the reach of the body (mechanism/reach.hpp). lambda does not
+/// enter.
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "base/raise.hpp"
+#include "bodies/rotations/so3.hpp"
+
+namespace trivium {
+
+/// What a body does at the end of a step.
+template <class S>
+struct BodyInMotion {
+  Vector3<S> r, v, a;                   ///< position [m], velocity [m/s], acceleration [m/s^2], global
+  Vector4<S> p;                         ///< Euler parameters, of either sign
+  Vector3<S> omega_bar, omega_bar_dot;  ///< [rad/s, rad/s^2], body frame
+};
+
+/// Sums of local errors over the steps of a motion, for the points of the body that errs most in comparison
+/// with its size. A sample of the steps is estimated; the others enter with their mean.
+struct LocalErrorSums {
+  int body = 0;
+  double position = 0;  ///< [m]
+  double velocity = 0;  ///< [m/s]
+  // of the bodies that are connected with this body
+  double size = 0;   ///< extent of their motion [m]
+  double speed = 0;  ///< of their fastest point [m/s]
+  long steps = 0;    ///< that were estimated
+
+  /// The larger of both sums, in comparison with the size and the speed [-].
+  double relative() const { return std::max(share(position, size), share(velocity, speed)); }
+
+ private:
+  static double share(double error, double whole) { return error > 0 ? error / whole : 0; }
+};
+
+/// Adds up the errors of a sample of the steps.
+template <class S>
+class ErrorSums {
+ public:
+  /// `reach` of each body: how far its points move by a rotation of 1 rad [m]. `component` of each body: a
+  /// number that connected bodies have in common, below the number of bodies.
+  ErrorSums(std::vector<S> reach, std::vector<int> component)
+      : reach_(std::move(reach)),
+        component_(std::move(component)),
+        errors_(reach_.size()),
+        begin_(reach_.size()),
+        size_(reach_.size(), S(0)),
+        speed_(size_) {}
+
+  int bodies() const { return static_cast<int>(reach_.size()); }
+  const S& reach(int b) const { return reach_[b]; }
+
+  /// The motion has reached these positions and velocities. The size of a component is the largest distance
+  /// of its points from where its first body began.
+  void see(const std::vector<BodyInMotion<S>>& bodies) {
+    for (std::size_t b = bodies.size(); !has_seen_ && b-- > 0;) begin_[component_[b]] = bodies[b].r;
+    has_seen_ = true;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      const BodyInMotion<S>& body = bodies[b];
+      raise(size_[component_[b]], S((body.r - begin_[component_[b]]).norm() + reach_[b]));
+      raise(speed_[component_[b]], S(body.v.norm() + reach_[b] * body.omega_bar.norm()));
+    }
+  }
+  /// The motion has taken a step.
+  void step() { ++steps_; }
+  /// Adds the errors of every body in one of the steps: of positions [m], of velocities [m/s].
+  void add(const std::vector<std::pair<S, S>>& errors) {
+    ++estimated_;
+    for (int b = 0; b < bodies(); ++b) {
+      errors_[b].first += errors[b].first;
+      errors_[b].second += errors[b].second;
+    }
+  }
+
+  /// The sums for all steps. `least` of each body: a bound below which the speed of the bodies connected with
+  /// it is no motion [m/s]. `factors` of each body multiply the errors of positions and of velocities.
+  LocalErrorSums sums(const std::vector<double>& least,
+                      const std::vector<std::pair<double, double>>& factors) const {
+    LocalErrorSums largest;
+    const double share = estimated_ > 0 ? static_cast<double>(steps_) / static_cast<double>(estimated_) : 0;
+    for (int b = 0; b < bodies(); ++b) {
+      LocalErrorSums of_body;
+      of_body.body = b;
+      of_body.position = share * factors[b].first * static_cast<double>(errors_[b].first);
+      of_body.velocity = share * factors[b].second * static_cast<double>(errors_[b].second);
+      of_body.size = static_cast<double>(size_[component_[b]]);
+      of_body.speed = std::max(static_cast<double>(speed_[component_[b]]), least[b]);
+      of_body.steps = estimated_;
+      if (b == 0 || of_body.relative() > largest.relative()) largest = of_body;
+    }
+    return largest;
+  }
+
+ private:
+  std::vector<S> reach_;
+  std::vector<int> component_;
+  std::vector<std::pair<S, S>> errors_;  ///< per body: of positions [m], of velocities [m/s]
+  std::vector<Vector3<S>> begin_;        ///< per component: where its first body began [m]
+  std::vector<S> size_, speed_;          ///< per component, the largest so far [m, m/s]
+  long steps_ = 0, estimated_ = 0;
+  bool has_seen_ = false;
+};
+
+}  // namespace trivium
