@@ -141,6 +141,8 @@ class Newton {
         change_.tail(nv) = v_change_;
         v_change_.setZero(nv);
         phi_dot_ /= -shares.velocity;
+      } else if (violation.relative <= rounding<S>()) {
+        phi_.setZero();  // rounding, which a division by h^2 would turn into a large v'
       } else {
         phi_ /= -shares.position;
       }
