@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "base/raise.hpp"
 #include "integrators/contract/any_method.hpp"
@@ -25,21 +26,29 @@ class HalvedSteps {
               bool projects)
       : system_(system), method_(std::move(method)), projects_(projects) {}
 
-  /// Whether a step is to be taken in halves; `position` and `velocity` tell how large its errors are, in
-  /// units of the caller, `step` is its number. Their sums are decided where they are largest: steps with far
-  /// larger errors than those taken so far are taken, which are few, and otherwise one of 120 or more, the
-  /// sooner the larger its errors are. So this costs less than a twentieth of a run.
-  bool is_due(double position, double velocity, long step) {
-    constexpr double far_larger = 4;
+  /// Whether the step number `step` is to be taken in halves. `errors` of each body tell how large its errors
+  /// are, in units of the caller. Their sums are decided where they are largest: a step is taken if the
+  /// errors of a body are far larger than in all steps taken so far, which happens a few times, and otherwise
+  /// one of 120 or more, the sooner the larger its errors are. So this costs less than a twentieth of a run.
+  bool is_due(const std::vector<std::pair<S, S>>& errors, long step) {
+    constexpr double far_larger = 6;
     constexpr long wait = 120;
     const long waited = step - last_;
-    const auto is = [&](double error, double largest) {
-      return error > far_larger * largest ||
-             (waited >= wait && std::scalbln(error, waited / wait) >= largest);
+    const double nearly = waited < wait ? 0 : std::scalbln(1.0, waited / wait);
+    largest_.resize(errors.size(), {S(0), S(0)});
+    bool is = false;
+    const auto compare = [&](const S& error, const S& largest) {
+      is = is || error > far_larger * largest || (nearly > 0 && error > S(0) && nearly * error >= largest);
     };
-    if (!is(position, position_) && !is(velocity, velocity_)) return false;
-    raise(position_, position);
-    raise(velocity_, velocity);
+    for (std::size_t b = 0; b < errors.size(); ++b) {
+      compare(errors[b].first, largest_[b].first);
+      compare(errors[b].second, largest_[b].second);
+    }
+    if (!is) return false;
+    for (std::size_t b = 0; b < errors.size(); ++b) {
+      raise(largest_[b].first, errors[b].first);
+      raise(largest_[b].second, errors[b].second);
+    }
     last_ = step;
     return true;
   }
@@ -65,7 +74,7 @@ class HalvedSteps {
   std::unique_ptr<integrators::AnyMethod<S>> method_;
   bool projects_;
   integrators::ProjectionIteration<integrators::AnySystem<S>> project_;
-  double position_ = 0, velocity_ = 0;  ///< the largest taken so far
+  std::vector<std::pair<S, S>> largest_;  ///< errors of each body in the steps taken so far
   long last_ = 0;
 };
 

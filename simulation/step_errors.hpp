@@ -41,7 +41,8 @@ class StepErrors {
     if (has_begun_ && t == t_) return;  // an output at the end of a step
     has_begun_ = true;
     // where the motion or its chart began anew, the states before do not belong to it
-    if (std::exchange(restarts_, method_.counters().restarts) != restarts_) by_formula_.restart();
+    const long restarts = method_.counters().restarts;
+    if (std::exchange(restarts_, restarts) != restarts) by_formula_.restart();
     const S before = std::exchange(t_, t);
     if (by_formula_.leaves_out()) return;
     if (add_state(t, y, S(t - before), off) && halved_) compare(before, t, y);
@@ -58,7 +59,9 @@ class StepErrors {
       factors.emplace_back(ratio(of_halved.first, of_formula.first),
                            ratio(of_halved.second, of_formula.second));
     }
-    return by_formula_.sums().sums(least, factors);
+    LocalErrorSums sums = by_formula_.sums().sums(least, factors);
+    if (halved_ && !has_compared_) sums = {.body = sums.body};  // the factors are not known
+    return sums;
   }
 
  private:
@@ -92,18 +95,13 @@ class StepErrors {
 
   /// Compares the estimate of the step just added with that by halves, if it is due.
   void compare(const S& before, const S& t, const StateVector& y) {
-    double position = 0, velocity = 0;
-    for (int b = 0; b < equations_.nb(); ++b) {
-      const auto& [of_position, of_velocity] = by_formula_.last()[b];
-      raise(position, static_cast<double>(of_position));
-      raise(velocity, static_cast<double>(of_velocity));
-    }
-    if (!halved_->is_due(position, velocity, method_.counters().steps)) return;
+    if (!halved_->is_due(by_formula_.last(), method_.counters().steps)) return;
     met_ = before_;
     const bool is_taken = (*halved_)(before, t, met_);
     if (is_taken) bodies_at(t, met_, in_halves_);
     bodies_at(t, y, reached_);  // the equations stand at the accepted state again
     if (!is_taken) return;
+    has_compared_ = true;
     for (int b = 0; b < equations_.nb(); ++b) {
       const auto add = [](Pair& sum, const Pair& x) { sum = {sum.first + x.first, sum.second + x.second}; };
       add(compared_[b].first, difference(b));
@@ -138,7 +136,7 @@ class StepErrors {
   StateVector met_, before_;
   S t_{0};
   long restarts_ = 0;
-  bool has_begun_ = false;
+  bool has_begun_ = false, has_compared_ = false;
 };
 
 }  // namespace trivium
