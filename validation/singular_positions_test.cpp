@@ -57,6 +57,16 @@ TEST_P(InEveryFormulation, AnotherBodySpoilsNoSingularPosition) {
   EXPECT_LE(std::hypot(r[0] - 0.5 - exact["x"].back(), r[1] - exact["y"].back()), 1e-6);
 }
 
+// The rows of a spherical joint are never dependent, though their condition number depends on the position.
+TEST(ALongStep, OfATopIsNoSingularPosition) {
+  try {
+    const Motion motion(catalogue_scene("heavy_top"), test::stepping("r-epsilon", "rkf78", 2, 5e-3));
+    FAIL() << "reached " << motion.report.reached;
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()).find("singular position"), std::string::npos) << error.what();
+  }
+}
+
 TEST(TheRawChart, IsAnErrorThatNamesTheBodyWhereItIsSingular) {
   SimulationOptions options = tight("r-epsilon", "dopri5", 5, 1e-9);
   options.charts = {*parse_euler_sequence("313"), false};
