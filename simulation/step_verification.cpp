@@ -3,7 +3,6 @@
 #include "simulation/step_verification.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 
@@ -23,6 +22,12 @@ struct Quantity {
   std::function<double(const MotionSample&)> size;
 };
 
+bool has_unique_multiplier(const std::vector<MotionSample>& samples) {
+  return std::any_of(samples.begin(), samples.end(), [](const MotionSample& sample) {
+    return std::count(sample.lambda_unique.begin(), sample.lambda_unique.end(), true) > 0;
+  });
+}
+
 /// The largest value of of(b) over the bodies of a sample.
 template <class Of>
 double over_bodies(const MotionSample& sample, const Of& of) {
@@ -31,44 +36,45 @@ double over_bodies(const MotionSample& sample, const Of& of) {
   return largest;
 }
 
-std::array<Quantity, 5> quantities() {
-  return {
-      {{"positions", "m",
-        [](const MotionSample& a, const MotionSample& b) {
-          return over_bodies(a, [&](auto k) { return (a.state.pose[k].r - b.state.pose[k].r).norm(); });
-        },
-        [](const MotionSample& a) {
-          return over_bodies(a, [&](auto k) { return a.state.pose[k].r.norm(); });
-        }},
-       {"orientations", "rad",
-        [](const MotionSample& a, const MotionSample& b) {
-          return over_bodies(a, [&](auto k) { return turn_between(a.state.pose[k].p, b.state.pose[k].p); });
-        },
-        [](const MotionSample&) { return 1.0; }},
-       {"velocities", "m/s",
-        [](const MotionSample& a, const MotionSample& b) {
-          return over_bodies(
-              a, [&](auto k) { return (a.state.twist[k].r_dot - b.state.twist[k].r_dot).norm(); });
-        },
-        [](const MotionSample& a) {
-          return over_bodies(a, [&](auto k) { return a.state.twist[k].r_dot.norm(); });
-        }},
-       {"angular velocities", "rad/s",
-        [](const MotionSample& a, const MotionSample& b) {
-          return over_bodies(
-              a, [&](auto k) { return (a.state.twist[k].omega_bar - b.state.twist[k].omega_bar).norm(); });
-        },
-        [](const MotionSample& a) {
-          return over_bodies(a, [&](auto k) { return a.state.twist[k].omega_bar.norm(); });
-        }},
-       {"lambda", "unit of the row",
-        [](const MotionSample& a, const MotionSample& b) {
-          double largest = 0;
-          for (Eigen::Index k = 0; k < a.lambda.size(); ++k)
-            if (a.lambda_unique[k] && b.lambda_unique[k]) raise(largest, std::abs(a.lambda[k] - b.lambda[k]));
-          return largest;
-        },
-        [](const MotionSample& a) { return largest_magnitude(a.lambda); }}}};
+std::vector<Quantity> quantities() {
+  return {{"positions", "m",
+           [](const MotionSample& a, const MotionSample& b) {
+             return over_bodies(a, [&](auto k) { return (a.state.pose[k].r - b.state.pose[k].r).norm(); });
+           },
+           [](const MotionSample& a) {
+             return over_bodies(a, [&](auto k) { return a.state.pose[k].r.norm(); });
+           }},
+          {"orientations", "rad",
+           [](const MotionSample& a, const MotionSample& b) {
+             return over_bodies(a,
+                                [&](auto k) { return turn_between(a.state.pose[k].p, b.state.pose[k].p); });
+           },
+           [](const MotionSample&) { return 1.0; }},
+          {"velocities", "m/s",
+           [](const MotionSample& a, const MotionSample& b) {
+             return over_bodies(
+                 a, [&](auto k) { return (a.state.twist[k].r_dot - b.state.twist[k].r_dot).norm(); });
+           },
+           [](const MotionSample& a) {
+             return over_bodies(a, [&](auto k) { return a.state.twist[k].r_dot.norm(); });
+           }},
+          {"angular velocities", "rad/s",
+           [](const MotionSample& a, const MotionSample& b) {
+             return over_bodies(
+                 a, [&](auto k) { return (a.state.twist[k].omega_bar - b.state.twist[k].omega_bar).norm(); });
+           },
+           [](const MotionSample& a) {
+             return over_bodies(a, [&](auto k) { return a.state.twist[k].omega_bar.norm(); });
+           }},
+          {"lambda", "unit of the row",
+           [](const MotionSample& a, const MotionSample& b) {
+             double largest = 0;
+             for (Eigen::Index k = 0; k < a.lambda.size(); ++k)
+               if (a.lambda_unique[k] && b.lambda_unique[k])
+                 raise(largest, std::abs(a.lambda[k] - b.lambda[k]));
+             return largest;
+           },
+           [](const MotionSample& a) { return largest_magnitude(a.lambda); }}};
 }
 
 }  // namespace
@@ -91,7 +97,9 @@ std::vector<ErrorByHalving> verify_steps(const Model<double>& model, const Simul
       options.own_method ? options.own_method->info : *integrators::find_method(options.integrator);
   const int order = options.parameters.order.value_or(info.standard_order);
   std::vector<ErrorByHalving> errors;
-  for (const Quantity& of : quantities()) {
+  std::vector<Quantity> compared = quantities();
+  if (!has_unique_multiplier(coarse)) compared.pop_back();  // lambda, of which nothing is determined
+  for (const Quantity& of : compared) {
     ErrorByHalving& found = errors.emplace_back();
     found.quantity = of.name;
     found.unit = of.unit;

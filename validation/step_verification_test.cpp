@@ -96,6 +96,15 @@ TEST(VerifiedSteps, OfRoundingAndOfALowerOrderAreNoReasonForAlarm) {
     EXPECT_TRUE(error.is_reliable()) << error.quantity << " " << *error.order;
 }
 
+TEST(VerifiedSteps, HaveNoFigureForMultipliersOfWhichNoneIsUnique) {
+  const SimulationOptions options = stepping("r-omega", "dopri5", 0.1, 1e-2);
+  const auto compared = [&](const char* name) {
+    return verify_steps(make_model<double>(catalogue_scene(name)), options).back().quantity;
+  };
+  EXPECT_EQ(compared("four_bar"), "angular velocities");
+  EXPECT_EQ(compared("simple_pendulum"), "lambda");
+}
+
 // the energy of a fast top does not show a wrong precession
 TEST(VerifiedSteps, OfAFastTopShowAWrongPrecession) {
   const scenes::Scene scene = catalogue_scene("heavy_top");
