@@ -141,8 +141,8 @@ class Newton {
         change_.tail(nv) = v_change_;
         v_change_.setZero(nv);
         phi_dot_ /= -shares.velocity;
-      } else if (violation.relative <= rounding<S>()) {
-        phi_.setZero();  // rounding, which a division by h^2 would turn into a large v'
+      } else if (violation.relative <= std::numeric_limits<S>::epsilon()) {
+        phi_.setZero();  // a last digit, which a division by h^2 would turn into a large v'
       } else {
         phi_ /= -shares.position;
       }
