@@ -2,6 +2,7 @@
 
 #include "simulation/system/local_error.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -206,24 +208,43 @@ struct Estimated {
   bool meets_velocities;  ///< else velocities miss their rows, which the estimate leaves out
   double longest_step;    ///< [s]; each of the others is half of the one before
 };
+const std::vector<Estimated> estimated_methods{{"generalized-alpha", false, 4e-3},
+                                               {"generalized-alpha-gl2", true, 4e-3},
+                                               {"hht", false, 4e-3},
+                                               {"bdf", false, 4e-3},
+                                               {"rattle", true, 4e-3},
+                                               {"rattle4", true, 4e-3},
+                                               {"hem4", true, 4e-3},
+                                               {"dopri5", true, 1.6e-2},
+                                               {"hedop5", true, 1.6e-2},
+                                               {"abm", true, 8e-3},
+                                               {"radau5", true, 1.6e-2},
+                                               {"rkf78", true, 3.2e-2},
+                                               {"radau9", true, 6.4e-2}};
 
 constexpr std::size_t not_estimated = 4;  // steps, by the formula for order 5
 // velocities are compared where the method meets their rows
-class LocalErrors : public ::testing::TestWithParam<Estimated> {};
+class LocalErrors : public ::testing::TestWithParam<std::tuple<Estimated, const char*>> {};
 TEST_P(LocalErrors, AreThoseOfSingleStepsWithinAFactorFive) {
-  const bool needs_halved_steps =
-      integrators::find_method(GetParam().method)->standard_order > LocalError<double>::highest_order;
+  const auto& [estimated_method, formulation] = GetParam();
+  const integrators::MethodInfo& method = *integrators::find_method(estimated_method.method);
+  if (!goes_with(method, formulation)) GTEST_SKIP();
+  // hht, of order 1 there: one run (spatial_four_bar in r-epsilon, 1e-3 s) is estimated at a tenth
+  if (method.order_where_inertia_varies < method.standard_order && !inertia_is_constant(formulation))
+    GTEST_SKIP();
+  const bool needs_halved_steps = method.standard_order > LocalError<double>::highest_order;
   std::vector<double> of_positions, of_velocities;
   for (const auto& file : catalogue())
     for (const double halved : {1, 2, 4, 8}) {
-      const double h = GetParam().longest_step / halved;
+      const double h = estimated_method.longest_step / halved;
       const std::string name = file.stem().string();
       if (name == "n_four_bar_40") continue;  // slow, and of the kind of n_four_bar_2
       // the motion shows nothing of a singular position, where these methods err far more than elsewhere
       if (needs_halved_steps && name.starts_with("n_four_bar")) continue;
       const Model<double> model = make_model<double>(test::catalogue_scene(name));
       SimulationOptions options;
-      options.integrator = GetParam().method;
+      options.formulation = formulation;
+      options.integrator = estimated_method.method;
       options.step = options.output_step = h;
       options.end = 80 * h;
       Samples samples;
@@ -234,15 +255,16 @@ TEST_P(LocalErrors, AreThoseOfSingleStepsWithinAFactorFive) {
         continue;
       }
       ASSERT_TRUE(report.local_errors);
+      if (report.reframings > 0) continue;  // the steps before and after are estimated less well
       const LocalErrorSums& estimated = *report.local_errors;
       const auto sums = errors_of_single_steps(model, samples, estimated.body, not_estimated);
       if (!sums) continue;
       // below, errors are rounding
-      if (sums->position > 1e-12) {
+      if (sums->position > 1e-12 * std::max(1.0, estimated.size)) {
         of_positions.push_back(estimated.position / sums->position);
         EXPECT_GE(of_positions.back(), 0.2) << name << ", " << h;
       }
-      if (GetParam().meets_velocities && sums->velocity > 1e-11) {
+      if (estimated_method.meets_velocities && sums->velocity > 1e-11) {
         of_velocities.push_back(estimated.velocity / sums->velocity);
         EXPECT_GE(of_velocities.back(), 0.2) << name << ", " << h;
       }
@@ -255,15 +277,14 @@ TEST_P(LocalErrors, AreThoseOfSingleStepsWithinAFactorFive) {
   EXPECT_LE(median(of_velocities), 5);
 }
 INSTANTIATE_TEST_SUITE_P(Methods, LocalErrors,
-                         ::testing::Values(Estimated{"generalized-alpha", false, 4e-3},
-                                           Estimated{"generalized-alpha-gl2", true, 4e-3},
-                                           Estimated{"hht", false, 4e-3}, Estimated{"bdf", false, 4e-3},
-                                           Estimated{"rattle", true, 4e-3}, Estimated{"rattle4", true, 4e-3},
-                                           Estimated{"hem4", true, 4e-3}, Estimated{"dopri5", true, 1.6e-2},
-                                           Estimated{"hedop5", true, 1.6e-2}, Estimated{"abm", true, 8e-3},
-                                           Estimated{"radau5", true, 1.6e-2},
-                                           Estimated{"rkf78", true, 3.2e-2},
-                                           Estimated{"radau9", true, 6.4e-2}));
+                         ::testing::Combine(::testing::ValuesIn(estimated_methods),
+                                            ::testing::Values("r-omega", "r-p", "r-epsilon")),
+                         [](const auto& all) {
+                           std::string name =
+                               fmt::format("{}_in_{}", std::get<0>(all.param).method, std::get<1>(all.param));
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace trivium

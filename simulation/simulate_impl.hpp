@@ -119,7 +119,7 @@ class Simulation {
   std::optional<StepErrors<F>> step_errors(integrators::AnySystem<S>& system) {
     const int order = options_.parameters.order.value_or(entry_.info.standard_order);
     if (!options_.step || order < 1) return {};
-    return StepErrors<F>(equations_.first_order(), *method_, order,
+    return StepErrors<F>(equations_, *method_, order, is_implicit_,
                          HalvedSteps<S>(system, make_method(), projects_));
   }
   /// Gives the method the memory of the saved run, such as an auxiliary acceleration.

@@ -68,12 +68,15 @@ class ErrorSums {
   }
   /// The motion has taken a step.
   void step() { ++steps_; }
-  /// Adds the errors of every body in one of the steps: of positions [m], of velocities [m/s].
-  void add(const std::vector<std::pair<S, S>>& errors) {
+  /// Adds the errors of every body in one of the steps: `errors_of(b)` is the pair of those of positions [m]
+  /// and of velocities [m/s].
+  template <class ErrorsOf>
+  void add(const ErrorsOf& errors_of) {
     ++estimated_;
     for (int b = 0; b < bodies(); ++b) {
-      errors_[b].first += errors[b].first;
-      errors_[b].second += errors[b].second;
+      const auto [position, velocity] = errors_of(b);
+      errors_[b].first += position;
+      errors_[b].second += velocity;
     }
   }
 

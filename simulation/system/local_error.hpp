@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -59,31 +58,25 @@ struct StepFormula {
   int times() const { return static_cast<int>(of_x.size()); }
 };
 
-/// Sums the local errors of a method. Every fourth step is estimated, or fewer where states are expensive, so
-/// that an estimate costs less than a twentieth of the step. The first steps, in which the formula has too
-/// few states, are not estimated.
-///
-/// At the steps for which orders above 5 are made, no formula over past states is more accurate than the
-/// method. A formula over the two ends of a step leaves a remainder of order h^m then, which tells where
-/// errors are large: for a method of order p they go about with its power (p + 1) / m. The sums are those of
-/// these powers. A factor is missing, which halved steps find (simulation/halved_steps.hpp).
+/// Sums the local errors of a method of order 1 to 5. At the steps for which higher orders are made, no
+/// formula over past states is more accurate than they are (see simulation/halved_step_errors.hpp). Every
+/// fourth step is estimated, or fewer where states are expensive, so that an estimate costs less than a
+/// twentieth of the step. The first steps, in which the formula has too few states, are not estimated.
 template <class S>
 class LocalError {
  public:
   static constexpr int highest_order = 5;
 
-  /// `order` of the method; `reach` and `component` of each body as for ErrorSums.
+  /// `order` of the method, 1 to 5; `reach` and `component` of each body as for ErrorSums.
   LocalError(int order, std::vector<S> reach, std::vector<int> component)
-      // up to order 5 their remainders have at least one power of h more than the errors of the method
-      : positions_(order <= 2 || order > highest_order ? std::vector<int>{3, 3} : std::vector<int>{2, 3, 3}),
-        velocities_(std::vector<int>(order > highest_order ? 2 : (order + 5) / 2, 2)),
+      // their remainders have at least one power of h more than the errors of the method
+      : positions_(order <= 2 ? std::vector<int>{3, 3} : std::vector<int>{2, 3, 3}),
+        velocities_(std::vector<int>((order + 5) / 2, 2)),
         sums_(std::move(reach), std::move(component)),
-        past_(velocities_.times()) {
-    if (order > highest_order) powers_ = {S(order + 1) / 4, S(order + 1) / 2};
-  }
+        past_(velocities_.times()) {}
 
-  /// The motion is not smooth at the last state: earlier ones are forgotten.
-  void restart() { known_ = std::min(known_, 1); }
+  /// The motion is not smooth after the last state: all states are forgotten.
+  void restart() { known_ = 0; }
   /// Whether the end of the next step is left out, and need not be given to `add`.
   bool leaves_out() {
     if (left_out_ == 0) return false;
@@ -94,34 +87,23 @@ class LocalError {
 
   /// Adds the end of a step of length h [s]; the first state has no step. A step of another length restarts;
   /// a relative change of h by 1e-6 changes the estimate as little, and is far above the rounding of times.
-  /// If states are expensive, as many as a formula needs are left out after each estimate. Returns whether
-  /// the step was estimated.
-  bool add(std::vector<BodyInMotion<S>>& bodies, const S& h, bool is_expensive) {
+  /// If states are expensive, as many as a formula needs are left out after each estimate.
+  void add(std::vector<BodyInMotion<S>>& bodies, const S& h, bool is_expensive) {
     using std::abs;
-    if (known_ > 1 && !(abs(h - h_) <= S(1e-6) * h)) restart();
+    if (known_ > 1 && !(abs(h - h_) <= S(1e-6) * h)) known_ = 1;
     h_ = h;
     std::rotate(past_.begin(), past_.begin() + 1, past_.end());
     past_.back().swap(bodies);
     sums_.see(past_.back());
     if (std::exchange(has_begun_, true)) sums_.step();  // the first state has no step
-    if (++known_ < static_cast<int>(past_.size())) return false;
-    known_ = is_expensive ? 0 : static_cast<int>(past_.size()) - (powers_ ? 1 : 4);
+    if (++known_ < static_cast<int>(past_.size())) return;
+    known_ = is_expensive ? 0 : static_cast<int>(past_.size()) - 4;
     left_out_ = is_expensive ? static_cast<int>(past_.size()) : 0;
-    last_.clear();
-    for (int b = 0; b < sums_.bodies(); ++b) last_.emplace_back(raised(position_error(b), velocity_error(b)));
-    sums_.add(last_);
-    return true;
+    sums_.add([&](int b) { return std::pair(position_error(b), velocity_error(b)); });
   }
-  /// What the step that was estimated last adds to the sums: of positions, of velocities of every body.
-  const std::vector<std::pair<S, S>>& last() const { return last_; }
   const ErrorSums<S>& sums() const { return sums_; }
 
  private:
-  std::pair<S, S> raised(const S& position, const S& velocity) const {
-    using std::pow;
-    if (!powers_) return {position, velocity};
-    return {pow(position, powers_->first), pow(velocity, powers_->second)};
-  }
   S position_error(int b) const {
     const int k = positions_.times() - 1, first = static_cast<int>(past_.size()) - 1 - k;
     const BodyInMotion<S>& middle = past_[first + k / 2][b];
@@ -169,10 +151,8 @@ class LocalError {
   }
 
   const StepFormula<S> positions_, velocities_;
-  std::optional<std::pair<S, S>> powers_;  ///< for orders above 5
   ErrorSums<S> sums_;
   std::vector<std::vector<BodyInMotion<S>>> past_;  ///< the earliest first
-  std::vector<std::pair<S, S>> last_;
   S h_{0};
   int known_ = 0, left_out_ = 0;
   bool has_begun_ = false;
