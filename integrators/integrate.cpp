@@ -20,6 +20,14 @@ namespace trivium::integrators {
 
 namespace {
 
+/// What to try where a step fails whose start could be evaluated. Far-off stages of an explicit method fail
+/// for strange reasons, such as a body without inertia.
+template <class S>
+std::string advice_for(const std::string& message, const S& step) {
+  if (step == S(0) || message.find("smaller steps") != std::string::npos) return "";
+  return "; the step may be too long, since its start could be evaluated: take smaller steps";
+}
+
 /// Calls `advance`, which moves (t, y) on. If it fails, the error gets the time of (t, y) unless it has one,
 /// and the cause if the system knows it; the cause stands first, since the row or body that a method finds at
 /// fault is often a neighbour. `step` is the length of the given step, or 0.
@@ -39,7 +47,7 @@ void with_cause(AnySystem<S>& system, const S& t, const StateVector<S>& y, const
       cause = system.diagnose(t, y, step);
     } catch (const std::runtime_error&) {  // not even that is known at this state
     }
-    if (cause.empty()) throw IntegrationError(error.what(), place);
+    if (cause.empty()) throw IntegrationError(error.what() + advice_for(error.what(), step), place);
     throw IntegrationError({{}, place.when},
                            cause + "; the method ended with: " + without_advice(error.what()));
   }
