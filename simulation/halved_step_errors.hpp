@@ -8,8 +8,10 @@
 /// of order h^3. (For methods on displacements y_n+1 - y_n is the displacement, and y' its rate, so that an
 /// even rotation leaves no remainder.) It is large in the same steps as the error of a method of order p,
 /// which goes about with a power of rho. The power (p + 1) / 2, above (p + 1) / 3, rather says too much where
-/// rho grows.
+/// rho grows. The result is carried over only up to four times the largest power of rho among the steps
+/// taken: rounding, which goes with no such power, must not grow.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -55,9 +57,11 @@ class HalvedStepErrors {
         power_(S(order + 1) / 2),
         halved_(std::move(halved)),
         sums_(std::move(sums)),
-        rough_(sums_.bodies()),
-        largest_(rough_),
-        compared_(rough_.size()) {}
+        rho_(sums_.bodies()),
+        rough_(rho_),
+        largest_(rho_),
+        growth_(rho_.size(), {S(far_larger), S(far_larger)}),
+        compared_(rho_.size()) {}
 
   /// Adds the step from `before` that ended at (t, y), where `bodies` are those of y. `is_new`: the motion or
   /// its charts began anew since the last state.
@@ -86,7 +90,8 @@ class HalvedStepErrors {
  private:
   FirstOrderEquations<F>& first_order() { return equations_.first_order(); }
 
-  using Pair = std::pair<S, S>;  ///< of positions [m] and of velocities [m/s]
+  static constexpr double far_larger = 4;  ///< growth of a power of rho that changes the sums
+  using Pair = std::pair<S, S>;            ///< of positions [m] and of velocities [m/s]
 
   void estimate(const S& before, const S& t, const StateVector& y, const Bodies& bodies) {
     using Layout = StateLayout<F>;
@@ -102,54 +107,78 @@ class HalvedStepErrors {
     const auto& layout = first_order().layout();
     for (int b = 0; b < sums_.bodies(); ++b) {
       const auto rounded = layout.place(rounded_, b);
-      rough_[b] = {on_displacements_ ? raised(b, Layout::of(way_, b), rounded)
-                                     : raised(b, layout.place(remainder_, b), rounded),
-                   raised(b, layout.rate(remainder_, b), layout.rate(rounded_, b))};
+      rho_[b] = {on_displacements_ ? size(b, Layout::of(way_, b), rounded)
+                                   : size(b, layout.place(remainder_, b), rounded),
+                 size(b, layout.rate(remainder_, b), layout.rate(rounded_, b))};
+      rough_[b] = {raised(rho_[b].first), raised(rho_[b].second)};
     }
-    sums_.add([&](int b) { return rough_[b]; });
+    take_if_due(before, t, y, bodies);
+    sums_.add([&](int b) {
+      return Pair(std::min(rough_[b].first, S(far_larger * largest_[b].first)),
+                  std::min(rough_[b].second, S(far_larger * largest_[b].second)));
+    });
+  }
+  void take_if_due(const S& before, const S& t, const StateVector& y, const Bodies& bodies) {
     if (!is_due()) return;
     met_ = before_;
     if (halved_(before, t, met_)) {
       ++taken_;
       bodies_at(first_order(), t, met_, in_halves_);
-      for (int b = 0; b < sums_.bodies(); ++b) {
-        add(compared_[b].first, difference(b, bodies[b], in_halves_[b]));
-        add(compared_[b].second, rough_[b]);
-      }
+      for (int b = 0; b < sums_.bodies(); ++b) compare(b, difference(b, bodies[b], in_halves_[b]));
     } else {
       has_failed_ = true;
     }
     first_order().solved(t, y);  // the equations stand at the accepted state again
   }
-  /// A power of the size of a body's part (r, q) or (r', q'); 0 if it is rounding.
-  S raised(int b, const auto& part, const auto& rounded) const {
-    const auto size = [&](const auto& x) {
+  /// Enters the errors of body b. Errors above rho come from halves that end at a singular position.
+  void compare(int b, const Pair& error) {
+    const auto enter = [](const S& found, const S& rho, const S& rough, const S& scale, S& errors, S& roughs,
+                          S& growth) {
+      if (found > 10 * rho) return;
+      errors += found;
+      roughs += rough;
+      // errors that are rounding need not be followed before they can be more
+      growth = std::max(S(far_larger), found > S(0) ? S(S(1e-12) * scale / found) : S(far_larger));
+    };
+    const Pair scale = sums_.scale(b);
+    auto& [errors, roughs] = compared_[b];
+    enter(error.first, rho_[b].first, rough_[b].first, scale.first, errors.first, roughs.first,
+          growth_[b].first);
+    enter(error.second, rho_[b].second, rough_[b].second, scale.second, errors.second, roughs.second,
+          growth_[b].second);
+  }
+  /// The size of a body's part (r, q) or (r', q'); 0 if it is rounding.
+  S size(int b, const auto& part, const auto& rounded) const {
+    const auto of = [&](const auto& x) {
       return S(x.template head<3>().norm() + sums_.reach(b) * x.tail(x.size() - 3).norm());
     };
-    using std::pow;
-    const S rho = size(part);
-    return rho > size(rounded) ? S(pow(rho, power_)) : S(0);
+    const S rho = of(part);
+    return rho > of(rounded) ? rho : S(0);
   }
-  static void add(Pair& sum, const Pair& x) { sum = {sum.first + x.first, sum.second + x.second}; }
+  S raised(const S& rho) const {
+    using std::pow;
+    return rho > S(0) ? S(pow(rho, power_)) : S(0);
+  }
 
   /// The sums are decided where errors are largest: a step is due if the errors of a body are far larger than
   /// in all steps taken so far, which happens a few times, and otherwise now and then, the sooner the larger
-  /// its errors are. Both as long as the halves cost less than a twentieth of the run.
+  /// its errors are. Both as long as the halves cost less than a twentieth of the run, or errors have become
+  /// larger by decades.
   bool is_due() {
-    constexpr double far_larger = 4;
     constexpr long few = 20, wait = 120;  // steps
+    constexpr double by_decades = 1000;
     const long spent = halved_.counters().right_sides, all = method_.counters().right_sides,
                waited = method_.counters().steps - last_;
     const bool may_try = taken_ < few || 40 * spent < all, may_repeat = 60 * spent < all;
     const double nearly = std::scalbln(0.5, waited / wait);
     bool is = false;
-    const auto compare = [&](const S& rough, const S& largest) {
-      is = is || (may_try && rough > far_larger * largest) ||
+    const auto compare = [&](const S& rough, const S& largest, const S& growth) {
+      is = is || (rough > growth * largest && (may_try || rough > by_decades * largest)) ||
            (may_repeat && waited >= wait && rough > S(0) && nearly * rough >= largest);
     };
     for (std::size_t b = 0; b < rough_.size(); ++b) {
-      compare(rough_[b].first, largest_[b].first);
-      compare(rough_[b].second, largest_[b].second);
+      compare(rough_[b].first, largest_[b].first, growth_[b].first);
+      compare(rough_[b].second, largest_[b].second, growth_[b].second);
     }
     if (!is) return false;
     for (std::size_t b = 0; b < rough_.size(); ++b) {
@@ -173,7 +202,8 @@ class HalvedStepErrors {
   const S power_;
   HalvedSteps<S> halved_;
   ErrorSums<S> sums_;                            ///< of powers of rho
-  std::vector<Pair> rough_, largest_;            ///< powers of rho: in this step; largest in the steps taken
+  std::vector<Pair> rho_, rough_, largest_;      ///< rho and its power in this step; largest in those taken
+  std::vector<Pair> growth_;                     ///< of the power of rho, after which a step is due
   std::vector<std::pair<Pair, Pair>> compared_;  ///< sums over the steps taken: of errors, of powers of rho
   StateVector before_, rate_before_, rate_, remainder_, rounded_, met_, way_, way_rate_;
   Bodies in_halves_;

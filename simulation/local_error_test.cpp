@@ -20,6 +20,7 @@
 #include "scenes/catalogue.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "scenes/testing/catalogue_scene.hpp"
+#include "scenes/testing/scene_builders.hpp"
 #include "simulation/neighbouring_start.hpp"
 #include "simulation/simulate.hpp"
 
@@ -174,6 +175,30 @@ TEST(HalvedSteps, LeaveTheMotionAsItIs) {
               << name << ", " << method << ", " << formulation;
         }
       }
+}
+
+// The first errors are rounding, which says nothing about those of later steps.
+TEST(HalvedSteps, DoNotTakeRoundingForAnErrorThatGrows) {
+  scenes::Scene scene;
+  scene.bodies = {test::body("bob", 1, {0.1, 0.2, 0.25}, {0, 0, -1})};
+  scene.constraints = {test::joint(JointType::spherical, "pivot", test::side(scenes::ground),
+                                   test::side(0, scenes::Vector3{0, 0, 1}))};
+  Torque<double> torque;
+  torque.components = {TimeFunction::Polynomial{{0, 0, 0, 0, 1}}, TimeFunction(0),
+                       TimeFunction::Polynomial{{0, 0, 0, 0, 0, 2}}};
+  scene.effects = {test::gravity(), torque};
+  for (const char* method : {"rkf78", "radau9"})
+    for (const char* formulation : {"r-omega", "r-p", "r-epsilon"}) {
+      SimulationOptions options;
+      options.formulation = formulation;
+      options.integrator = method;
+      options.step = 0.005;
+      options.end = 2;
+      Samples samples;
+      const LocalErrorSums sums = *simulate(make_model<double>(scene), options, samples).local_errors;
+      EXPECT_LE(sums.position, 1e-7) << method << ", " << formulation;
+      EXPECT_LE(sums.velocity, 1e-5) << method << ", " << formulation;
+    }
 }
 
 /// The sum over the steps of the errors of one body, of positions [m] and of velocities [m/s], without the

@@ -54,6 +54,8 @@ class ErrorSums {
 
   int bodies() const { return static_cast<int>(reach_.size()); }
   const S& reach(int b) const { return reach_[b]; }
+  /// Of the motion of the bodies connected with body b, so far: its extent [m], its fastest point [m/s].
+  std::pair<S, S> scale(int b) const { return {size_[component_[b]], speed_[component_[b]]}; }
 
   /// The motion has reached these positions and velocities. The size of a component is the largest distance
   /// of its points from where its first body began.
