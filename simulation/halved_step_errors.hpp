@@ -39,6 +39,45 @@ void bodies_at(FirstOrderEquations<F>& equations, const S& t, const VectorX<S>& 
   }
 }
 
+/// The errors of the positions, or of the velocities, of one body, known in the steps taken in halves.
+template <class S>
+class CarriedError {
+ public:
+  /// A step with this rho, of which `power` is the power.
+  void step(const S& rho, const S& power) {
+    rho_ = rho;
+    power_ = power;
+  }
+  /// What the step adds to the sum.
+  S power() const { return std::min(power_, S(far_larger * largest_)); }
+  /// Whether the step says more of the sum than the steps taken so far. `may_try`: it need not be larger by
+  /// decades.
+  bool has_grown(bool may_try) const {
+    constexpr double by_decades = 1000;
+    return power_ > growth_ * largest_ && (may_try || power_ > by_decades * largest_);
+  }
+  /// Whether the step is as large as those taken, if it counts `times`-fold.
+  bool is_large(double times) const { return power_ > S(0) && times * power_ >= largest_; }
+  void take() { raise(largest_, power_); }
+  /// Enters the error of the step. Errors above rho come from halves that end at a singular position. `scale`
+  /// is the size of the quantity.
+  void enter(const S& error, const S& scale) {
+    if (error > 10 * rho_) return;
+    errors_ += error;
+    powers_ += power_;
+    // errors that are rounding need not be followed before they can be more
+    growth_ = std::max(S(far_larger), error > S(0) ? S(S(1e-12) * scale / error) : S(far_larger));
+  }
+  /// The error in a step, divided by the power of its rho.
+  double factor() const { return powers_ > S(0) ? static_cast<double>(S(errors_ / powers_)) : 0; }
+
+ private:
+  static constexpr double far_larger = 4;  ///< growth of a power of rho that changes the sum
+  S rho_{0}, power_{0};                    ///< in the last step
+  S largest_{0}, errors_{0}, powers_{0};   ///< of the steps taken: largest power, sums
+  S growth_{far_larger};                   ///< of the power of rho, after which a step is due
+};
+
 /// Sums the local errors of every body.
 template <Formulation F>
 class HalvedStepErrors {
@@ -57,11 +96,7 @@ class HalvedStepErrors {
         power_(S(order + 1) / 2),
         halved_(std::move(halved)),
         sums_(std::move(sums)),
-        rho_(sums_.bodies()),
-        rough_(rho_),
-        largest_(rho_),
-        growth_(rho_.size(), {S(far_larger), S(far_larger)}),
-        compared_(rho_.size()) {}
+        errors_(sums_.bodies()) {}
 
   /// Adds the step from `before` that ended at (t, y), where `bodies` are those of y. `is_new`: the motion or
   /// its charts began anew since the last state.
@@ -78,10 +113,8 @@ class HalvedStepErrors {
 
   LocalErrorSums sums(const std::vector<double>& least) const {
     std::vector<std::pair<double, double>> factors;
-    for (const auto& [error, rough] : compared_) {
-      const auto ratio = [](const S& x, const S& y) { return y > S(0) ? static_cast<double>(S(x / y)) : 0; };
-      factors.emplace_back(ratio(error.first, rough.first), ratio(error.second, rough.second));
-    }
+    for (const auto& [position, velocity] : errors_)
+      factors.emplace_back(position.factor(), velocity.factor());
     LocalErrorSums sums = sums_.sums(least, factors);
     if (has_failed_ && taken_ == 0) sums.steps = 0;
     return sums;
@@ -90,8 +123,7 @@ class HalvedStepErrors {
  private:
   FirstOrderEquations<F>& first_order() { return equations_.first_order(); }
 
-  static constexpr double far_larger = 4;  ///< growth of a power of rho that changes the sums
-  using Pair = std::pair<S, S>;            ///< of positions [m] and of velocities [m/s]
+  using Pair = std::pair<S, S>;  ///< of positions [m] and of velocities [m/s]
 
   void estimate(const S& before, const S& t, const StateVector& y, const Bodies& bodies) {
     using Layout = StateLayout<F>;
@@ -107,16 +139,16 @@ class HalvedStepErrors {
     const auto& layout = first_order().layout();
     for (int b = 0; b < sums_.bodies(); ++b) {
       const auto rounded = layout.place(rounded_, b);
-      rho_[b] = {on_displacements_ ? size(b, Layout::of(way_, b), rounded)
-                                   : size(b, layout.place(remainder_, b), rounded),
-                 size(b, layout.rate(remainder_, b), layout.rate(rounded_, b))};
-      rough_[b] = {raised(rho_[b].first), raised(rho_[b].second)};
+      enter_step(errors_[b].first, on_displacements_ ? size(b, Layout::of(way_, b), rounded)
+                                                     : size(b, layout.place(remainder_, b), rounded));
+      enter_step(errors_[b].second, size(b, layout.rate(remainder_, b), layout.rate(rounded_, b)));
     }
     take_if_due(before, t, y, bodies);
-    sums_.add([&](int b) {
-      return Pair(std::min(rough_[b].first, S(far_larger * largest_[b].first)),
-                  std::min(rough_[b].second, S(far_larger * largest_[b].second)));
-    });
+    sums_.add([&](int b) { return Pair(errors_[b].first.power(), errors_[b].second.power()); });
+  }
+  void enter_step(CarriedError<S>& error, const S& rho) const {
+    using std::pow;
+    error.step(rho, rho > S(0) ? S(pow(rho, power_)) : S(0));
   }
   void take_if_due(const S& before, const S& t, const StateVector& y, const Bodies& bodies) {
     if (!is_due()) return;
@@ -124,28 +156,16 @@ class HalvedStepErrors {
     if (halved_(before, t, met_)) {
       ++taken_;
       bodies_at(first_order(), t, met_, in_halves_);
-      for (int b = 0; b < sums_.bodies(); ++b) compare(b, difference(b, bodies[b], in_halves_[b]));
+      for (int b = 0; b < sums_.bodies(); ++b) {
+        const auto [position, velocity] = difference(b, bodies[b], in_halves_[b]);
+        const auto [extent, speed] = sums_.scale(b);
+        errors_[b].first.enter(position, extent);
+        errors_[b].second.enter(velocity, speed);
+      }
     } else {
       has_failed_ = true;
     }
     first_order().solved(t, y);  // the equations stand at the accepted state again
-  }
-  /// Enters the errors of body b. Errors above rho come from halves that end at a singular position.
-  void compare(int b, const Pair& error) {
-    const auto enter = [](const S& found, const S& rho, const S& rough, const S& scale, S& errors, S& roughs,
-                          S& growth) {
-      if (found > 10 * rho) return;
-      errors += found;
-      roughs += rough;
-      // errors that are rounding need not be followed before they can be more
-      growth = std::max(S(far_larger), found > S(0) ? S(S(1e-12) * scale / found) : S(far_larger));
-    };
-    const Pair scale = sums_.scale(b);
-    auto& [errors, roughs] = compared_[b];
-    enter(error.first, rho_[b].first, rough_[b].first, scale.first, errors.first, roughs.first,
-          growth_[b].first);
-    enter(error.second, rho_[b].second, rough_[b].second, scale.second, errors.second, roughs.second,
-          growth_[b].second);
   }
   /// The size of a body's part (r, q) or (r', q'); 0 if it is rounding.
   S size(int b, const auto& part, const auto& rounded) const {
@@ -155,35 +175,25 @@ class HalvedStepErrors {
     const S rho = of(part);
     return rho > of(rounded) ? rho : S(0);
   }
-  S raised(const S& rho) const {
-    using std::pow;
-    return rho > S(0) ? S(pow(rho, power_)) : S(0);
-  }
-
   /// The sums are decided where errors are largest: a step is due if the errors of a body are far larger than
   /// in all steps taken so far, which happens a few times, and otherwise now and then, the sooner the larger
   /// its errors are. Both as long as the halves cost less than a twentieth of the run, or errors have become
   /// larger by decades.
   bool is_due() {
     constexpr long few = 20, wait = 120;  // steps
-    constexpr double by_decades = 1000;
     const long spent = halved_.counters().right_sides, all = method_.counters().right_sides,
                waited = method_.counters().steps - last_;
     const bool may_try = taken_ < few || 40 * spent < all, may_repeat = 60 * spent < all;
-    const double nearly = std::scalbln(0.5, waited / wait);
-    bool is = false;
-    const auto compare = [&](const S& rough, const S& largest, const S& growth) {
-      is = is || (rough > growth * largest && (may_try || rough > by_decades * largest)) ||
-           (may_repeat && waited >= wait && rough > S(0) && nearly * rough >= largest);
+    const double times = std::scalbln(0.5, waited / wait);
+    const auto is_due = [&](const CarriedError<S>& error) {
+      return error.has_grown(may_try) || (may_repeat && waited >= wait && error.is_large(times));
     };
-    for (std::size_t b = 0; b < rough_.size(); ++b) {
-      compare(rough_[b].first, largest_[b].first, growth_[b].first);
-      compare(rough_[b].second, largest_[b].second, growth_[b].second);
-    }
-    if (!is) return false;
-    for (std::size_t b = 0; b < rough_.size(); ++b) {
-      raise(largest_[b].first, rough_[b].first);
-      raise(largest_[b].second, rough_[b].second);
+    if (std::none_of(errors_.begin(), errors_.end(),
+                     [&](const auto& body) { return is_due(body.first) || is_due(body.second); }))
+      return false;
+    for (auto& [position, velocity] : errors_) {
+      position.take();
+      velocity.take();
     }
     last_ = method_.counters().steps;
     return true;
@@ -201,10 +211,8 @@ class HalvedStepErrors {
   const bool on_displacements_;
   const S power_;
   HalvedSteps<S> halved_;
-  ErrorSums<S> sums_;                            ///< of powers of rho
-  std::vector<Pair> rho_, rough_, largest_;      ///< rho and its power in this step; largest in those taken
-  std::vector<Pair> growth_;                     ///< of the power of rho, after which a step is due
-  std::vector<std::pair<Pair, Pair>> compared_;  ///< sums over the steps taken: of errors, of powers of rho
+  ErrorSums<S> sums_;                                                ///< of powers of rho
+  std::vector<std::pair<CarriedError<S>, CarriedError<S>>> errors_;  ///< of positions, of velocities
   StateVector before_, rate_before_, rate_, remainder_, rounded_, met_, way_, way_rate_;
   Bodies in_halves_;
   long taken_ = 0, last_ = 0;

@@ -67,8 +67,10 @@ class StepErrors {
   /// projected, so that only errors count that do.
   void add_state(const S& t, const StateVector& y, const S& h, const integrators::Violation<S>& off) {
     const bool is_off = off.relative > 1000 * std::numeric_limits<S>::epsilon();
-    met_ = y;
-    if (is_off) equations_.correct_velocities(t, met_, false);
+    if (is_off) {
+      met_ = y;
+      equations_.correct_velocities(t, met_, false);
+    }
     bodies_at(equations_, t, y, reached_);
     for (int b = 0; is_off && b < equations_.nb(); ++b) {
       BodyState<F> state = equations_.state()[b];

@@ -116,8 +116,7 @@ TEST_P(InEveryFormulation, ARodAsLongAsItsCrankPassesItsDeadPoints) {
 }
 
 TEST_P(InEveryFormulation, AFlatParallelogramKeepsItsForm) {
-  const scenes::Scene scene =
-      scenes::read_scene_file(std::string(TRIVIUM_TEST_SCENES_DIR) + "/hard/flat_par.json");
+  const scenes::Scene scene = test::hard_scene("flat_par");
   const Vector3<double> exact(0.5 * std::cos(1 + 3 * 10.0), 0.5 * std::sin(1 + 3 * 10.0), 0);
   for (const auto& [method, bound] : {std::pair("dopri5", 1e-6), {"radau5", 3e-8}}) {
     const Motion motion(scene, tight(GetParam(), method, 10, 1e-8));

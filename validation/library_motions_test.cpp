@@ -52,8 +52,7 @@ TEST_P(InEveryFormulation, IdaFollowsABillionTimesTheGravityOnTheSamePath) {
 
 // In a short step the rounding of a heavy body's momentum is a large part of a light body's multiplier.
 TEST_P(InEveryFormulation, IdaStartsLightBodiesBesideHeavyOnes) {
-  const scenes::Scene scene =
-      scenes::read_scene_file(std::string(TRIVIUM_TEST_SCENES_DIR) + "/hard/ill_scaled.json");
+  const scenes::Scene scene = test::hard_scene("ill_scaled");
   const Motion exact(scene, tight("r-omega", "rkf78", 0.3, 1e-11));
   EXPECT_LE(apart(Motion(scene, tight(GetParam(), "ida", 0.3, 1e-8)), exact), 1e-4);
 }

@@ -61,8 +61,7 @@ TEST(Rattle, PassesASingularPosition) {
 
 // Whatever the step: a row that is dependent at the start of a step may be independent at its end.
 TEST(Rattle, PassesTheSingularPositionsOfAFlatParallelogramWithAnyStep) {
-  const scenes::Scene scene =
-      scenes::read_scene_file(std::string(TRIVIUM_TEST_SCENES_DIR) + "/hard/flat_par.json");
+  const scenes::Scene scene = test::hard_scene("flat_par");
   for (const double step : {1e-2, 1e-3, 5e-4}) {
     const Motion motion(scene, stepping("r-omega", "rattle", 100, step));
     EXPECT_LE(motion.report.unaccounted_energy, 1e-6) << step;

@@ -66,8 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, Redundant, testing::ValuesIn(integrators::meth
 
 // The estimate of Fehlberg 7(8) does not see a singular position between its first and its last stages.
 TEST(FlatParallelogram, IsFollowedByRkf78InREpsilon) {
-  const scenes::Scene scene =
-      scenes::read_scene_file(std::string(TRIVIUM_TEST_SCENES_DIR) + "/hard/flat_par.json");
+  const scenes::Scene scene = test::hard_scene("flat_par");
   for (const double rtol : {1e-8, 5e-9, 2e-9, 5e-10}) {
     const Motion motion(scene, tight("r-epsilon", "rkf78", 6, rtol));
     const Vector3<double> exact(0.5 * std::cos(1 + 3 * 6.0), 0.5 * std::sin(1 + 3 * 6.0), 0);

@@ -26,6 +26,11 @@ inline scenes::Scene wellformed_scene(const std::string& name) {
   return scenes::read_scene_file(fmt::format("{}/wellformed/{}.json", TRIVIUM_TEST_SCENES_DIR, name));
 }
 
+/// A scene of the folder hard/, on which a run once failed.
+inline scenes::Scene hard_scene(const std::string& name) {
+  return scenes::read_scene_file(fmt::format("{}/hard/{}.json", TRIVIUM_TEST_SCENES_DIR, name));
+}
+
 /// The samples and the report of a run, in double, or in quad if the last argument is `in_quad`.
 inline constexpr bool in_quad = true;
 struct Motion : SimulationObserver {
