@@ -264,7 +264,7 @@ TEST(FrontDoor, MechanismsThatAreTooLargeForTheDenseSolverAreSolvedAlongTheirGra
 }
 
 TEST(FrontDoor, BeyondTheDenseSolverABodyWithoutInertiaAboutAnAxisIsSolvedWithoutNorms) {
-  const Solutions all = solve_in_all(scene_of(scenes::ladder(300)));
+  const Solutions all = solve_in_all(scene_of(scenes::ladder(225)));
   EXPECT_TRUE(all.failed.empty());
   EXPECT_TRUE(std::isnan(all.lambda_difference));
   EXPECT_FALSE(all.solved.front().dependent.empty());
