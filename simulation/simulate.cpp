@@ -43,7 +43,8 @@ std::vector<std::string> narrow_rows_at(const Model<double>& model) {
   if (6 * model.mechanism.nb() + model.mechanism.nc() > most_unknowns) return {};
   try {
     return narrow_row_warnings(model.mechanism.row_names,
-                               analyse_rows(tangent_system(model.mechanism, model.state)));
+                               analyse_rows(tangent_system(model.mechanism, model.state)),
+                               standard_rank_tolerance);
   } catch (const ModelError&) {
     return {};
   }

@@ -20,6 +20,7 @@ struct Quantity {
   const char *name, *unit;
   std::function<double(const MotionSample&, const MotionSample&)> difference;
   std::function<double(const MotionSample&)> size;
+  int rate_of = -1;  ///< place of the quantity that changes at this rate; -1: none
 };
 
 bool has_unique_multiplier(const std::vector<MotionSample>& samples) {
@@ -57,7 +58,8 @@ std::vector<Quantity> quantities() {
            },
            [](const MotionSample& a) {
              return over_bodies(a, [&](auto k) { return a.state.twist[k].r_dot.norm(); });
-           }},
+           },
+           0},
           {"angular velocities", "rad/s",
            [](const MotionSample& a, const MotionSample& b) {
              return over_bodies(
@@ -65,7 +67,8 @@ std::vector<Quantity> quantities() {
            },
            [](const MotionSample& a) {
              return over_bodies(a, [&](auto k) { return a.state.twist[k].omega_bar.norm(); });
-           }},
+           },
+           1},
           {"lambda", "unit of the row",
            [](const MotionSample& a, const MotionSample& b) {
              double largest = 0;
@@ -99,6 +102,7 @@ std::vector<ErrorByHalving> verify_steps(const Model<double>& model, const Simul
   std::vector<ErrorByHalving> errors;
   std::vector<Quantity> compared = quantities();
   if (!has_unique_multiplier(coarse)) compared.pop_back();  // lambda, of which nothing is determined
+  std::vector<double> sizes;
   for (const Quantity& of : compared) {
     ErrorByHalving& found = errors.emplace_back();
     found.quantity = of.name;
@@ -116,8 +120,11 @@ std::vector<ErrorByHalving> verify_steps(const Model<double>& model, const Simul
       second = of.difference(half[k], quarter[k]);
       found.t = coarse[k].state.t;
     }
+    sizes.push_back(size);
+    // a rate so small that nothing moves in the whole run, as that of a body that is held, is rounding too
+    const double moving = of.rate_of < 0 ? 0 : sizes[of.rate_of] / (options.end - model.state.t);
     // the rounding of a thousand steps is 1e-13 of the size of the quantity
-    const double rounding = 1e-13 * size * std::max(1.0, 4 * steps / 1000);
+    const double rounding = 1e-13 * std::max(size, moving) * std::max(1.0, 4 * steps / 1000);
     // Differences so small that hardly fall are rounding too: a fast spin gathers more of it.
     const double halvings = second > 0 ? std::log2(first / second) : HUGE_VAL;
     const bool is_rounding = first <= rounding || (first <= 1e-9 * size && halvings < order / 2.0);

@@ -83,6 +83,32 @@ TEST_P(InEveryFormulation, ADriverThatDemandsTooMuchIsNamedAtGivenStepsToo) {
   }
 }
 
+// lift2, at half the way along the link, should rise half as far
+TEST_P(InEveryFormulation, DriversThatContradictEachOtherAreNamed) {
+  scenes::Scene scene;
+  scene.name = "contradiction";
+  scene.bodies = {test::body("link", 1, {0.01, 0.1, 0.1}, {1, 0, 0})};
+  const scenes::Vector3 z{0, 0, 1};
+  const auto lift = [&](const char* name, double at, std::vector<double> coefficients) {
+    auto row = test::joint(basic_type<CD>, name, test::side(scenes::ground, scenes::Vector3{}),
+                           test::side(0, scenes::Vector3{at, 0, 0}));
+    row.direction = {0, 1, 0};
+    row.f = TimeFunction(TimeFunction::Polynomial{std::move(coefficients)});
+    return row;
+  };
+  scene.constraints = {
+      test::joint(JointType::revolute, "hinge", test::side(scenes::ground, scenes::Vector3{}, z),
+                  test::side(0, scenes::Vector3{-1, 0, 0}, z)),
+      lift("lift", 0, {0, 0, 0.1}), lift("lift2", -0.5, {0, 0, 0.05, 0.02})};
+  for (const char* method : {"dopri5", "radau5", "generalized-alpha", "ida", "cvode-bdf"}) try {
+      const Motion motion(scene, tight(GetParam(), method, 1, 1e-8));
+      ADD_FAILURE() << method;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("driver \"lift\", driver \"lift2\""), std::string::npos)
+          << method << ": " << error.what();
+    }
+}
+
 // At t = 2 the pendulum's driver has nearly no grip, but does not demand too much.
 TEST_P(InEveryFormulation, AHealthyDriverIsNotBlamedForAnother) {
   scenes::Scene scene = reaching_arm();

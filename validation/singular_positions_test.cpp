@@ -70,16 +70,22 @@ TEST(ALongStep, IsNamedAsTheReason) {
     }
 }
 
+// the motion starts upright; nearly so, it is the mass matrix that is singular, though the body has inertia
 TEST(TheRawChart, IsAnErrorThatNamesTheBodyWhereItIsSingular) {
   SimulationOptions options = tight("r-epsilon", "dopri5", 5, 1e-9);
   options.charts = {*parse_euler_sequence("313"), false};
-  try {
-    const Motion motion(catalogue_scene("heavy_top"), options);  // the motion starts upright
-    FAIL() << "reached " << motion.report.reached;
-  } catch (const ModelError& error) {
-    EXPECT_NE(std::string(error.what()).find("body \"top\""), std::string::npos) << error.what();
-    EXPECT_NE(std::string(error.what()).find("re-framing"), std::string::npos) << error.what();
-  }
+  for (const double angle : {0.0, 1e-10}) try {
+      scenes::Scene scene = catalogue_scene("heavy_top");
+      if (angle > 0) {
+        scene.bodies[0].orientation = scenes::AxisAngle{scenes::Vector3{1, 0, 0}, angle};
+        scene.constraints.clear();
+      }
+      const Motion motion(scene, options);
+      FAIL() << "reached " << motion.report.reached;
+    } catch (const ModelError& error) {
+      EXPECT_NE(std::string(error.what()).find("body \"top\""), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("re-framing"), std::string::npos) << error.what();
+    }
   options.charts.reframe = true;
   const Motion motion(catalogue_scene("heavy_top"), options);
   EXPECT_TRUE(motion.report.complete);

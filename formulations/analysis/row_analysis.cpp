@@ -223,7 +223,7 @@ RowAnalysis analyse_rows(const TangentSystem& s) {
 }
 
 std::vector<std::string> narrow_row_warnings(const std::vector<std::string>& row_names,
-                                             const RowAnalysis& rows) {
+                                             const RowAnalysis& rows, double least_tolerance) {
   std::vector<std::string> out;
   for (const NarrowRow& narrow : rows.narrow)
     out.push_back(fmt::format(
@@ -235,9 +235,11 @@ std::vector<std::string> narrow_row_warnings(const std::vector<std::string>& row
             ? fmt::format("if it should follow from the others, give its points and axes more digits, or set "
                           "the rank tolerance above {:.1e}",
                           narrow.share)
-            : fmt::format("if it should hold, move its points and axes farther from those of the other rows, "
-                          "or set the rank tolerance below {:.1e}",
-                          narrow.share)));
+            : fmt::format(
+                  "if it should hold, move its points and axes farther from those of the other rows{}",
+                  narrow.share > least_tolerance
+                      ? fmt::format(", or set the rank tolerance below {:.1e}", narrow.share)
+                      : std::string())));
   return out;
 }
 

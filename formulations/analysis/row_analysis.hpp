@@ -48,9 +48,11 @@ struct RowAnalysis : RowNorms {
 /// Throws a ModelError if the metric is singular (MassMetric) or the dependent rows cannot be chosen.
 RowAnalysis analyse_rows(const TangentSystem& system);
 
-/// One sentence for each narrow row, which says what keeps the row or leaves it out.
+/// One sentence for each narrow row, which says what keeps the row or leaves it out. `least_tolerance` is the
+/// smallest rank tolerance that a user may set.
 std::vector<std::string> narrow_row_warnings(const std::vector<std::string>& row_names,
-                                             const RowAnalysis& rows);
+                                             const RowAnalysis& rows,
+                                             double least_tolerance = least_rank_tolerance);
 
 /// Largest number of unknowns (6 nb + nc) for the dense row analysis and the printed form. Larger problems
 /// take minutes and gigabytes and are refused.

@@ -3,7 +3,7 @@
 /// rounding. Constraints have no tolerance: projections and Newton iterations correct them down to this
 /// level. An iteration that cannot reach it may accept more (a relative 1e-6 in projection_iteration.hpp,
 /// 1000 times the level in newton.hpp, radau.hpp, row_projection.hpp and half_explicit.hpp, 64 times
-/// in rattle.hpp, and 1e-6 there where a violation stands still).
+/// in rattle.hpp, and 1e-6 of positions and 1e-3 of velocities there where a violation stands still).
 
 #include <limits>
 

@@ -28,8 +28,8 @@
 #include "simulation/system/energy_account.hpp"
 #include "simulation/system/motion_log.hpp"
 #include "simulation/system/saved_numbers.hpp"
-#include "simulation/system/singular_position.hpp"
 #include "simulation/system/state_layout.hpp"
+#include "simulation/system/trouble_of_rows.hpp"
 
 namespace trivium {
 
@@ -81,7 +81,13 @@ class FirstOrderEquations {
       go_on_from(*options.from, start, options.is_projected);
       return;
     }
-    accept_state(start.t, start_);
+    try {
+      accept_state(start.t, start_);
+    } catch (const ModelError& error) {
+      const std::string cause = near_singular_chart(start.t, start_);
+      if (cause.empty()) throw;
+      throw ModelError(Place{}, cause);
+    }
     // The strict detection (`detect`) has just counted the dependent rows of the start. A projected motion
     // also treats nearly dependent rows as dependent, since it may pass a singular position. If this changes
     // the number of dependent rows already at the start, the strict detection is used along the whole motion.
@@ -237,8 +243,8 @@ class FirstOrderEquations {
     return twice / 2;
   }
 
-  /// A message if a singular chart, a driver or a singular position near (t, y) may have made a step from
-  /// there fail; empty if not.
+  /// A message if a singular chart, a driver, a singular position or contradicting drivers near (t, y) may
+  /// have made a step from there fail; empty if not.
   std::string diagnose(const S& t, const StateVector& y, const S& step) {
     std::string message = near_singular_chart(t, y);
     if constexpr (std::is_same_v<S, double>) {
@@ -246,7 +252,7 @@ class FirstOrderEquations {
       if (6 * nb() + mechanism_.nc() > most_unknowns) return message;
       const MechanismState<double> now = to_mechanism_state(t, y);
       if (message.empty()) message = lost_grip(mechanism_, account_.drivers(), start_state_, now, step);
-      if (message.empty()) message = near_singular_position(mechanism_, start_state_, now);
+      if (message.empty()) message = trouble_of_rows(mechanism_, account_.drivers(), start_state_, now);
     }
     return message;
   }

@@ -29,6 +29,10 @@ TEST(Check, FindsTheRankByTheGivenTolerance) {
   EXPECT_NE(standard.err.find("set the rank tolerance below 7"), std::string::npos) << standard.err;
   const Outcome finer = run("trivium check --rank-tolerance 1e-9 " + scene);
   EXPECT_NE(finer.out.find("rows, rank          9, 6"), std::string::npos) << finer.out;
+  // a simulation accepts no tolerance below 1e-8, and so does not advise one
+  const Outcome moving = run("trivium simulate --t-end 0.01 " + scene);
+  EXPECT_NE(moving.err.find("is left out by a narrow margin"), std::string::npos) << moving.err;
+  EXPECT_EQ(moving.err.find("set the rank tolerance"), std::string::npos) << moving.err;
   const Outcome wrong = run("trivium check --rank-tolerance 0.1 " + scene);
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_NE(wrong.err.find("accepted: a number from 1e-14 to 0.0001"), std::string::npos) << wrong.err;
