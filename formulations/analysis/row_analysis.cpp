@@ -225,21 +225,20 @@ RowAnalysis analyse_rows(const TangentSystem& s) {
 std::vector<std::string> narrow_row_warnings(const std::vector<std::string>& row_names,
                                              const RowAnalysis& rows, double least_tolerance) {
   std::vector<std::string> out;
-  for (const NarrowRow& narrow : rows.narrow)
+  for (const NarrowRow& narrow : rows.narrow) {
+    const bool counts = narrow.counts();
+    std::string advice =
+        counts ? "if it should follow from the others, give its points and axes more digits"
+               : "if it should hold, move its points and axes farther from those of the other rows";
+    if (counts || narrow.share > least_tolerance)
+      advice +=
+          fmt::format(", or set the rank tolerance {} {:.1e}", counts ? "above" : "below", narrow.share);
     out.push_back(fmt::format(
-        "row \"{}\" {}: {:.1e} of its gradient is independent of the other rows, and the limit is {:.0e}; {}",
-        row_names[narrow.row],
-        narrow.counts() ? "counts as independent by a narrow margin" : "is left out by a narrow margin",
-        narrow.share, narrow.tolerance,
-        narrow.counts()
-            ? fmt::format("if it should follow from the others, give its points and axes more digits, or set "
-                          "the rank tolerance above {:.1e}",
-                          narrow.share)
-            : fmt::format(
-                  "if it should hold, move its points and axes farther from those of the other rows{}",
-                  narrow.share > least_tolerance
-                      ? fmt::format(", or set the rank tolerance below {:.1e}", narrow.share)
-                      : std::string())));
+        "row \"{}\" {} by a narrow margin: {:.1e} of its gradient is independent of the other rows, and the "
+        "limit is {:.0e}; {}",
+        row_names[narrow.row], counts ? "counts as independent" : "is left out", narrow.share,
+        narrow.tolerance, advice));
+  }
   return out;
 }
 
