@@ -108,8 +108,8 @@ struct REpsilonOmegaFirst {
   // steps of implicit methods: a displacement is a rotation vector phi [rad, body frame], A becomes A
   // exp(tilde(phi))
   static Orientation step(const Chart& chart, const Orientation& epsilon, const Unknown& phi) {
-    return euler_angles<S>(
-        chart.sequence,
+    return euler_angles_near<S>(
+        epsilon, chart.sequence,
         rotation_at(chart, epsilon) * rotation_matrix(exponential_parameters(phi)) * chart.C.transpose());
   }
   static Unknown displacement(const Chart& chart, const Orientation& from, const Orientation& to) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bodies/rotations/so3.hpp"
+#include "scenes/building.hpp"
 
 namespace trivium::scenes {
 
@@ -80,19 +81,10 @@ Constraint hinge(const std::string& name, int i, int j, const V& axis) {
   return c;
 }
 
-Constraint joint_of(ConstraintType type, const std::string& name, const Side& i, const Side& j) {
-  Constraint c;
-  c.type = type;
-  c.name = name;
-  c.i = i;
-  c.j = j;
-  return c;
-}
-
 Constraint revolute_about_z(const std::string& name, int i, const Vector3& point_i, int j,
                             const Vector3& point_j) {
-  return joint_of(JointType::revolute, name, {i, point_i, {}, Vector3{0, 0, 1}, {}},
-                  {j, point_j, {}, Vector3{0, 0, 1}, {}});
+  return building::joint(JointType::revolute, name, {i, point_i, {}, Vector3{0, 0, 1}, {}},
+                         {j, point_j, {}, Vector3{0, 0, 1}, {}});
 }
 
 Body rod(const std::string& name, const Vector3& inertia, const Vector3& position, const Vector3& velocity,
@@ -204,13 +196,13 @@ Scene ring(int n) {
     bar.r_dot = V(0, turn, 0).cross(bar.r) + V(0, (lift(k) + lift(k + 1)) / 2, 0);
     scene.bodies.push_back(body_of(fmt::format("bar_{}", k + 1), bar));
   }
-  scene.constraints.push_back(joint_of(JointType::revolute, "hold",
-                                       {ground, Vector3{0, 0, 0}, {}, Vector3{0, 1, 0}, {}},
-                                       {0, Vector3{0, 0, 0}, {}, Vector3{0, 1, 0}, {}}));
+  scene.constraints.push_back(building::joint(JointType::revolute, "hold",
+                                              {ground, Vector3{0, 0, 0}, {}, Vector3{0, 1, 0}, {}},
+                                              {0, Vector3{0, 0, 0}, {}, Vector3{0, 1, 0}, {}}));
   for (int k = 0; k < n; ++k)
-    scene.constraints.push_back(joint_of(JointType::spherical, fmt::format("J{}", k + 1),
-                                         {k, Vector3{0.5, 0, 0}, {}, {}, {}},
-                                         {(k + 1) % n, Vector3{-0.5, 0, 0}, {}, {}, {}}));
+    scene.constraints.push_back(building::joint(JointType::spherical, fmt::format("J{}", k + 1),
+                                                {k, Vector3{0.5, 0, 0}, {}, {}, {}},
+                                                {(k + 1) % n, Vector3{-0.5, 0, 0}, {}, {}, {}}));
   scene.effects.push_back(Gravity<double>{"", {0, 0, -9.81}});
   return scene;
 }
@@ -233,9 +225,9 @@ Scene hub(int n) {
     const V rim = spoke.end(radius / 2), axis = rotation_matrix(spoke.p) * V(0, 1, 0);
     const Bar bar = hang(&spoke, V(0, 1, 0), 0.4 + 0.3 * std::sin(1.3 * k), std::cos(0.9 * k));
     scene.bodies.push_back(body_of(fmt::format("bar_{}", k), bar));
-    scene.constraints.push_back(joint_of(JointType::revolute, fmt::format("J{}", k),
-                                         {0, plain(rim), {}, plain(axis), {}},
-                                         {k, Vector3{-0.5, 0, 0}, {}, Vector3{0, 1, 0}, {}}));
+    scene.constraints.push_back(building::joint(JointType::revolute, fmt::format("J{}", k),
+                                                {0, plain(rim), {}, plain(axis), {}},
+                                                {k, Vector3{-0.5, 0, 0}, {}, Vector3{0, 1, 0}, {}}));
   }
   scene.effects.push_back(Gravity<double>{"", {0, 0, -9.81}});
   return scene;

@@ -11,7 +11,7 @@
 #include "scenes/make_mechanism.hpp"
 #include "simulation/motion_comparison.hpp"
 #include "trivium/choices.hpp"
-#include "trivium/motion_warnings.hpp"
+#include "simulation/motion_warnings.hpp"
 #include "trivium/scene_contents.hpp"
 #include "trivium/simulation_options.hpp"
 #include "trivium/state_check.hpp"

@@ -11,7 +11,7 @@
 #include "integrators/methods.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "trivium/choices.hpp"
-#include "trivium/motion_warnings.hpp"
+#include "simulation/motion_warnings.hpp"
 #include "trivium/plain.hpp"
 #include "trivium/run_end.hpp"
 #include "trivium/scene_contents.hpp"

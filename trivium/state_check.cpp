@@ -19,10 +19,9 @@ namespace trivium {
 
 namespace {
 
-/// Estimated relative errors and residuals above 1e-6 give a warning: fewer than six digits are then certain.
-/// A residual is also accepted up to 1e6 u: in float (u = 6e-8) rounding alone exceeds 1e-6, and a wrong
-/// matrix leaves residuals near 1. Related constant: warn_above in motion_warnings.cpp.
-constexpr double warn_above = 1e-6, rounding_units = 1e6;
+/// A residual is also accepted up to 1e6 u: in float (u = 6e-8) rounding alone exceeds uncertain_from, and a
+/// wrong matrix leaves residuals near 1.
+constexpr double rounding_units = 1e6;
 
 void refuse(const std::string& source, const Model<double>& model, const Consistency& consistency,
             const std::string& about_saved) {
@@ -81,15 +80,15 @@ std::vector<std::string> warnings_of(const scenes::Scene& scene, const SideBySid
   std::vector<std::string> out;
   for (const auto& f : answer.formulations) {
     if (!f.error.empty()) out.push_back(fmt::format("{}: not solved: {}", f.name, f.error));
-    if (!(f.estimate.lambda <= warn_above))
+    if (!(f.estimate.lambda <= uncertain_from))
       out.push_back(
           fmt::format("{}: lambda is uncertain: estimated relative error {:.1e}", f.name, f.estimate.lambda));
-    if (!(f.estimate.acceleration <= warn_above))
+    if (!(f.estimate.acceleration <= uncertain_from))
       out.push_back(fmt::format("{}: accelerations are uncertain: estimated relative error {:.1e}", f.name,
                                 f.estimate.acceleration));
     const double residual = f.residual.worst();
     const double rounding = rounding_units * static_cast<double>(unit_roundoff<Scalar>());
-    if (f.error.empty() && !(residual <= std::max(warn_above, rounding)))
+    if (f.error.empty() && !(residual <= std::max(uncertain_from, rounding)))
       out.push_back(fmt::format("{}: the equations of motion are not satisfied: matrix-free residual {:.1e}",
                                 f.name, residual));
   }

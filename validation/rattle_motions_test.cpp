@@ -7,7 +7,7 @@
 namespace trivium {
 namespace {
 
-using test::catalogue_scene, test::Motion, test::stepping, test::tight, test::wellformed_scene;
+using test::apart, test::catalogue_scene, test::Motion, test::stepping, test::tight, test::wellformed_scene;
 
 // rattle4 has substeps that go back in time. None of them may see the functions beyond the event.
 TEST(Rattle, KeepsItsOrderOverEvents) {
@@ -57,6 +57,14 @@ TEST(Rattle, PassesASingularPosition) {
   const Motion motion(catalogue_scene("n_four_bar_2"), stepping("r-omega", "rattle", 2.6, 0.002));
   EXPECT_EQ(motion.end().state.t, 2.6);
   EXPECT_LE(motion.report.unaccounted_energy, 0.01);
+}
+
+// an Euler angle may pass half a turn within the step
+TEST(Rattle, InterpolatesOutputsAcrossAFullTurnOfAnAngle) {
+  const scenes::Scene scene = catalogue_scene("spatial_slider_crank");
+  SimulationOptions options = tight("r-epsilon-omega-first", "rattle", 0.5, 1e-8);
+  options.output_step = 0.025;
+  EXPECT_LE(apart(Motion(scene, options), Motion(scene, tight("r-omega", "rkf78", 0.5))), 1e-5);
 }
 
 // Whatever the step: a row that is dependent at the start of a step may be independent at its end.

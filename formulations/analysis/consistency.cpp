@@ -41,7 +41,9 @@ GlobalAxes global_axes(const MechanismState<double>& state, const Joint<double>&
 
 std::vector<std::string> wrong_branches_of(const Joint<double>& joint, const GlobalAxes& a, double t) {
   std::vector<std::string> wrong;
-  const auto say = [&](const std::string& what) { wrong.push_back(fmt::format("{}: {}", joint.name, what)); };
+  const auto say = [&](const std::string& what) {
+    wrong.push_back(fmt::format("joint \"{}\": {}", joint.name, what));
+  };
   const JointProperties type = properties_of(joint.type);
   if (type.has_parallel_axes && a.z_i.dot(a.z_j) < 0) say("the axes z_i and z_j are antiparallel");
   if (type.allows_no_rotation && a.u_i.dot(a.u_j) < 0)

@@ -11,6 +11,9 @@ struct ErrorEstimate {
   double lambda = 0, acceleration = 0;
 };
 
+/// Estimated errors above this are warned of: fewer than six digits are then certain.
+inline constexpr double uncertain_from = 1e-6;
+
 /// The relative errors of a reduced solution x, in the norms of comparison.hpp. `higher` is formed from the
 /// same data in the next precision, so its residual at x contains all errors of forming and solving in S.
 /// Iterative refinement with this residual and the factors in S gives a more precise solution. Its distance

@@ -6,7 +6,7 @@
 ///
 /// -lambda . nu is the power of drivers, which are rows with a function of time. This file decides which
 /// difference between the two sides is too large for an accurate motion (energy_is_lost). A run keeps the
-/// largest difference after any step (motion_watch.hpp), and trivium/motion_warnings.cpp warns about it.
+/// largest difference after any step (motion_watch.hpp), and simulation/motion_warnings.cpp warns about it.
 
 #include <cmath>
 #include <vector>

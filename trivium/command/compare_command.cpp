@@ -24,7 +24,7 @@
 #include "trivium/command/commands.hpp"
 #include "trivium/command/compare_report.hpp"
 #include "trivium/command/run_arguments.hpp"
-#include "trivium/motion_warnings.hpp"
+#include "simulation/motion_warnings.hpp"
 #include "trivium/simulation_options.hpp"
 #include "trivium/state_check.hpp"
 

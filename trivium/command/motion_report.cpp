@@ -10,7 +10,7 @@
 
 #include "base/number_text.hpp"
 #include "base/table.hpp"
-#include "trivium/motion_warnings.hpp"
+#include "simulation/motion_warnings.hpp"
 
 namespace trivium {
 

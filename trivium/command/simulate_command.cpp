@@ -16,7 +16,7 @@
 #include "trivium/command/motion_output.hpp"
 #include "trivium/command/motion_report.hpp"
 #include "trivium/command/run_arguments.hpp"
-#include "trivium/motion_warnings.hpp"
+#include "simulation/motion_warnings.hpp"
 #include "trivium/run_end.hpp"
 #include "trivium/state_check.hpp"
 

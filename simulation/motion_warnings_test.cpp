@@ -1,6 +1,6 @@
 /// Which motions are warned of, and which are not.
 
-#include "trivium/motion_warnings.hpp"
+#include "simulation/motion_warnings.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

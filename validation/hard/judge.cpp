@@ -1,0 +1,176 @@
+#include "validation/hard/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/number_text.hpp"
+#include "formulations/formulation_list.hpp"
+#include "integrators/methods.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "simulation/motion_warnings.hpp"
+#include "simulation/neighbouring_start.hpp"
+#include "simulation/simulate.hpp"
+#include "validation/hard/announcement.hpp"
+#include "validation/hard/factors.hpp"
+#include "validation/hard/methods.hpp"
+#include "validation/hard/simbody_rows.hpp"
+
+namespace trivium::hard {
+
+namespace {
+
+constexpr int outputs = 20;
+/// Standard tolerances of a simulation.
+const integrators::Tolerances tolerances{1e-8, 1e-10};
+/// What the local errors of given steps may add up to without a warning, relative to the size of the motion.
+constexpr double tolerance_of_given_steps = 1e-3;
+/// Longer runs than of so many steps are given up.
+constexpr long most_steps = 5'000'000;
+
+/// Keeps the outputs, and ends a run that takes too many steps.
+class Outputs : public Samples {
+ public:
+  bool step(double) override { return ++steps_ < most_steps; }
+
+ private:
+  long steps_ = 0;
+};
+
+}  // namespace
+
+Judge::Judge(std::string family, std::string name, bool is_twin, const Choice& choice)
+    : family_(std::move(family)), name_(std::move(name)), is_twin_(is_twin), choice_(choice) {
+  for (const std::string& formulation : formulation_names())
+    if (choice.formulations.empty() || std::find(choice.formulations.begin(), choice.formulations.end(),
+                                                 formulation) != choice.formulations.end())
+      formulations_.push_back(formulation);
+}
+
+Row Judge::row(const std::string& formulation, const std::string& method, const std::string& quantity) const {
+  Row row;
+  row.family = family_;
+  row.name = name_ + part_;
+  row.formulation = formulation;
+  row.method = method;
+  row.quantity = quantity;
+  row.is_twin = is_twin_;
+  return row;
+}
+
+Row Judge::judged(Row row, double figure) const {
+  if (row.is_met()) {
+    row.verdict = Verdict::survives;
+  } else if (figure >= std::min(row.value, 1.0) / 10) {  // 1: wholly wrong
+    row.verdict = Verdict::announces;
+  } else {
+    row.verdict = Verdict::fails;
+    row.why = "no warning states such an error; " + row.why;
+  }
+  // a warning that always comes is none
+  if (is_twin_ && figure > 0) {
+    row.verdict = Verdict::fails;
+    row.why = "the easy twin is warned of: " + row.why;
+  }
+  return row;
+}
+
+Row Judge::ended(Row row, const std::string& message, std::optional<double> when) const {
+  row.value = row.tolerance = row.threshold = std::numeric_limits<double>::quiet_NaN();
+  const std::string missing = missing_in_announcement(message, when);
+  row.verdict = missing.empty() && !is_twin_ ? Verdict::announces : Verdict::fails;
+  row.why = missing.empty() ? message : fmt::format("{}: {}", missing, message);
+  return row;
+}
+
+Row Judge::exact_row(const std::string& law, double off, const ExactMotion& exact) const {
+  Row row = this->row("r-omega", "exact motion", law);
+  row.value = off;
+  row.tolerance = tolerances.rtol;
+  row.amplification = exact.amplification(exact.states().size() - 1);
+  row.threshold = std::min(row.tolerance * row.amplification, small_difference);
+  return judged(std::move(row));
+}
+
+ExactMotion Judge::motion(const HardMotion& motion) {
+  const ExactMotion exact(motion.scene, motion.end, outputs, motion.monitor, motion.exact, motion.reference);
+  const std::vector<std::string> methods =
+      motion.methods.empty() ? methods_of(family_, choice_.is_quick) : motion.methods;
+  const double steps = std::ceil(exact.output_step() / motion.step * (1 - 1e-9));
+  for (const std::string& method : methods) {
+    const integrators::MethodInfo& info = *integrators::find_method(method);
+    for (const std::string& formulation : formulations_) {
+      if (!goes_with(info, formulation)) continue;
+      if (info.chooses_steps) run(motion, exact, formulation, method, {});
+      if (info.takes_given_steps) run(motion, exact, formulation, method, exact.output_step() / steps);
+    }
+  }
+  if (motion.beside_simbody && choice_.formulations.empty())
+    for (Row& row : simbody_rows(*this, motion, exact, tolerances.rtol)) rows_.push_back(std::move(row));
+  return exact;
+}
+
+void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::string& formulation,
+                const std::string& method, std::optional<double> step) {
+  SimulationOptions options;
+  options.formulation = formulation;
+  options.integrator = method;
+  options.end = motion.end;
+  options.step = step;
+  options.output_step = exact.output_step();
+  options.tolerances = tolerances;
+  options.charts = motion.charts;
+  Row row = this->row(formulation, step ? fmt::format("{}, h = {:.3g}", method, *step) : method,
+                      motion.monitor == Monitor::motion ? "motion [-]" : "positions [-]");
+  Outputs found;
+  SimulationReport report;
+  try {
+    report = simulate(make_model<double>(motion.scene), options, found);
+  } catch (const Error& error) {
+    return add(ended(std::move(row), error.what(), error.when()));
+  }
+  if (!report.complete) {
+    row.value = std::numeric_limits<double>::quiet_NaN();
+    row.why = fmt::format("more than {} steps up to t = {:g}", most_steps, report.reached);
+    row.verdict = Verdict::fails;
+    return add(std::move(row));
+  }
+  const double of_a_step = tolerances.rtol + tolerances.atol;
+  row.tolerance = step ? tolerance_of_given_steps : static_cast<double>(report.counters.steps) * of_a_step;
+  const double factor = step ? factors::given_steps : factors::chosen_steps;
+  std::vector<MechanismState<double>> states;
+  for (std::size_t k = 1; k < found.all.size(); ++k) states.push_back(found.all[k].state);
+  judge_states(row, exact, states, factor);
+  row.why = counted(report.counters.steps, "step", "steps");
+  double figure = 0;
+  for (const MotionWarning& warning : motion_warnings(report)) {
+    figure = std::max({figure, std::min(warning.relative_error, 1.0), std::numeric_limits<double>::min()});
+    row.why += "; warned: " + warning.text;
+  }
+  const std::string name = row.method;
+  add(judged(std::move(row), figure));
+  if (motion.also) motion.also(*this, {formulation, name, report, states});
+}
+
+void judge_states(Row& row, const ExactMotion& exact, const std::vector<MechanismState<double>>& states,
+                  double factor) {
+  double worst = -1;
+  for (std::size_t k = 0; k < exact.states().size(); ++k) {
+    const double amplification = exact.amplification(k);
+    // neighbouring motions part: nothing can be said
+    if (factors::chosen_steps * (tolerances.rtol + tolerances.atol) * amplification > small_difference) break;
+    const double threshold = std::min(factor * row.tolerance * amplification, small_difference),
+                 value = std::min(exact.difference(states[k], k), 1.0);
+    if (!(value / threshold <= worst)) {
+      worst = value / threshold;
+      row.value = value;
+      row.threshold = threshold;
+      row.amplification = amplification;
+    }
+  }
+}
+
+}  // namespace trivium::hard

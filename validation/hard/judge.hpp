@@ -1,0 +1,94 @@
+#pragma once
+/// Judges the runs of one case: by its error against the exact motion, or by what it announces.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "formulations/contract/chart_options.hpp"
+#include "scenes/scene.hpp"
+#include "validation/hard/exact_motion.hpp"
+#include "validation/hard/row.hpp"
+
+namespace trivium::hard {
+
+/// What the command line asks for.
+struct Choice {
+  bool is_quick = false;
+  std::vector<std::string> formulations;  ///< names; all if empty
+  std::string program;                    ///< path of the program `trivium`, for the family of faults
+};
+
+/// One of the runs of a motion.
+struct RunOfCase {
+  const std::string &formulation, &method;
+  const SimulationReport& report;
+  const std::vector<MechanismState<double>>& states;  ///< at the outputs of the exact motion
+};
+
+class Judge;
+
+/// A motion to be judged.
+struct HardMotion {
+  scenes::Scene scene;
+  double end = 1;      ///< time [s] at which it ends; it begins at 0
+  double step = 1e-3;  ///< of methods with given steps, or a little less, so that it divides the run [s]
+  Monitor monitor = Monitor::motion;
+  /// Sets the bodies' state at the state's time, if a formula is known.
+  ExactState exact = {};
+  ReferenceRun reference = ReferenceRun::in_double;
+  ChartOptions charts = {};
+  std::vector<std::string> methods = {};  ///< if not those of the family
+  bool beside_simbody = true;
+  std::function<void(Judge&, const RunOfCase&)> also = {};  ///< adds rows about what else a run must satisfy
+};
+
+class Judge {
+ public:
+  /// `name`: of the case, with its difficulty.
+  Judge(std::string family, std::string name, bool is_twin, const Choice& choice);
+
+  bool is_quick() const { return choice_.is_quick; }
+  bool is_twin() const { return is_twin_; }
+  const Choice& choice() const { return choice_; }
+  /// The formulations of the command line, in the order of the list.
+  const std::vector<std::string>& formulations() const { return formulations_; }
+
+  /// The name of the case gets this part, for a case of several scenes.
+  void begin_part(const std::string& part) { part_ = " " + part; }
+
+  /// Runs a motion by all methods of the family in all formulations.
+  ExactMotion motion(const HardMotion& motion);
+
+  /// A row that begins with the case's names; the caller completes it.
+  Row row(const std::string& formulation, const std::string& method, const std::string& quantity) const;
+  /// The row with its verdict. If its value exceeds the threshold, `figure` decides: the relative error that
+  /// the program states by itself, which must be at least a tenth of the true one.
+  Row judged(Row row, double figure = 0) const;
+  /// The row of a case that ended with an error.
+  Row ended(Row row, const std::string& message, std::optional<double> when) const;
+  /// The row for the exact motion itself: its difference from a law, `off`.
+  Row exact_row(const std::string& law, double off, const ExactMotion& exact) const;
+  void add(Row row) { rows_.push_back(std::move(row)); }
+
+  const std::vector<Row>& rows() const { return rows_; }
+
+ private:
+  void run(const HardMotion& motion, const ExactMotion& exact, const std::string& formulation,
+           const std::string& method, std::optional<double> step);
+
+  std::string family_, name_, part_;
+  bool is_twin_;
+  Choice choice_;
+  std::vector<std::string> formulations_;
+  std::vector<Row> rows_;
+};
+
+/// Enters into the row the largest difference of the states from the exact ones, relative to its threshold
+/// factor . row.tolerance . amplification.
+void judge_states(Row& row, const ExactMotion& exact, const std::vector<MechanismState<double>>& states,
+                  double factor);
+
+}  // namespace trivium::hard

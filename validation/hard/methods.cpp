@@ -1,0 +1,50 @@
+#include "validation/hard/methods.hpp"
+
+#include <algorithm>
+
+#include "integrators/methods.hpp"
+
+namespace trivium::hard {
+
+namespace {
+
+/// A method of each kind: explicit, implicit with index 3 and 2, of high order, symplectic.
+const std::vector<std::string> one_of_each_kind{"dopri5", "generalized-alpha", "radau5", "rattle"};
+const std::vector<std::string> high_order{"dopri5", "rkf78",  "bulirsch-stoer", "abm",
+                                          "radau5", "radau9", "rattle4"};
+const std::vector<std::string> implicit{
+    "generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "radau5", "radau9",
+    "cvode-bdf",         "arkode-dirk",           "ida"};
+
+}  // namespace
+
+const std::vector<MethodsOfFamily>& method_list() {
+  const std::vector<std::string> all = integrators::method_names();
+  static const std::vector<MethodsOfFamily> list{
+      {"gimbal_lock", one_of_each_kind, all, "every method moves in the charts of the formulation"},
+      {"spin",
+       {"dopri5", "rkf78"},
+       high_order,
+       "a top of 1000 rad/s turns 16 000 times in 100 s: methods of order 2 would take 1e7 steps and more"},
+      {"inertia", one_of_each_kind, all, "singular and badly scaled mass matrices concern every method"},
+      {"singular_positions", one_of_each_kind, all, "every method has to pass them"},
+      {"stiff",
+       {"radau5", "generalized-alpha"},
+       implicit,
+       "explicit methods follow a vibration of 1e5 rad/s with steps of 1e-5 s, whatever is asked"},
+      {"drivers", one_of_each_kind, all, "every method meets the events"},
+      {"size_and_place", one_of_each_kind, all,
+       "tolerances, scales and iterations of every method have units"},
+      {"locked", one_of_each_kind, all, "every method has to hold a body still"},
+  };
+  return list;
+}
+
+const std::vector<std::string>& methods_of(const std::string& family, bool quick) {
+  const auto& list = method_list();
+  const auto entry =
+      std::find_if(list.begin(), list.end(), [&](const auto& e) { return e.family == family; });
+  return quick ? entry->quick : entry->whole;
+}
+
+}  // namespace trivium::hard

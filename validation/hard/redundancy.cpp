@@ -1,0 +1,240 @@
+/// Redundant rows: accelerations and the forces Phi_q^T lambda against the model without the dependent rows,
+/// in quad; and the misalignment at which a second hinge locks a door.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "bodies/numbers/quad.hpp"
+#include "bodies/numbers/real50.hpp"
+#include "bodies/numbers/scalar.hpp"
+#include "formulations/r_omega.hpp"
+#include "formulations/structured_side_by_side.hpp"
+#include "scenes/building.hpp"
+#include "scenes/catalogue.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "validation/hard/factors.hpp"
+#include "validation/hard/family.hpp"
+
+namespace trivium::hard {
+
+namespace {
+
+using building::joint, building::side;
+using scenes::Scene, scenes::Vector3;
+
+/// The model with these rows alone.
+template <class S>
+Model<S> with_rows(const Model<S>& whole, const std::vector<int>& kept) {
+  Model<S> model = whole;
+  model.mechanism.rows.clear();
+  model.mechanism.row_names.clear();
+  for (const int k : kept) {
+    model.mechanism.rows.push_back(whole.mechanism.rows[k]);
+    model.mechanism.row_names.push_back(whole.mechanism.row_names[k]);
+  }
+  for (Joint<S>& one : model.mechanism.joints) {
+    const auto first = std::lower_bound(kept.begin(), kept.end(), one.first_row),
+               last = std::lower_bound(kept.begin(), kept.end(), one.first_row + one.rows);
+    one.first_row = static_cast<int>(first - kept.begin());
+    one.rows = static_cast<int>(last - first);
+  }
+  return model;
+}
+
+Vector3 plain(const trivium::Vector3<double>& x) { return {x[0], x[1], x[2]}; }
+
+/// The scene with its joints written as basic constraints (cd, dp1), every other of which is multiplied by a
+/// factor. This divides its multiplier.
+Scene with_scaled_rows(Scene scene, double factor) {
+  const auto mechanism = make_model<double>(scene).mechanism;
+  scene.constraints.clear();
+  for (std::size_t k = 0; k < mechanism.rows.size(); ++k) {
+    const BodyPair pair = bodies_of(mechanism.rows[k]);
+    const auto body = [&](int b) { return b == mechanism.ground() ? scenes::ground : b; };
+    const double by = k % 2 == 0 ? factor : 1;
+    const std::string& name = mechanism.row_names[k];
+    if (const auto* row = std::get_if<CD<double>>(&mechanism.rows[k])) {
+      scene.constraints.push_back(joint(basic_type<CD>, name, side(body(pair.i), plain(row->s_bar_i)),
+                                        side(body(pair.j), plain(row->s_bar_j))));
+      scene.constraints.back().direction = plain(by * row->c);
+    } else {
+      const auto& angle = std::get<DP1<double>>(mechanism.rows[k]);
+      scene.constraints.push_back(joint(basic_type<DP1>, name,
+                                        building::vector_side(body(pair.i), plain(by * angle.a_bar_i)),
+                                        building::vector_side(body(pair.j), plain(angle.a_bar_j))));
+    }
+  }
+  return scene;
+}
+
+/// Phi_q^T lambda [N, N m], with the Jacobian of r-omega.
+VectorX<double> constraint_force(const Model<double>& model, const VectorX<double>& lambda) {
+  const auto eom = equations_of_motion<ROmega<double>>(
+      model.mechanism, to_coordinates<ROmega<double>>(model.mechanism, model.state, {}), model.state.t);
+  VectorX<double> force = VectorX<double>::Zero(6 * (eom.nb() + 1));
+  for (int k = 0; k < eom.nc(); ++k) {
+    const auto& row = eom.row[k];
+    force.segment<3>(6 * eom.pair[k].i) += lambda[k] * row.r_i.transpose();
+    force.segment<3>(6 * eom.pair[k].i + 3) += lambda[k] * row.rot_i.transpose();
+    force.segment<3>(6 * eom.pair[k].j) += lambda[k] * row.r_j.transpose();
+    force.segment<3>(6 * eom.pair[k].j + 3) += lambda[k] * row.rot_j.transpose();
+  }
+  return force.head(6 * eom.nb());
+}
+
+PhysicalSolution<double> rounded(const PhysicalSolution<Quad>& x) {
+  PhysicalSolution<double> out{{}, {}, scalar_cast<double>(x.lambda)};
+  for (std::size_t b = 0; b < x.r_ddot.size(); ++b) {
+    out.r_ddot.push_back(scalar_cast<double>(x.r_ddot[b]));
+    out.omega_bar_dot.push_back(scalar_cast<double>(x.omega_bar_dot[b]));
+  }
+  return out;
+}
+
+double relative(const VectorX<double>& x, const VectorX<double>& exact) {
+  const double off = (x - exact).lpNorm<Eigen::Infinity>();
+  return off == 0 ? 0 : off / exact.lpNorm<Eigen::Infinity>();
+}
+
+/// A model with redundant rows, in the precisions that are needed.
+struct Redundant {
+  Model<double> in_double;
+  Model<NextPrecisionT<double>> higher;
+  Model<Quad> in_quad;
+
+  explicit Redundant(const Scene& scene)
+      : in_double(make_model<double>(scene)),
+        higher(make_model<NextPrecisionT<double>>(scene)),
+        in_quad(make_model<Quad>(scene)) {}
+};
+
+/// Compares both solvers in all formulations with the model without the dependent rows. `expected`: the rank,
+/// if it is known.
+void compare_with_reduced(Judge& judge, const Redundant& model, std::optional<int> expected) {
+  const RowAnalysis rows = analyse_rows(model.in_double);
+  const Model<double> reduced = with_rows(model.in_double, rows.independent);
+  const RowAnalysis reduced_rows = analyse_rows(reduced);
+  const SideBySide<Quad> quad =
+      side_by_side(with_rows(model.in_quad, rows.independent), reduced_rows, SolveOptions{{"r-omega"}, {}});
+  quad.require_solved();
+  const PhysicalSolution<double> exact = rounded(quad.formulations.front().solution);
+  const VectorX<double> exact_force = constraint_force(reduced, exact.lambda);
+  const SolveOptions options{judge.formulations(), {}};
+  const auto compare = [&](const SideBySide<double>& answer, const std::string& solver) {
+    for (const FormulationResult<double>& found : answer.formulations) {
+      Row row = judge.row(found.name, solver, "accelerations [-]");
+      if (!found.error.empty()) {
+        judge.add(judge.ended(row, found.error, 0.0));
+        continue;
+      }
+      row.tolerance = unit_roundoff<double>();
+      row.amplification = reduced_rows.kappa;
+      row.threshold = factors::state * row.tolerance * row.amplification;
+      row.value = compare_accelerations(reduced_rows, found.solution, exact).all.error();
+      judge.add(judge.judged(row));
+      row.quantity = "Phi_q^T lambda [-]";
+      row.value = relative(constraint_force(model.in_double, found.solution.lambda), exact_force);
+      judge.add(judge.judged(row));
+    }
+    Row row = judge.row("all", solver, "rank and uniqueness [1]");
+    row.value = std::abs(answer.rows.rank - expected.value_or(rows.rank));
+    for (std::size_t k = 0; k < rows.unique.size(); ++k) row.value += answer.rows.unique[k] != rows.unique[k];
+    row.threshold = 0;
+    row.why = fmt::format("rank {} of {} rows", answer.rows.rank, rows.unique.size());
+    judge.add(judge.judged(row));
+  };
+  compare(side_by_side(model.in_double, rows, options, &model.higher), "printed");
+  compare(structured_side_by_side(model.in_double, options), "structured");
+}
+
+/// The scenes and their ranks.
+constexpr std::pair<const char*, int> redundant_scenes[]{
+    {"four_bar", 17}, {"bricard", 29}, {"door", 5}, {"parallelogram", 23}};
+
+/// Every joint `copies` times.
+void judge_copies(Judge& judge, double copies) {
+  for (const auto& [name, rank] : redundant_scenes) {
+    Scene scene = load_scene(name);
+    const std::vector<scenes::Constraint> once = scene.constraints;
+    for (int n = 1; n < static_cast<int>(copies); ++n)
+      for (scenes::Constraint copy : once) {
+        copy.name += fmt::format(" {}", n + 1);
+        scene.constraints.push_back(copy);
+      }
+    judge.begin_part(name);
+    compare_with_reduced(judge, Redundant(scene), rank);
+  }
+}
+
+void judge_scaled_rows(Judge& judge, double factor) {
+  for (const auto& [name, rank] : redundant_scenes) {
+    judge.begin_part(name);
+    compare_with_reduced(judge, Redundant(with_scaled_rows(load_scene(name), factor)), rank);
+  }
+}
+
+/// A door at rest on two hinges whose axes differ by `angle` [rad].
+Scene misaligned_door(double angle) {
+  Scene scene;
+  scene.name = fmt::format("misaligned_door_{:g}", angle);
+  scene.bodies = {building::body("door", 20, {6, 8, 2}, {0.45, 0, 1})};
+  const Vector3 straight{0, 0, 1}, tilted{std::sin(angle), 0, std::cos(angle)};
+  for (const auto& [name, height, axis] : {std::tuple("lower", 0.3, straight), {"upper", 1.7, tilted}})
+    scene.constraints.push_back(joint(JointType::revolute, name,
+                                      side(scenes::ground, Vector3{0, 0, height}, axis),
+                                      side(0, Vector3{-0.45, 0, height - 1}, axis)));
+  scene.effects = {Gravity<double>{"", {0, -3, -9.81}}};
+  return scene;
+}
+
+/// Below the rank tolerance the door swings, above it is locked.
+void judge_misalignment(Judge& judge, double angle) {
+  compare_with_reduced(judge, Redundant(misaligned_door(angle)), {});
+}
+
+/// How often the rank changes between 1e-14 and 1e-4 rad, and whether both solvers change it together.
+void judge_jump(Judge& judge, double angles_per_decade) {
+  const int count = static_cast<int>(10 * angles_per_decade);
+  std::vector<std::vector<int>> ranks(2);
+  std::vector<double> at(2);
+  for (int k = 0; k <= count; ++k) {
+    const double angle = std::pow(10, -14 + 10.0 * k / count);
+    const auto model = make_model<double>(misaligned_door(angle));
+    const int rank[]{analyse_rows(model).rank, structured_row_analysis(model).rank};
+    for (const int s : {0, 1}) {
+      if (!ranks[s].empty() && ranks[s].back() != rank[s]) at[s] = angle;
+      if (ranks[s].empty() || ranks[s].back() != rank[s]) ranks[s].push_back(rank[s]);
+    }
+  }
+  for (const int s : {0, 1}) {
+    Row row = judge.row("all", s == 0 ? "printed" : "structured", "jumps but one [1]");
+    row.value = std::abs(static_cast<double>(ranks[s].size()) - 2) + (at[s] != at[0]);
+    row.threshold = 0;
+    row.why = fmt::format("ranks {}, the last jump at {:.2e} rad", fmt::join(ranks[s], ", "), at[s]);
+    judge.add(judge.judged(row));
+  }
+}
+
+}  // namespace
+
+Family redundancy() {
+  return {"redundancy",
+          "redundant rows, repeated, scaled, misaligned",
+          {{"copies", "how often each joint is repeated", 1, {2}, {2, 3}, judge_copies},
+           {"scaled_rows", "factor of every other row", 1, {1e3}, {1e3, 1e-3, 1e6, 1e-6}, judge_scaled_rows},
+           {"misaligned_door",
+            "angle between the two axes [rad]",
+            0,
+            {1e-12, 1e-5},
+            {1e-14, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4},
+            judge_misalignment,
+            misaligned_door},
+           {"rank_jump", "angles per decade", 1, {2}, {10}, judge_jump}}};
+}
+
+}  // namespace trivium::hard

@@ -1,0 +1,61 @@
+#include "validation/hard/simbody_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <utility>
+
+#include "base/number_text.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "validation/hard/factors.hpp"
+#include "validation/simbody/motion.hpp"
+#include "validation/simbody/translation.hpp"
+
+namespace trivium::hard {
+
+namespace {
+
+Vector3<double> vector(const simbody::Vector3& v) { return {v[0], v[1], v[2]}; }
+
+std::vector<MechanismState<double>> states_of(const simbody::Motion& motion) {
+  std::vector<MechanismState<double>> states;
+  for (const auto& bodies : motion.states) {
+    MechanismState<double>& state = states.emplace_back();
+    for (const simbody::BodyState& body : bodies) {
+      state.pose.push_back({vector(body.r), {body.p[0], body.p[1], body.p[2], body.p[3]}});
+      state.twist.push_back({vector(body.r_dot), vector(body.omega_bar)});
+    }
+  }
+  return states;
+}
+
+}  // namespace
+
+std::vector<Row> simbody_rows(const Judge& judge, const HardMotion& motion, const ExactMotion& exact,
+                              double accuracy) {
+  std::vector<Row> rows;
+  std::vector<double> times;
+  for (const auto& state : exact.states()) times.push_back(state.t);
+  for (const auto& [name, which] :
+       {std::pair("Simbody RungeKuttaMerson", simbody::Integrator::runge_kutta_merson),
+        {"Simbody CPodes BDF", simbody::Integrator::cpodes_bdf}}) {
+    Row row = judge.row("Simbody", name, motion.monitor == Monitor::motion ? "motion [-]" : "positions [-]");
+    row.counts = false;
+    try {
+      const simbody::Motion found =
+          simbody::move(to_simbody(motion.scene, 0), simbody::Way::mobilizers, which, accuracy, times);
+      row.tolerance = static_cast<double>(found.steps) * accuracy;
+      judge_states(row, exact, states_of(found), factors::chosen_steps);
+      row.verdict = row.is_met() ? Verdict::survives : Verdict::fails;
+      row.why = counted(found.steps, "step", "steps");
+    } catch (const simbody::Refused& refusal) {
+      row.value = std::numeric_limits<double>::quiet_NaN();
+      row.verdict = Verdict::announces;
+      row.why = refusal.what();
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace trivium::hard

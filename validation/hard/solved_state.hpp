@@ -1,0 +1,31 @@
+#pragma once
+/// One state solved in every formulation by both solvers, with the errors against r-omega in quad.
+
+#include <string>
+#include <vector>
+
+#include "formulations/contract/chart_options.hpp"
+#include "formulations/side_by_side.hpp"
+#include "scenes/scene.hpp"
+
+namespace trivium::hard {
+
+struct SolvedState {
+  std::string formulation, solver;      ///< solver: printed or structured
+  std::string refusal;                  ///< empty if solved
+  double lambda = 0, acceleration = 0;  ///< relative errors (formulations/analysis/comparison.hpp)
+  double omega_bar_dot = 0;             ///< largest error of a component [rad/s^2]
+  /// The error of lambda that the solver reports by itself; 0 if it is too small for a warning.
+  double announced = 0;
+};
+
+struct SolvedStates {
+  double kappa = 1;
+  std::vector<SolvedState> all;
+};
+
+/// Throws a ModelError if the state cannot be analysed or solved in quad.
+SolvedStates solve_state(const scenes::Scene& scene, const std::vector<std::string>& formulations,
+                         const ChartOptions& charts = {});
+
+}  // namespace trivium::hard

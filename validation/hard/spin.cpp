@@ -1,0 +1,179 @@
+/// Fast spins, a sleeping top on both sides of its stability limit, and flips about an intermediate axis.
+
+#include <fmt/format.h>
+
+#include <boost/math/special_functions/jacobi_elliptic.hpp>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "base/raise.hpp"
+#include "bodies/numbers/scalar.hpp"
+#include "scenes/building.hpp"
+#include "scenes/catalogue.hpp"
+#include "validation/hard/factors.hpp"
+#include "validation/hard/family.hpp"
+#include "validation/hard/placing.hpp"
+#include "validation/hard/solved_state.hpp"
+
+namespace trivium::hard {
+
+namespace {
+
+// the top of the catalogue [kg, m, kg m^2, m/s^2]; it spins about its y axis
+constexpr double mass = 15, transverse = mass + 0.234375, axial = 0.46875, g = 9.81;
+
+scenes::Scene fast_top(double spin) {
+  scenes::Scene scene = load_scene("heavy_top");
+  scene.name = fmt::format("fast_top_{:g}", spin);
+  scene.bodies[0].angular_velocity[1] = spin;
+  return scene;
+}
+
+/// The height [m] of this top at time t. The cosine u of the inclination satisfies u'^2 = (b^2 - beta u)(1 -
+/// u^2) - (b - a u)^2, whose right side is a cubic with the root 0 (Goldstein, Classical Mechanics, 5.7).
+double height_of_top(double spin, double t) {
+  const double a = axial * spin / transverse, b = -4.61538, beta = 2 * mass * g / transverse,
+               sum = (a * a + b * b) / beta, product = 2 * a * b / beta - 1,
+               above = sum / 2 + std::sqrt(sum * sum / 4 - product), below = product / above;
+  double cn, dn;
+  boost::math::jacobi_elliptic(std::sqrt(-below / (above - below)), std::sqrt(beta * (above - below)) / 2 * t,
+                               &cn, &dn);
+  return below * (1 - cn * cn / (dn * dn));
+}
+
+/// The largest |p . p - 1| of r-p; methods normalise it, or treat it as a constraint.
+void judge_normalisation(Judge& judge, const RunOfCase& run) {
+  if (run.formulation != "r-p") return;
+  Row row = judge.row(run.formulation, run.method, "|p.p - 1| [-]");
+  row.value = run.report.normalisation;
+  row.tolerance = unit_roundoff<double>();
+  row.threshold = factors::state * row.tolerance;
+  judge.add(judge.judged(row));
+}
+
+void judge_fast_top(Judge& judge, double spin) {
+  HardMotion motion;
+  motion.scene = fast_top(spin);
+  motion.end = spin > 2000 ? 1 : judge.is_quick() ? 2 : 100;
+  motion.step = 0.1 / spin;
+  motion.monitor = Monitor::positions;
+  motion.also = judge_normalisation;
+  const ExactMotion exact = judge.motion(motion);
+  double off = 0;
+  for (const auto& state : exact.states())
+    raise(off, std::abs(state.pose[0].r[2] - height_of_top(spin, state.t)));
+  judge.add(judge.exact_row("height by elliptic functions [m]", off, exact));
+}
+
+/// A top whose axis is `tilt` off the vertical; its spin is `ratio` times the least at which it stays
+/// upright.
+constexpr double tilt = 1e-4;
+scenes::Scene sleeping_top(double ratio) {
+  scenes::Scene scene = load_scene("heavy_top");
+  scene.name = fmt::format("sleeping_top_{:g}", ratio);
+  scenes::Body& top = scene.bodies[0];
+  top.orientation = scenes::AxisAngle{{1, 0, 0}, std::numbers::pi / 2 - tilt};  // its y axis stands along z
+  top.angular_velocity = {0, ratio * std::sqrt(4 * transverse * mass * g) / axial, 0};
+  pin_at_origin(top, {0, -1, 0});
+  return scene;
+}
+
+/// The tilt at time t by the linear equation A x'' - i C n x' - m g l x = 0 of the complex inclination x.
+double linear_tilt(double ratio, double t) {
+  const std::complex<double> i(0, 1);
+  const double weight = mass * g / transverse;
+  const std::complex<double> half = i * ratio * std::sqrt(weight),
+                             root = std::sqrt(std::complex(weight * (1 - ratio * ratio)));
+  const std::complex<double> r_1 = half + root, r_2 = half - root;
+  return std::abs(tilt * (r_2 * std::exp(r_1 * t) - r_1 * std::exp(r_2 * t)) / (r_2 - r_1));
+}
+
+void judge_sleeping_top(Judge& judge, double ratio) {
+  HardMotion motion;
+  motion.scene = sleeping_top(ratio);
+  motion.end = 2;
+  motion.step = 2e-4;
+  motion.monitor = Monitor::positions;
+  const ExactMotion exact = judge.motion(motion);
+  double off = 0, largest = tilt;
+  for (const auto& state : exact.states()) {
+    const auto& r = state.pose[0].r;
+    const double linear = linear_tilt(ratio, state.t);
+    raise(largest, linear);
+    raise(off, std::abs(std::hypot(r[0], r[1]) - linear) / linear);
+  }
+  // the linear equation leaves out terms of the size of the squared tilt
+  Row row = judge.row("r-omega", "exact motion", "tilt by the linear growth rate [-]");
+  row.value = off;
+  row.tolerance = largest * largest;
+  row.threshold = factors::chosen_steps * row.tolerance;
+  judge.add(judge.judged(row));
+}
+
+/// Half the period of omega_bar of the catalogue's free body [s] (Landau and Lifshitz, Mechanics, 37). K
+/// follows from the complementary modulus by the arithmetic-geometric mean.
+double time_of_a_flip(const scenes::Body& body) {
+  const auto& J = std::get<scenes::Vector3>(body.inertia);
+  const auto& w = body.angular_velocity;
+  const double above = J[0] * (J[0] - J[1]) * w[0] * w[0] + J[2] * (J[2] - J[1]) * w[2] * w[2],
+               from_least = J[1] * (J[1] - J[0]) * w[1] * w[1] + J[2] * (J[2] - J[0]) * w[2] * w[2];
+  double x = 1, y = std::sqrt((J[2] - J[0]) * above / ((J[2] - J[1]) * from_least));
+  for (int k = 0; k < 8; ++k) {
+    const double mean = (x + y) / 2;
+    y = std::sqrt(x * y);
+    x = mean;
+  }
+  return std::numbers::pi / x / std::sqrt((J[2] - J[1]) * from_least / (J[0] * J[1] * J[2]));
+}
+
+void judge_flips(Judge& judge, double flips) {
+  HardMotion motion;
+  motion.scene = load_scene("dzhanibekov");
+  const scenes::Body& body = motion.scene.bodies[0];
+  motion.end = flips * time_of_a_flip(body);
+  motion.step = 0.02;
+  motion.also = judge_normalisation;
+  const ExactMotion exact = judge.motion(motion);
+  const auto& omega = body.angular_velocity;
+  const double turns = std::round(flips / 2) == flips / 2 ? 1 : -1;
+  const Vector3<double> end(omega[0], omega[1] * turns, omega[2] * turns);
+  const Vector3<double> other(omega[0] * turns, omega[1] * turns, omega[2]);
+  const Vector3<double> found = exact.states().back().twist[0].omega_bar;
+  judge.add(judge.exact_row("omega_bar after the flips [rad/s]",
+                            std::min((found - end).norm(), (found - other).norm()), exact));
+}
+
+/// Printed, r-p loses u |omega|^2 of omega_bar'; the mended form has the unknown omega_bar' and does not.
+void judge_printed_spin(Judge& judge, double spin) {
+  const SolvedStates solved = solve_state(fast_top(spin), judge.formulations());
+  for (const SolvedState& state : solved.all) {
+    const bool loses = state.formulation == "r-p" && state.solver == "printed";
+    Row row = judge.row(state.formulation, state.solver, "omega_bar' [rad/s^2]");
+    row.value = state.omega_bar_dot;
+    row.tolerance = unit_roundoff<double>() * (loses ? spin * spin : std::max(1.0, spin * 4.61538));
+    row.amplification = solved.kappa;
+    row.threshold = factors::law * row.tolerance * row.amplification;
+    row.why = loses ? "law u |omega|^2" : "law u |omega_bar'|";
+    judge.add(judge.judged(row, state.announced));
+  }
+}
+
+}  // namespace
+
+Family spin() {
+  return {"spin",
+          "fast tops, a sleeping top, flips",
+          {{"fast_top", "spin [rad/s]", 20, {1000}, {150, 1000, 10000}, judge_fast_top, fast_top},
+           {"sleeping_top",
+            "spin over the least stable one",
+            1.5,
+            {0.95},
+            {0.8, 0.95, 1.05, 1.2},
+            judge_sleeping_top,
+            sleeping_top},
+           {"flips", "number of flips", 1, {4}, {10, 100}, judge_flips},
+           {"printed_spin", "spin [rad/s]", 1, {1e4}, {1e2, 1e3, 1e4, 1e5}, judge_printed_spin, fast_top}}};
+}
+
+}  // namespace trivium::hard

@@ -1,0 +1,240 @@
+/// Question: where does each formulation and method hold, and where does it say that it does not? A case
+/// survives if its error stays below its threshold, and announces itself if an error or a warning says what
+/// is wrong. The program fails if a case does neither (validation/hard/).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "base/json_writer.hpp"
+#include "base/progress.hpp"
+#include "base/table.hpp"
+#include "formulations/formulation_list.hpp"
+#include "scenes/format/scene_file.hpp"
+#include "validation/hard/family.hpp"
+#include "validation/hard/methods.hpp"
+#include "validation/hard/parallel.hpp"
+#include "validation/harness/program.hpp"
+
+namespace trivium::hard {
+
+namespace {
+
+struct Arguments {
+  std::vector<std::string> families, formulations, cases;
+  std::string scene, program;
+  bool is_quick = false, lists = false;
+};
+
+/// One case at one difficulty.
+struct Task {
+  const Family* family;
+  const Case* of;
+  double difficulty;
+  bool is_twin;
+
+  std::string name() const {
+    return fmt::format("{} {:g}{}", of->name, difficulty, is_twin ? " (easy)" : "");
+  }
+};
+
+/// NAME=DIFFICULTY of the command line.
+struct Wish {
+  std::string name;
+  double difficulty;
+};
+
+Wish read_wish(const std::string& option, const std::string& text) {
+  const std::size_t at = text.find('=');
+  std::size_t read = 0;
+  try {
+    if (at != text.npos) {
+      const std::string number = text.substr(at + 1);
+      const double difficulty = std::stod(number, &read);
+      if (read == number.size() && std::isfinite(difficulty)) return {text.substr(0, at), difficulty};
+    }
+  } catch (const std::exception&) {
+  }
+  throw Error(ErrorKind::input, fmt::format("{}: found {}; accepted: NAME=NUMBER", option, text));
+}
+
+const Case& find_case(const std::vector<Family>& all, const std::string& option, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Family& family : all)
+    for (const Case& one : family.cases) {
+      if (one.name == name) return one;
+      names.push_back(one.name);
+    }
+  throw Error(ErrorKind::input,
+              fmt::format("{}: found {}; accepted: {}", option, name, fmt::join(names, ", ")));
+}
+
+std::vector<Task> tasks_of(const std::vector<Family>& all, const Arguments& arguments) {
+  std::vector<Task> tasks;
+  for (const std::string& text : arguments.cases) {
+    const Wish wish = read_wish("--case", text);
+    const Case& wanted = find_case(all, "--case", wish.name);
+    for (const Family& family : all)
+      for (const Case& one : family.cases)
+        if (&one == &wanted) tasks.push_back({&family, &one, wish.difficulty, false});
+  }
+  if (!tasks.empty()) return tasks;
+  for (const Family& family : all) {
+    const auto& wanted = arguments.families;
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), family.name) == wanted.end()) continue;
+    for (const Case& one : family.cases) {
+      tasks.push_back({&family, &one, one.easy, true});
+      for (const double difficulty : arguments.is_quick ? one.quick : one.whole)
+        tasks.push_back({&family, &one, difficulty, false});
+    }
+  }
+  return tasks;
+}
+
+std::vector<Row> rows_of(const Task& task, const Choice& choice) {
+  Judge judge(task.family->name, task.name(), task.is_twin, choice);
+  try {
+    task.of->judge(judge, task.difficulty);
+  } catch (const Error& error) {
+    judge.add(judge.ended(judge.row("-", "-", "the case itself"), error.what(), error.when()));
+  }
+  return judge.rows();
+}
+
+std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.1e}", x) : "ended"; }
+
+std::string text(const std::vector<Row>& rows, const std::vector<Family>& all) {
+  std::string out;
+  for (const Family& family : all) {
+    Table table({"case", "formulation", "method", "monitored", "value", "threshold", "verdict", "why"});
+    long count[3] = {};
+    bool has_rows = false;
+    for (const Row& row : rows) {
+      if (row.family != family.name) continue;
+      has_rows = true;
+      if (row.counts) ++count[static_cast<int>(row.verdict)];
+      table.add({row.name, row.formulation, row.method, row.quantity, number(row.value),
+                 number(row.threshold),
+                 row.counts ? name_of(row.verdict) : fmt::format("({})", name_of(row.verdict)), row.why});
+    }
+    if (!has_rows) continue;
+    out += fmt::format("{}: {}\n{}{} survive, {} announce themselves, {} fail\n\n", family.name, family.about,
+                       table.text(), count[0], count[1], count[2]);
+  }
+  return out;
+}
+
+const std::vector<std::string> columns{"family",    "case",    "formulation", "method",
+                                       "quantity",  "value",   "tolerance",   "amplification",
+                                       "threshold", "verdict", "why"};
+
+std::vector<std::string> fields(const Row& r) {
+  const auto known = [](double x) { return std::isfinite(x) ? results_number(x) : "none"; };
+  return {r.family,
+          r.name,
+          r.formulation,
+          r.method,
+          r.quantity,
+          known(r.value),
+          known(r.tolerance),
+          known(r.amplification),
+          known(r.threshold),
+          r.counts ? name_of(r.verdict) : fmt::format("({})", name_of(r.verdict)),
+          r.why};
+}
+
+std::string json(const std::vector<Row>& rows, bool passed) {
+  JsonWriter out;
+  out.begin_object().flag("passed", passed).begin_array("rows");
+  for (const Row& r : rows) {
+    out.begin_object()
+        .text("family", r.family)
+        .text("case", r.name)
+        .text("formulation", r.formulation)
+        .text("method", r.method)
+        .text("quantity", r.quantity);
+    if (std::isfinite(r.value))
+      out.number("value", r.value)
+          .number("tolerance", r.tolerance)
+          .number("amplification", r.amplification)
+          .number("threshold", r.threshold);
+    out.text("verdict", name_of(r.verdict)).flag("counts", r.counts).text("why", r.why).end_object();
+  }
+  return out.end_array().end_object().str();
+}
+
+int list(const std::vector<Family>& all) {
+  for (const Family& family : all) {
+    fmt::print("{}: {}\n", family.name, family.about);
+    for (const Case& one : family.cases)
+      fmt::print("  {:<24} {}; easy {:g}, quick {}, whole {}\n", one.name, one.difficulty, one.easy,
+                 fmt::join(one.quick, " "), fmt::join(one.whole, " "));
+    for (const MethodsOfFamily& methods : method_list())
+      if (methods.family == family.name)
+        fmt::print("  methods                  {}: {}\n", fmt::join(methods.whole, ", "), methods.why);
+  }
+  return exit_done;
+}
+
+int run(const Program& program, const Arguments& arguments) {
+  const std::vector<Family> all = families();
+  if (arguments.lists) return list(all);
+  if (!arguments.scene.empty()) {
+    const Wish wish = read_wish("--scene", arguments.scene);
+    const Case& one = find_case(all, "--scene", wish.name);
+    if (!one.scene)
+      throw Error(ErrorKind::input, fmt::format("--scene: {} is not a single scene", wish.name));
+    fmt::print("{}", scenes::write_scene(one.scene(wish.difficulty)));
+    return exit_done;
+  }
+  const std::vector<Task> tasks = tasks_of(all, arguments);
+  Choice choice{arguments.is_quick, arguments.formulations, arguments.program};
+  if (choice.program.empty())
+    choice.program = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "trivium").string();
+  Progress progress("hard_cases", tasks.size());
+  std::vector<std::vector<Row>> found(tasks.size());
+  in_parallel(
+      tasks.size(), [&](std::size_t k) { found[k] = rows_of(tasks[k], choice); }, [&] { progress.step(); });
+  std::vector<Row> rows;
+  for (const auto& some : found) rows.insert(rows.end(), some.begin(), some.end());
+  ResultsFile file("hard_cases", columns);
+  for (const Row& row : rows) file.add(fields(row));
+  program.write(file);
+  const bool passed = std::none_of(rows.begin(), rows.end(),
+                                   [](const Row& r) { return r.counts && r.verdict == Verdict::fails; });
+  fmt::print("{}", program.json() ? json(rows, passed) : text(rows, all));
+  return batch_exit(true, passed);
+}
+
+}  // namespace
+
+}  // namespace trivium::hard
+
+int main(int argc, char** argv) {
+  using namespace trivium;
+  Program program(
+      "Where does each formulation and method hold, and where does it say that it does not? Runs families of "
+      "hard cases; each survives, announces itself, or FAILS.",
+      "hard_cases", "");
+  hard::Arguments arguments;
+  std::vector<std::string> names;
+  for (const hard::Family& family : hard::families()) names.push_back(family.name);
+  ProgramOptions& options = program.options();
+  options.add_flag("--quick", &arguments.is_quick, "A few cases of every family, in less than two minutes");
+  options.add_option("--family", &arguments.families, "Only this family; may be repeated")
+      .may_repeat("FAMILY")
+      .one_of(names);
+  options.add_option("--formulation", &arguments.formulations, "Only this formulation; may be repeated")
+      .may_repeat("FORMULATION")
+      .one_of(formulation_names());
+  options.add_option("--case", &arguments.cases, "Only this case, at any difficulty; may be repeated")
+      .may_repeat("NAME=DIFFICULTY");
+  options.add_option("--scene", &arguments.scene, "Print the scene of a case, as NAME=DIFFICULTY, and end");
+  options.add_flag("--list", &arguments.lists, "List the cases and the methods of each family, and end");
+  options.add_option("--program", &arguments.program,
+                     "The program `trivium` of the family of faults (default: beside this program)");
+  return program.run(argc, argv, [&] { return hard::run(program, arguments); });
+}
