@@ -98,7 +98,7 @@ int ProgramOptions::run(int argc, char** argv, const std::function<int()>& progr
   } catch (const CLI::ParseError& error) {
     return run_and_flush([&]() -> int { return app_->exit(error) == 0 ? exit_done : exit_input_error; });
   }
-  return run_guarded(program);
+  return run_main([&] { return run_guarded(program); });
 }
 
 }  // namespace trivium

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <iterator>
+#include <new>
 #include <utility>
 
 namespace trivium {
@@ -27,7 +28,13 @@ std::optional<fs::path> file_to_write(fs::path path) {
 GrowingFile::GrowingFile(fs::path target) : target_(std::move(target)), temporary_(target_) {
   temporary_ += fmt::format(".incomplete-{}", getpid());
   errno = 0;
-  file_.open(temporary_, std::ios::binary);
+  try {
+    file_.open(temporary_, std::ios::binary);
+  } catch (const std::bad_alloc&) {  // of the buffer, after the file has been made
+    std::error_code ignored;
+    fs::remove(temporary_, ignored);
+    throw;
+  }
   note_failure();
 }
 

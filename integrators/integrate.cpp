@@ -28,6 +28,12 @@ std::string advice_for(const std::string& message, const S& step) {
   return "; the step may be too long, since its start could be evaluated: take smaller steps";
 }
 
+/// The message with a clause about a body, which ends with "; ", in front of its last clause, the advice.
+std::string with_body(std::string message, const std::string& clause) {
+  const std::size_t advice = message.rfind("; ");
+  return advice == std::string::npos ? message : message.insert(advice + 2, clause);
+}
+
 /// Calls `advance`, which moves (t, y) on. If it fails, the error gets the time of (t, y) unless it has one,
 /// and the cause if the system knows it; the cause stands first, since the row or body that a method finds at
 /// fault is often a neighbour. `step` is the length of the given step, or 0.
@@ -40,14 +46,16 @@ void with_cause(AnySystem<S>& system, const S& t, const StateVector<S>& y, const
     throw;
   } catch (const std::runtime_error& error) {
     const auto* known = dynamic_cast<const Error*>(&error);
-    const Place place{known ? known->where() : "",
-                      known && known->when() ? known->when() : static_cast<double>(t)};
-    std::string cause;
+    const bool has_time = known && known->when() && std::isfinite(*known->when());
+    const Place place{known ? known->where() : "", has_time ? known->when() : static_cast<double>(t)};
+    std::string cause, body;
     try {
       cause = system.diagnose(t, y, step);
+      if (cause.empty() && place.where.empty()) body = system.most_accelerated(t, y) + "; ";
     } catch (const std::runtime_error&) {  // not even that is known at this state
     }
-    if (cause.empty()) throw IntegrationError(error.what() + advice_for(error.what(), step), place);
+    if (cause.empty())
+      throw IntegrationError(with_body(error.what() + advice_for(error.what(), step), body), place);
     throw IntegrationError({{}, place.when},
                            cause + "; the method ended with: " + without_advice(error.what()));
   }
@@ -126,7 +134,7 @@ class Progress {
     if (!(t - since_ >= least_))
       throw IntegrationError({{}, static_cast<double>(t)},
                              fmt::format("the run does not get on: its last {} steps have moved it by {:.2e} "
-                                         "s; other tolerances or another method may succeed",
+                                         "s; try other tolerances or another method",
                                          judged_steps, static_cast<double>(S(t - since_))));
     steps_ = 0;
     since_ = t;
@@ -171,8 +179,8 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
       const S begin = t, given = grid.has_given_steps() ? S(target - t) : S(0);
       before = y;
       with_cause(system, begin, before, given, [&] {
-        checked_step(system, method, begin, before, t, y, target, grid.has_given_steps(), projects, project,
-                     report);
+        checked_step(system, method, begin, before, t, y, grid.latest_end(t, target), grid.has_given_steps(),
+                     projects, project, report);
       });
       const bool looks_back = due && due->t < t;
       bool goes_on = true;  // if it is false after an output within the step, the run ends at the step's end

@@ -43,6 +43,7 @@ typename System::Scalar first_step(System& system, const typename System::Scalar
     }
     return S(sqrt(sum / S(static_cast<double>(x.size()))));
   };
+  using std::isfinite;
   f(y, f0, t);
   const S d0 = norm(y), d1 = norm(f0);
   const S h0 = d0 < S(1e-5) || d1 < S(1e-5) ? S(1e-6) : S(d0 / d1 / 100);
@@ -50,7 +51,12 @@ typename System::Scalar first_step(System& system, const typename System::Scalar
   const S d2 = norm(StateVector<S>(f1 - f0)) / h0, d = d1 > d2 ? d1 : d2;
   const S h1 = d <= S(1e-15) ? S(h0 / 1000 > S(1e-6) ? h0 / 1000 : S(1e-6))
                              : S(pow(S(S(0.01) / d), S(1) / S(order + 1)));
-  return 100 * h0 < h1 ? S(100 * h0) : h1;
+  const S h = 100 * h0 < h1 ? S(100 * h0) : h1;
+  if (!(h > S(0) && isfinite(h)))
+    throw IntegrationError({{}, static_cast<double>(t)},
+                           "no first step is short enough for these accelerations; try other tolerances or "
+                           "another method");
+  return h;
 }
 
 /// Whether a step size is within the rounding of the times. A step of 4 epsilon contains only a few
@@ -131,8 +137,8 @@ void require_finite(const StateVector<S>& y, const S& t) {
 /// Ends the run at time t with the reason `why`, if one is known.
 [[noreturn]] inline void give_up(double t, const std::string& why) {
   throw IntegrationError({{}, t},
-                         fmt::format("the step size has become too small{}{}; other tolerances or another "
-                                     "method may succeed",
+                         fmt::format("the step size has become too small{}{}; try other tolerances or "
+                                     "another method",
                                      why.empty() ? "" : ": ", without_advice(why)));
 }
 

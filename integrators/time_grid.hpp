@@ -77,6 +77,22 @@ class TimeGrid {
     return grid;
   }
 
+  /// The same grid for a run whose chosen steps are at most this long [s]. Throws a UsageError if steps are
+  /// given, or if the length is not positive.
+  TimeGrid limited_to(double longest_step) const {
+    if (step_) throw UsageError("a longest step limits chosen steps; leave out the given step or the limit");
+    if (!(longest_step > 0))
+      throw UsageError(fmt::format("the longest step {} is not positive", longest_step));
+    TimeGrid grid = *this;
+    grid.longest_step_ = longest_step;
+    return grid;
+  }
+  /// `stop`, or an earlier time if a chosen step from t to `stop` would be too long.
+  template <class S>
+  S latest_end(const S& t, const S& stop) const {
+    return longest_step_ && t + S(*longest_step_) < stop ? S(t + S(*longest_step_)) : stop;
+  }
+
   /// Iterates over the stops: outputs, events, ends of given steps, and the end of the run.
   template <class S>
   class Walk {
@@ -169,7 +185,7 @@ class TimeGrid {
   }
 
   double start_, end_, output_step_, begin_ = start_;
-  std::optional<double> step_;
+  std::optional<double> step_, longest_step_;
   long outputs_ = 0;
   std::vector<double> events_;
 };

@@ -65,6 +65,15 @@ TEST(TimeGrid, OnTheWayTheSameTimesAreToCome) {
 }
 
 /// A run to 0.3 and a run that continues beyond take the same steps: 3 x 0.1 is not 0.3 in double.
+TEST(TimeGrid, ALongestStepIsAnEarlierEndOfChosenSteps) {
+  const TimeGrid grid = TimeGrid(0, 1).limited_to(0.25);
+  EXPECT_EQ(grid.latest_end(0.5, 1.0), 0.75);
+  EXPECT_EQ(grid.latest_end(0.75, 0.9), 0.9);
+  EXPECT_EQ(TimeGrid(0, 1).latest_end(0.5, 1.0), 1.0);
+  EXPECT_THROW(TimeGrid(0, 1).limited_to(0), UsageError);
+  EXPECT_THROW(TimeGrid(0, 1, {}, 0.5).limited_to(0.25), UsageError);
+}
+
 TEST(TimeGrid, GivenStepsDoNotDependOnTheEnd) {
   EXPECT_EQ(stops(TimeGrid(0, 0.3, {}, 0.1)).back().t, stops(TimeGrid(0, 1, {}, 0.1))[2].t);
 }

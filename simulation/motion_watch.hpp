@@ -117,6 +117,7 @@ class MotionWatch {
           {scalar_cast<double>(r.force), scalar_cast<double>(r.torque), scalar_cast<double>(r.point)});
     }
     sample.state = state_at(t, y);
+    require_finite(t, y, sample);
     require_branches(sample.state);
     if constexpr (is_beyond_double)
       sample.state_rest =
@@ -151,6 +152,18 @@ class MotionWatch {
  private:
   FirstOrderEquations<F>& first_order() { return equations_.first_order(); }
 
+  /// Throws an IntegrationError, with the effect that causes it, if accelerations or multipliers are not
+  /// finite.
+  void require_finite(const S& t, const StateVector& y, const MotionSample& sample) {
+    bool is_finite = sample.lambda.allFinite();
+    for (std::size_t b = 0; b < sample.r_ddot.size(); ++b)
+      is_finite = is_finite && sample.r_ddot[b].allFinite() && sample.omega_bar_dot[b].allFinite();
+    if (is_finite) return;
+    const std::string cause = first_order().excessive_load(t, y);
+    throw integrators::IntegrationError(
+        Place{"", static_cast<double>(t)},
+        cause.empty() ? "accelerations or multipliers are not finite; take smaller steps" : cause);
+  }
   /// Long steps can lead to another branch, where the rows of a joint hold too, such as half a turn beside a
   /// driven angle. Throws an IntegrationError that names the joint; not if the motion began on such a branch.
   void require_branches(const MechanismState<double>& state) {

@@ -19,10 +19,11 @@ struct SimulationOptions {
   std::string formulation = "r-omega", integrator = "dopri5";
   /// A method provided by the caller, instead of the one named by `integrator`; in double only.
   std::optional<integrators::MethodEntry<double>> own_method = {};
-  double end = 10;                     ///< end time [s]
-  std::optional<double> step;          ///< constant step size [s]; none: the method controls its step size
-  std::optional<double> output_step;   ///< time between outputs [s]; none: outputs at start and end
-  integrators::Tolerances tolerances;  ///< of chosen steps; not used with `step`
+  double end = 10;                      ///< end time [s]
+  std::optional<double> step;           ///< constant step size [s]; none: the method controls its step size
+  std::optional<double> max_step = {};  ///< longest chosen step [s]; a UsageError with `step`
+  std::optional<double> output_step;    ///< time between outputs [s]; none: outputs at start and end
+  integrators::Tolerances tolerances;   ///< of chosen steps; not used with `step`
   integrators::MethodParameters parameters;
   /// Whether states are projected onto the constraints after every step. False is a UsageError with methods
   /// that satisfy Phi = 0 by their own equations (MethodInfo::meets_constraints): they have no projection to

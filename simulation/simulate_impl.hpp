@@ -43,6 +43,7 @@ class Simulation {
     const double begin = static_cast<double>(start_);
     TimeGrid grid(from ? from->start : begin, options_.end, options_.output_step, options_.step,
                   equations_.first_order().mechanism().kinks());
+    if (options_.max_step) grid = grid.limited_to(*options_.max_step);
     if (from) grid = grid.from(begin);
     SystemAdapter<ConstrainedEquations<F>> system(equations_);
     MotionWatch<F> watch(equations_, *method_, options_, observer_, report_, start_, step_errors(system));

@@ -210,6 +210,7 @@ TEST(FrontDoor, SettingsThatCannotBeAreErrorsThatNameThem) {
   for (const SimulateSettings& settings :
        {SimulateSettings{.rtol = -1}, SimulateSettings{.atol = nan}, SimulateSettings{.end = infinity},
         SimulateSettings{.end = -1}, SimulateSettings{.step = 0}, SimulateSettings{.output_step = -1},
+        SimulateSettings{.max_step = 0}, SimulateSettings{.step = 0.1, .max_step = 0.1},
         SimulateSettings{.baumgarte = {{nan, 1}}}, SimulateSettings{.baumgarte = {{-1, 1}}},
         SimulateSettings{.projects = false, .baumgarte = {{1, 1}}}}) {
     EXPECT_EQ(error_of([&] { simulate(scene, settings); }).kind(), ErrorKind::input);

@@ -10,8 +10,8 @@
 
 #include "integrators/methods.hpp"
 #include "scenes/make_mechanism.hpp"
-#include "trivium/choices.hpp"
 #include "simulation/motion_warnings.hpp"
+#include "trivium/choices.hpp"
 #include "trivium/plain.hpp"
 #include "trivium/run_end.hpp"
 #include "trivium/scene_contents.hpp"
@@ -35,6 +35,7 @@ void check_settings(const SimulateSettings& s) {
   positive("rtol", s.rtol);
   positive("atol", s.atol);
   if (s.step) positive("step", *s.step);
+  if (s.max_step) positive("max_step", *s.max_step);
   if (s.output_step) positive("output_step", *s.output_step);
   if (!s.baumgarte) return;
   for (const double x : *s.baumgarte)
@@ -56,6 +57,7 @@ SimulationOptions simulation_options(const SimulateSettings& s) {
   o.integrator = s.integrator;
   o.end = s.end;
   o.step = s.step;
+  o.max_step = s.max_step;
   o.output_step = s.output_step;
   o.tolerances = {s.rtol, s.atol};
   o.parameters.order = s.order;

@@ -20,6 +20,8 @@ struct SimulateSettings {
   std::string integrator = "dopri5";    ///< one of integrators::method_names()
   double end = 10;                      ///< end time [s]; the start is the time of the scene
   std::optional<double> step = {};      ///< constant step size [s]; none: the method controls its step size
+  /// Longest chosen step [s], so that a short pulse between two states is not missed; not with `step`.
+  std::optional<double> max_step = {};
   std::optional<double> output_step = {};  ///< time between outputs [s]; none: outputs at start and end
   /// Relative tolerance of chosen steps [-]. The error of a step in a number x of the state vector
   /// (positions, rotational coordinates and velocities of the formulation, in SI units) is measured in units

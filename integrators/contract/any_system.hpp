@@ -40,6 +40,7 @@ class AnySystem {
   virtual void normalise(StateVector<S>& y) = 0;
   virtual bool accept_state(const S& t, StateVector<S>& y) = 0;
   virtual bool pass_discontinuity(const S& before, const S& t, StateVector<S>& y) = 0;
+  virtual std::string most_accelerated(const S& t, const StateVector<S>& y) = 0;
   virtual std::string diagnose(const S& t, const StateVector<S>& y, const S& step) = 0;
 
   // HasDisplacements
@@ -129,6 +130,9 @@ class SystemAdapter final : public AnySystem<typename System::Scalar> {
   bool accept_state(const S& t, StateVector<S>& y) override { return system_.accept_state(t, y); }
   bool pass_discontinuity(const S& before, const S& t, StateVector<S>& y) override {
     return system_.pass_discontinuity(before, t, y);
+  }
+  std::string most_accelerated(const S& t, const StateVector<S>& y) override {
+    return system_.most_accelerated(t, y);
   }
   std::string diagnose(const S& t, const StateVector<S>& y, const S& step) override {
     return system_.diagnose(t, y, step);

@@ -64,6 +64,7 @@ void raise(Violation<S>& largest, const Violation<S>& next) {
 ///                        invalid
 ///   pass_discontinuity   from (before, t, y): moves y over a time t at which the model may jump; `before` is
 ///                        the time just before t. Returns whether y jumped
+///   most_accelerated     a clause for messages: which body has the largest acceleration at (t, y)
 ///   diagnose             from (t, y, h): a property of the model that may have made a step of length h from
 ///                        (t, y) fail, as a text; empty if there is none. h = 0 if the step chose its length
 template <class System>
@@ -84,6 +85,7 @@ concept FirstOrderSystem = requires(System& system, const typename System::Scala
   { system.accept_state(t, changed) } -> std::same_as<bool>;
   { system.pass_discontinuity(t, t, changed) } -> std::same_as<bool>;
   { system.diagnose(t, y, t) } -> std::convertible_to<std::string>;
+  { system.most_accelerated(t, y) } -> std::convertible_to<std::string>;
 };
 
 }  // namespace trivium::integrators

@@ -46,6 +46,7 @@ class SphericalPendulum {
   bool accept_state(const S&, Y&) const { return false; }
   bool pass_discontinuity(const S&, const S&, Y&) const { return false; }
   std::string diagnose(const S&, const Y&, const S&) const { return {}; }
+  std::string most_accelerated(const S&, const Y&) const { return {}; }
 
   // displacements: they are added to the positions
   int position_size() const { return 3; }

@@ -11,8 +11,10 @@
 /// of the tolerances; v'' is a difference of v' over states at -d, d from the present one. The thirtieth is
 /// chosen by experiment, so that the velocities too have errors of the size of the tolerances. v'' alone
 /// would vanish where a body turns back: the cubes of |v| / l and of (|v'| / l)^1/2, rates of the motion,
-/// count in the same way, with the sizes l of the positions (position_sizes). d and l stay the same until the
-/// next restart, so that Q depends on the state alone.
+/// count in the same way, with the sizes l of the positions (position_sizes). So does the error of a rotation
+/// by theta = h v that v'' does not contain: the part of T(theta)^-1 M theta (rattle.hpp) that is even in h,
+/// theta x (theta x M theta) / 12, turns a body with a small moment of inertia by M^-1 times it. d and l stay
+/// the same until the next restart, so that Q depends on the state alone.
 ///
 /// A step that ends at a stop of the run (an event, the end) is shorter than the rule says, and so is a step
 /// after one that could not be solved. Outputs do not limit steps: the state at an output within a step is
@@ -183,8 +185,29 @@ class ReversibleSteps {
       return in_tolerances<S>(tolerances_, sizes_, none_, none_, q, none_);
     };
     const S l = size(sizes_), by_v = size(v_) / l, by_a = size(v_dot_) / l, by_jerk = size(v_ddot_);
-    const S error = S(5) * sqrt(by_jerk * by_jerk + l * l * (pow(by_v, S(6)) + by_a * by_a * by_a));
+    const S by_turn = 6 * size(even_part(system, t, y));
+    const S error =
+        S(5) * sqrt(by_jerk * by_jerk + by_turn * by_turn + l * l * (pow(by_v, S(6)) + by_a * by_a * by_a));
     return pow(S(error + 1 / (longest_ * longest_ * longest_)), S(-1) / 3);
+  }
+  /// The motion per s^3 that the even part of T(theta)^-1 M theta causes, see above.
+  const StateVector<S>& even_part(System& system, const S& t, const StateVector<S>& y) {
+    system.evaluate(t, y, at_);
+    // rotations of a tenth of a radian: higher powers are small, and rounding is too
+    const S fastest = v_.cwiseAbs().maxCoeff(), s = S(0.1) / std::max(fastest, S(1e-30));
+    theta_ = s * v_;
+    system.inertia_force(at_, theta_, momentum_);
+    system.displacement_rate(theta_, momentum_, even_);
+    theta_ = -theta_;
+    system.displacement_rate(theta_, momentum_, back_);
+    even_ = (even_ / 2 + back_ / 2 - momentum_) / (s * s * s);
+    system.factor(at_, {}, factors_);
+    system.reduce(factors_, even_, reduced_);
+    no_rows_.setZero(system.multipliers());
+    turn_.setZero(v_.size());
+    lambda_.setZero(system.multipliers());
+    system.solve(factors_, at_, reduced_, no_rows_, turn_, lambda_);
+    return turn_;
   }
   void count() {
     counters_ = method_.counters();
@@ -208,6 +231,9 @@ class ReversibleSteps {
   std::array<StateVector<S>, 2> v_dot_at_, rate_at_;
   StateVector<S> lambda_between_;
   StateVector<S> v_, v_dot_, v_ddot_, near_, sizes_, none_, lambda_;
+  typename System::Evaluation at_;
+  typename System::Factors factors_;
+  StateVector<S> theta_, momentum_, even_, back_, reduced_, no_rows_, turn_;  ///< of even_part
   long right_sides_ = 0, rejected_ = 0, not_kept_ = 0;
   Counters counters_;
 };

@@ -35,6 +35,7 @@ struct Free {
   bool accept_state(double, StateVector<double>&) { return settled++ == changes_at; }
   bool pass_discontinuity(double, double, StateVector<double>&) { return false; }
   std::string diagnose(double, const StateVector<double>&, double) { return {}; }
+  std::string most_accelerated(double, const StateVector<double>&) { return {}; }
 };
 
 /// A particle (x, y, x', y') on the unit circle at constant speed: Phi = (x^2 + y^2 - 1) / 2.

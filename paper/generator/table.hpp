@@ -37,7 +37,8 @@ using MakeTable = std::string(Results&, Numbers&);
 MakeTable lambda_invariance_table, motion_invariance_table, precision_ladder_table, simbody_reference_table,
     instruction_counts_table, acceleration_cost_table, cost_of_chains_figure, cost_of_ladders_figure,
     convergence_order_table, analytic_solutions_table, formulation_speed_table, work_precision_table,
-    slopes_of_positions_figure, slopes_of_lambda_figure, work_on_two_bars_figure, work_on_the_governor_figure;
+    hard_cases_table, gimbal_lock_figure, slopes_of_positions_figure, slopes_of_lambda_figure,
+    work_on_two_bars_figure, work_on_the_governor_figure;
 
 struct PaperTable {
   const char* name;
@@ -55,6 +56,8 @@ inline constexpr PaperTable paper_tables[] = {{"lambda_invariance", lambda_invar
                                               {"analytic_solutions", analytic_solutions_table},
                                               {"formulation_speed", formulation_speed_table},
                                               {"work_precision", work_precision_table},
+                                              {"hard_cases", hard_cases_table},
+                                              {"gimbal_lock", gimbal_lock_figure},
                                               {"slopes_of_positions", slopes_of_positions_figure},
                                               {"slopes_of_lambda", slopes_of_lambda_figure},
                                               {"work_on_two_bars", work_on_two_bars_figure},

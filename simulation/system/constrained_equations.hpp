@@ -98,6 +98,9 @@ class ConstrainedEquations {
   bool pass_discontinuity(const S& before, const S& t, StateVector& y) {
     return first_order_.pass_discontinuity(before, t, y);
   }
+  std::string most_accelerated(const S& t, const StateVector& y) {
+    return first_order_.most_accelerated(t, y);
+  }
   std::string diagnose(const S& t, const StateVector& y, const S& step) {
     return first_order_.diagnose(t, y, step);
   }

@@ -26,6 +26,7 @@
 #include "simulation/system/discontinuities.hpp"
 #include "simulation/system/driver_grip.hpp"
 #include "simulation/system/energy_account.hpp"
+#include "simulation/system/excessive_load.hpp"
 #include "simulation/system/motion_log.hpp"
 #include "simulation/system/saved_numbers.hpp"
 #include "simulation/system/state_layout.hpp"
@@ -243,10 +244,11 @@ class FirstOrderEquations {
     return twice / 2;
   }
 
-  /// A message if a singular chart, a driver, a singular position or contradicting drivers near (t, y) may
-  /// have made a step from there fail; empty if not.
+  /// A message if a load, a singular chart, a driver, a singular position or contradicting drivers near (t,
+  /// y) may have made a step from there fail; empty if not.
   std::string diagnose(const S& t, const StateVector& y, const S& step) {
-    std::string message = near_singular_chart(t, y);
+    std::string message = excessive_load(t, y);
+    if (message.empty()) message = near_singular_chart(t, y);
     if constexpr (std::is_same_v<S, double>) {
       constexpr int most_unknowns = 600;  // the dense analysis of more would take seconds
       if (6 * nb() + mechanism_.nc() > most_unknowns) return message;
@@ -255,6 +257,38 @@ class FirstOrderEquations {
       if (message.empty()) message = trouble_of_rows(mechanism_, account_.drivers(), start_state_, now);
     }
     return message;
+  }
+  /// A message about an effect whose load is not finite, or above 1e100, the largest number of a scene; empty
+  /// if there is none.
+  std::string excessive_load(const S& t, const StateVector& y) {
+    load(y);
+    projection_.move(state_, t);
+    take_motion();
+    const std::string effect = trivium::excessive_load(mechanism_.effects, view(t), S(1e100));
+    return effect.empty() ? effect
+                          : fmt::format(
+                                "the load of {} is not finite there or exceeds 1e100 N or N m; give it "
+                                "smaller numbers or another function of time",
+                                effect);
+  }
+  /// The body with the largest acceleration at (t, y) or a moment later, as a clause for messages.
+  std::string most_accelerated(const S& t, const StateVector& y) {
+    using std::abs;
+    std::string clause;
+    S largest(-1);
+    // a load that changes within any step may vanish at t
+    for (const S& at : {t, S(t + S(1e-12) * std::max(S(1), S(abs(t))))}) {
+      solve(at, y);
+      for (int b = 0; b < nb(); ++b) {
+        const S r_ddot = solver_.r_ddot(b).norm(), omega_bar_dot = solver_.omega_bar_dot(b).norm();
+        if (!(r_ddot + omega_bar_dot > largest)) continue;
+        largest = r_ddot + omega_bar_dot;
+        clause = fmt::format("body \"{}\" accelerates most there, by {:.1e} m/s^2 and {:.1e} rad/s^2",
+                             mechanism_.body_names[b], static_cast<double>(r_ddot),
+                             static_cast<double>(omega_bar_dot));
+      }
+    }
+    return clause;
   }
   /// A message about a body near the singularity of its chart; empty if there is none.
   std::string near_singular_chart(const S& t, const StateVector& y) {

@@ -3,10 +3,11 @@
 ///
 ///     residual = Q - force - Phi_q^T lambda,   where `force` stands for M v'
 ///
-/// This file decides which part of a residual is rounding. Three sources of rounding are not visible in the
+/// This file decides which part of a residual is rounding. Four sources of rounding are not visible in the
 /// resulting forces on a body: stiff springs whose forces cancel, constraint forces that cancel, as on a body
-/// that several pins hold against a torque, and moment arms that are differences of positions far from the
-/// origin. Their rounding is subtracted from the residual.
+/// that several pins hold against a torque, moment arms that are differences of positions far from the
+/// origin, and terms of the size |J| |omega|^2 that cancel, as on a wheel that turns steadily without a load.
+/// Their rounding is subtracted from the residual.
 
 #include <algorithm>
 #include <limits>
@@ -64,7 +65,9 @@ class ForceBalance {
       all_left += left_r.squaredNorm() + left_x.squaredNorm();
       // the forces of springs may cancel; their rounding is then not small relative to the sum
       size.force_left = std::max(size.force_left, S(left_r.norm() - u * of_springs(b).force));
-      size.moment_left = std::max(size.moment_left, S(norm(left_x) - u * of_springs(b).moment));
+      // 8: products of four factors, as in r-p, round several times
+      const S turning = 8 * mechanism_.bodies[b].inertia.norm() * body.omega_bar.squaredNorm();
+      size.moment_left = std::max(size.moment_left, S(norm(left_x) - u * (of_springs(b).moment + turning)));
     }
     if (!(all_left <= std::numeric_limits<S>::max())) return std::numeric_limits<S>::max();
     // 1000: constraint forces that are hardly larger than the sums have no more rounding than these

@@ -20,11 +20,11 @@
 #include "simulation/motion_against.hpp"
 #include "simulation/motion_comparison.hpp"
 #include "simulation/motion_csv.hpp"
+#include "simulation/motion_warnings.hpp"
 #include "trivium/command/against_report.hpp"
 #include "trivium/command/commands.hpp"
 #include "trivium/command/compare_report.hpp"
 #include "trivium/command/run_arguments.hpp"
-#include "simulation/motion_warnings.hpp"
 #include "trivium/simulation_options.hpp"
 #include "trivium/state_check.hpp"
 

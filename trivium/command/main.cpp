@@ -32,19 +32,21 @@ std::string misuse(const std::vector<Command>& commands, int argc, char** argv) 
 
 int main(int argc, char** argv) {
   using namespace trivium;
-  ProgramOptions program(
-      "Constrained rigid-multibody dynamics in three formulations on one constraint library", "trivium");
-  program.describe_help("Print this help and exit");
-  const std::vector<Command> commands{add_solve_command(program),   add_simulate_command(program),
-                                      add_compare_command(program), add_check_command(program),
-                                      add_list_command(program),    add_generate_command(program)};
-  if (const std::string message = misuse(commands, argc, argv); !message.empty()) {
-    complain(message);
-    return exit_input_error;
-  }
-  return program.run(argc, argv, [&] {
-    for (const Command& command : commands)
-      if (command.options.is_chosen()) return command.run();
-    return static_cast<int>(exit_input_error);
+  return run_main([&]() -> int {
+    ProgramOptions program(
+        "Constrained rigid-multibody dynamics in three formulations on one constraint library", "trivium");
+    program.describe_help("Print this help and exit");
+    const std::vector<Command> commands{add_solve_command(program),   add_simulate_command(program),
+                                        add_compare_command(program), add_check_command(program),
+                                        add_list_command(program),    add_generate_command(program)};
+    if (const std::string message = misuse(commands, argc, argv); !message.empty()) {
+      complain(message);
+      return exit_input_error;
+    }
+    return program.run(argc, argv, [&] {
+      for (const Command& command : commands)
+        if (command.options.is_chosen()) return command.run();
+      return static_cast<int>(exit_input_error);
+    });
   });
 }

@@ -37,6 +37,11 @@ void add_run_options(ProgramOptions& options, RunArguments& arguments, const std
       .excludes(step)
       .show_default();
   options
+      .add_option("--max-step", &run.max_step,
+                  "Longest step [s] with tolerances, so that no short pulse is missed")
+      .check(positive_number())
+      .excludes(step);
+  options
       .add_option("--output-step", &run.output_step,
                   fmt::format("Time between outputs [s] (default: {})", outputs))
       .check(positive_number());

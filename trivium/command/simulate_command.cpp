@@ -4,19 +4,20 @@
 
 #include <cstdio>
 #include <memory>
+#include <new>
 #include <stdexcept>
 
 #include "base/exit_code.hpp"
 #include "base/standard_output.hpp"
 #include "formulations/formulation_list.hpp"
 #include "scenes/format/scene_file.hpp"
+#include "simulation/motion_warnings.hpp"
 #include "simulation/simulate.hpp"
 #include "trivium/command/commands.hpp"
 #include "trivium/command/interrupt.hpp"
 #include "trivium/command/motion_output.hpp"
 #include "trivium/command/motion_report.hpp"
 #include "trivium/command/run_arguments.hpp"
-#include "simulation/motion_warnings.hpp"
 #include "trivium/run_end.hpp"
 #include "trivium/state_check.hpp"
 
@@ -87,6 +88,10 @@ int run_simulate(const SimulateArguments& arguments) {
     fmt::print(stderr, "interrupted at t = {}\n", report.reached);
     output.say_what_is_kept();
     return exit_interrupted;
+  } catch (const std::bad_alloc&) {
+    std::fputs(memory_is_full, stderr);
+    if (output.keep()) output.say_what_is_kept();
+    return exit_solver_failed;
   } catch (const std::runtime_error& error) {
     complain(name_source(arguments.scene, error.what()));
     const auto* known = dynamic_cast<const Error*>(&error);

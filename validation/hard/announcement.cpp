@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
+#include <cctype>
 
 namespace trivium::hard {
 
@@ -13,10 +13,13 @@ constexpr std::array advising{"take",  "leave", "choose", "add",   "give",    "m
                               "lower", "raise", "set",    "check", "correct", "try",  "switch", "move",
                               "solve", "start", "end",    "see",   "allow",   "hold", "change", "connect"};
 
-bool advises(std::string_view message) {
+bool advises(std::string message) {
+  std::transform(message.begin(), message.end(), message.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
   for (const char* verb : advising)
-    for (const char* before : {"; ", ": ", ", ", "or ", "and "})
-      if (const std::string advice = std::string(before) + verb + " "; message.find(advice) != message.npos)
+    for (const char* before : {"; ", ": ", ", ", ". ", "or ", "and "})
+      if (const std::string advice = std::string(before) + verb + " ";
+          message.find(advice) != std::string::npos)
         return true;
   return false;
 }

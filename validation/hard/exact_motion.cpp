@@ -18,9 +18,15 @@ constexpr double reference_tolerance = 1e-13, neighbour_tolerance = 1e-12;
 
 /// The states of a run after its start.
 template <class Scalar>
-std::vector<MechanismState<double>> states_of(const Model<Scalar>& model, const SimulationOptions& options) {
+std::vector<MechanismState<double>> states_of(const Model<Scalar>& model, const SimulationOptions& options,
+                                              std::string* trouble = nullptr) {
   Samples samples;
-  simulate(model, options, samples);
+  try {
+    simulate(model, options, samples);
+  } catch (const Error& error) {
+    if (!trouble) throw;
+    *trouble = error.what();
+  }
   std::vector<MechanismState<double>> states;
   for (std::size_t k = 1; k < samples.all.size(); ++k) states.push_back(samples.all[k].state);
   return states;
@@ -28,41 +34,48 @@ std::vector<MechanismState<double>> states_of(const Model<Scalar>& model, const 
 
 }  // namespace
 
-ExactMotion::ExactMotion(const scenes::Scene& scene, double end, int outputs, Monitor monitor,
-                         const ExactState& exact, ReferenceRun reference)
-    : end_(end), output_step_(end / outputs), monitor_(monitor), reference_(reference) {
-  const auto model = make_model<double>(scene);
-  if (exact) {
+ExactMotion::ExactMotion(const HardMotion& motion, int outputs)
+    : motion_(motion), output_step_((motion.end - motion.start) / outputs) {
+  const auto model = make_model<double>(motion.scene, motion.start);
+  if (motion.exact) {
     for (int k = 1; k <= outputs; ++k) {
       MechanismState<double> state = model.state;
-      state.t = k * output_step_;
-      exact(state);
+      state.t = motion.start + k * output_step_;
+      motion.exact(state);
       states_.push_back(state);
     }
-  } else if (reference == ReferenceRun::in_quad) {
-    states_ = states_of(make_model<Quad>(scene), options(1e-16));
+  } else if (motion.reference == ReferenceRun::in_quad) {
+    states_ = states_of(make_model<Quad>(motion.scene, Quad(motion.start)), options(1e-16), &trouble_);
   } else {
-    states_ = states_of(model, options(reference_tolerance));
+    states_ = states_of(model, options(reference_tolerance), &trouble_);
   }
-  if (const double length = extent_of(model.mechanism, model.state).length; length > 0) length_ = length;
-  double speed = 0, rate = 0;
+  length_ = motion.length;
+  if (!(length_ > 0)) {
+    length_ = extent_of(model.mechanism, model.state).length;
+    for (const auto& state : states_) raise(length_, extent_of(model.mechanism, state).length);
+  }
+  if (!(length_ > 0)) length_ = 1;
   for (const auto& state : states_)
     for (const Twist<double>& twist : state.twist) {
-      raise(speed, twist.r_dot.norm());
-      raise(rate, twist.omega_bar.norm());
+      raise(speed_, twist.r_dot.norm());
+      raise(rate_, twist.omega_bar.norm());
     }
   // a mechanism at rest: its length within the run
-  speed_ = speed > 0 ? speed : length_ / end;
-  rate_ = rate > 0 ? rate : 1 / end;
-  measure_amplification(model);
+  if (!(speed_ > 0)) speed_ = length_ / (motion.end - motion.start);
+  if (!(rate_ > 0)) rate_ = speed_ / length_;
+  if (trouble_.empty())
+    measure_amplification(model);
+  else
+    states_.clear();
 }
 
 SimulationOptions ExactMotion::options(double rtol) const {
   SimulationOptions options;
-  options.integrator = reference_ == ReferenceRun::stiff ? "radau9" : "rkf78";
-  options.end = end_;
+  options.integrator = motion_.reference == ReferenceRun::stiff ? "radau9" : "rkf78";
+  options.end = motion_.end;
   options.output_step = output_step_;
-  options.tolerances = {rtol, rtol / 100};
+  options.tolerances = {rtol, rtol / 100 * (motion_.length > 0 ? motion_.length : 1)};
+  options.max_step = motion_.max_step;
   return options;
 }
 
@@ -70,7 +83,7 @@ double ExactMotion::difference(const MechanismState<double>& a, const MechanismS
   double largest = 0;
   for (std::size_t n = 0; n < a.pose.size(); ++n) {
     raise(largest, (a.pose[n].r - b.pose[n].r).norm() / length_);
-    if (monitor_ == Monitor::positions) continue;
+    if (motion_.monitor == Monitor::positions) continue;
     raise(largest, turn_between(a.pose[n].p, b.pose[n].p));
     raise(largest, (a.twist[n].r_dot - b.twist[n].r_dot).norm() / speed_);
     raise(largest, (a.twist[n].omega_bar - b.twist[n].omega_bar).norm() / rate_);
@@ -84,18 +97,28 @@ double ExactMotion::difference(const MechanismState<double>& state, std::size_t 
 
 void ExactMotion::measure_amplification(const Model<double>& model) {
   amplification_.assign(states_.size(), 1);
-  // neighbours are compared with a run of their own kind, so that its errors cancel
-  const std::vector<MechanismState<double>> itself = states_of(model, options(neighbour_tolerance));
-  for (int seed = 1; seed <= neighbours; ++seed) {
-    const NeighbouringStart start = neighbouring_start(model, neighbour_tolerance, seed, 1e4);
-    if (!(start.distance > 0)) return;  // the constraints leave no neighbour
-    Model<double> near = model;
-    near.state = start.state;
-    const std::vector<MechanismState<double>> states = states_of(near, options(neighbour_tolerance));
-    double largest = 1;
-    for (std::size_t k = 0; k < states_.size(); ++k) {
-      raise(largest, difference(itself[k], states[k]) / start.distance);
-      raise(amplification_[k], largest);
+  // steps err all along the motion: neighbours start at its start and at three later states
+  constexpr std::size_t starts = 4;
+  for (std::size_t part = 0; part < starts; ++part) {
+    const std::size_t first = part * states_.size() / starts;
+    Model<double> from = model;
+    if (first > 0) from.state = states_[first - 1];
+    // neighbours are compared with a run of their own kind, so that its errors cancel
+    const std::vector<MechanismState<double>> itself = states_of(from, options(neighbour_tolerance));
+    for (int seed = 1; seed <= neighbours; ++seed) {
+      const NeighbouringStart start = neighbouring_start(from, neighbour_tolerance, seed, 1e4);
+      if (!(start.distance > 0)) return;  // the constraints leave no neighbour
+      Model<double> near = from;
+      near.state = start.state;
+      // its distance is relative to the whole mechanism
+      const double whole = extent_of(from.mechanism, from.state).length,
+                   apart = start.distance * std::max(1.0, whole / length_);
+      const std::vector<MechanismState<double>> states = states_of(near, options(neighbour_tolerance));
+      double largest = 1;
+      for (std::size_t k = 0; k < states.size(); ++k) {
+        raise(largest, difference(itself[k], states[k]) / apart);
+        raise(amplification_[first + k], largest);
+      }
     }
   }
 }

@@ -1,127 +1,72 @@
 /// Faults: forces that overflow, steps that underflow, memory and disks that are full, signals. The program
-/// `trivium` runs as a child process. Its exit code and its message must say what happened, and what was
+/// `trivium` runs as a child process: its exit code and its messages must say what happened, and what was
 /// computed must be on disk and valid.
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <limits>
 #include <map>
 #include <random>
+#include <regex>
 
-#include "base/csv.hpp"
 #include "base/exit_code.hpp"
 #include "integrators/methods.hpp"
 #include "scenes/building.hpp"
-#include "validation/hard/announcement.hpp"
+#include "simulation/simulate.hpp"
+#include "validation/hard/child_run.hpp"
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
-#include "validation/hard/process.hpp"
 
 namespace trivium::hard {
 
 namespace {
 
 using building::body, building::gravity, building::joint, building::side;
-using scenes::Scene, scenes::Vector3, scenes::ground;
+using scenes::ground, scenes::Scene, scenes::Vector3;
 
-/// The number after the last `phrase`; NaN if there is none.
-double number_after(const std::string& text, std::string_view phrase) {
-  double number = std::numeric_limits<double>::quiet_NaN();
-  if (const std::size_t at = text.rfind(phrase); at != text.npos)
-    std::from_chars(text.data() + at + phrase.size(), text.data() + text.size(), number);
-  return number;
+using Options = std::vector<std::string>;
+
+Options operator+(Options all, const Options& more) {
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
 }
 
-/// The numbers of the last line of a motion, or what is wrong with the file.
-struct Motion {
-  std::vector<double> last;
-  std::string wrong;
-
-  explicit Motion(const Run& run) {
-    if (!run.motion) {
-      wrong = "there is no CSV file";
-      return;
-    }
-    try {
-      const auto lines = parse_csv(*run.motion);
-      if (lines.empty()) wrong = "the CSV file is empty";
-      for (std::size_t k = 1; k < lines.size() && wrong.empty(); ++k) {
-        const double before = last.empty() ? -1 : last[0];
-        last.clear();
-        for (const std::string& field : lines[k]) {
-          double number = std::numeric_limits<double>::quiet_NaN();
-          const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), number);
-          if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(number))
-            wrong = fmt::format("line {} of the CSV file has the number {}", k + 1, field);
-          last.push_back(number);
-        }
-        if (last.size() != lines[0].size() || !(last[0] > before))
-          wrong = fmt::format("line {} of the CSV file is no later state", k + 1);
-      }
-    } catch (const Error& error) {
-      wrong = error.what();
-    }
-  }
-};
-
-/// What is wrong with a run that nothing may harm; empty if nothing.
-std::string harm_of(const Run& run, double end) {
-  const Motion motion(run);
-  if (run.ended.exit_code != exit_done) return "ended with " + run.ended.text() + ": " + run.ended.err;
-  if (!run.ended.err.empty()) return "warned: " + run.ended.err;
-  if (!motion.wrong.empty()) return motion.wrong;
-  if (motion.last.empty() || motion.last[0] != end) return "the CSV file does not reach the end";
-  return run.ended.out.empty() ? "there is no report" : "";
+/// A row about the end of a run. Its value will be the number of runs with something wrong.
+Row row_of(const Judge& judge, const std::string& formulation, const std::string& method) {
+  return judge.row(formulation, method, "exit code and files [wrong runs]");
+}
+Row row_of(const Judge& judge, const std::string& what) {
+  return row_of(judge, judge.formulations().front(), "dopri5, " + what);
 }
 
-/// What is wrong with a run that an error of the motion ended.
-std::string missing_in_failure(const Run& run) {
-  if (run.ended.exit_code != exit_solver_failed) return "ended with " + run.ended.text();
-  const std::string message = run.ended.err.substr(0, run.ended.err.find('\n'));
-  if (!message.starts_with("error: ")) return "no error message";
-  if (const std::string missing = missing_in_announcement(message, {}); !missing.empty()) return missing;
-  if (!std::isfinite(number_after(message, "t = "))) return "the time is no number";
-  const Motion motion(run);
-  if (!motion.wrong.empty()) return motion.wrong;
-  if (motion.last.empty()) return "the CSV file is empty";
-  return motion.last[0] == number_after(run.ended.err, "holds the motion until t = ")
-             ? ""
-             : "the CSV file does not end where the message says";
-}
-
-/// The row of a case that violates nothing or something, as `wrong` says.
-Row settled(Row row, const std::string& wrong, const std::string& why) {
-  row.value = wrong.empty() ? 0 : 1;
+/// Adds the row of runs of which `wrong` holds what is wrong with each; empty texts do not count.
+void settle(Judge& judge, Row row, std::vector<std::string> wrong, const std::string& why) {
+  std::erase(wrong, "");
+  row.value = static_cast<double>(wrong.size());
   row.threshold = 0.5;
-  row.verdict = !wrong.empty() ? Verdict::fails : row.is_twin ? Verdict::survives : Verdict::announces;
-  row.why = wrong.empty() ? why : wrong + (why.empty() ? "" : "; ") + why;
+  row.verdict = !row.is_met() ? Verdict::fails : row.is_twin ? Verdict::survives : Verdict::announces;
+  row.why = (wrong.empty() ? "" : wrong.front() + (why.empty() ? "" : "; ")) + why;
+  row.why = std::regex_replace(row.why, std::regex("incomplete-[0-9]+"), "incomplete-N");
   std::replace(row.why.begin(), row.why.end(), '\n', ' ');
-  return row;
+  judge.add(row);
 }
 
-/// Calls visit(formulation, name, options) for every method of the list, with chosen and with given steps.
+/// Calls visit(row, options) for every formulation and method: all methods, or some in a quick run.
 template <class Visit>
-void for_every_method(const Judge& judge, std::vector<std::string> methods, bool also_given,
-                      const Visit& visit) {
+void for_every_method(Judge& judge, const Options& quick, bool also_given_steps, const Visit& visit) {
   for (const std::string& formulation : judge.formulations())
-    for (const std::string& method : methods) {
+    for (const std::string& method : judge.is_quick() ? quick : integrators::method_names()) {
       const integrators::MethodInfo& info = *integrators::find_method(method);
       if (!goes_with(info, formulation)) continue;
-      const std::vector<std::string> both{"--formulation", formulation, "--integrator", method};
-      if (info.chooses_steps) visit(formulation, method, both);
-      if (!info.takes_given_steps || !also_given) continue;
-      std::vector<std::string> given = both;
-      given.insert(given.end(), {"--step", "0.01"});
-      visit(formulation, method + ", h = 0.01", given);
+      const Options options{"--formulation", formulation, "--integrator", method};
+      if (info.chooses_steps) visit(row_of(judge, formulation, method), options);
+      if (info.takes_given_steps && also_given_steps)
+        visit(row_of(judge, formulation, method + ", h = 0.001"), options + Options{"--step", "0.001"});
     }
 }
-
-// --- a force that is not finite
-// -----------------------------------------------------------------------------
 
 constexpr double onset = 0.5;  ///< time [s] at which the push begins
 
@@ -136,8 +81,210 @@ Scene pushed_pendulum(double c) {
                              side(0, Vector3{-1, 0, 0}, Vector3{0, 1, 0}))};
   Force<double> force;
   force.name = "push";
-  force.body = 0;
   force.components[2] = TimeFunction::Piecewise{{onset}, {TimeFunction(0), push}};
   scene.effects = {gravity(), force};
   return scene;
 }
+
+/// The outputs before the force overflows must be those of a pendulum that is not pushed.
+void judge_push(Judge& judge, double c) {
+  const Workplace pushed(judge.choice().program, pushed_pendulum(c)),
+      left_alone(judge.choice().program, pushed_pendulum(0));
+  const Options quick{"dopri5", "generalized-alpha", "radau5", "rattle"};
+  for_every_method(judge, quick, true, [&](const Row& row, const Options& method) {
+    const Options options = method + Options{"--t-end", "1", "--output-step", "0.01"};
+    const Run run = pushed.simulate(options);
+    if (judge.is_twin()) return settle(judge, row, {wrong_unharmed(run, 1)}, "");
+    const std::string free = Motion(left_alone.simulate(options)).text(),
+                      before = free.substr(0, free.find(fmt::format("\n{:.17g},", onset)) + 1);
+    std::string wrong = wrong_in_failure(run);
+    if (wrong.empty() && !Motion(run).text().starts_with(before))
+      wrong = "outputs before the push are missing";
+    settle(judge, row, {wrong}, first_line(run.ended.err));
+  });
+}
+
+/// A slider on a rail along x.
+Scene slider(const std::string& name, double x, const scenes::Effect& effect) {
+  Scene scene;
+  scene.name = name;
+  scene.bodies = {body("slider", 1, {0.1, 0.2, 0.3}, {x, 0, 0})};
+  const Vector3 along{1, 0, 0}, across{0, 1, 0};
+  scene.constraints = {
+      joint(JointType::translational, "rail", side(ground, {}, along, across), side(0, {}, along, across))};
+  scene.effects = {effect};
+  return scene;
+}
+
+/// The force w sin(w t), so that x = t - sin(w t) / w.
+Scene shaken_slider(double w) {
+  Force<double> force;
+  force.name = "shaking";
+  force.components[0] = TimeFunction::Harmonic{0, w, w, 0};
+  return slider(fmt::format("shaken_slider_{:g}", w), 0, force);
+}
+
+/// A constant pull a towards the origin and a velocity of -1 m/s: x = 1 - t - a t^2/2 until the slider passes
+/// the origin at t_1. There the force jumps by 2 a, and no event says so. By symmetry x(2 t_1) = -1.
+Scene pulled_slider(double a) {
+  SpringDamper<double> pull;
+  pull.name = "pull";
+  pull.i.body = ground;
+  pull.j.body = 0;
+  pull.actuator = a;
+  Scene scene = slider(fmt::format("pulled_slider_{:g}", a), 1, pull);
+  scene.bodies[0].velocity = {-1, 0, 0};
+  return scene;
+}
+
+/// A run must end at the position x, or with an announcement.
+void judge_slider(Judge& judge, const Scene& scene, double tolerance, double end, double x) {
+  const Workplace place(judge.choice().program, scene);
+  const Options quick{"dopri5", "generalized-alpha", "radau5", "rkf78"};
+  for_every_method(judge, quick, false, [&](Row row, const Options& method) {
+    const std::string limit = fmt::format("{}", tolerance);
+    Run run = place.simulate(
+        method + Options{"--json", "--rtol", limit, "--atol", limit, "--t-end", fmt::format("{}", end)});
+    const std::string message = first_line(run.ended.err);
+    if (!judge.is_twin() && run.ended.exit_code != exit_done)
+      return settle(judge, row, {wrong_in_failure(run)}, message);
+    if (!judge.is_twin()) run.ended.err.clear();  // warnings are judged with the error
+    if (const std::string wrong = wrong_unharmed(run, end); !wrong.empty())
+      return settle(judge, row, {wrong}, "");
+    row.quantity = "position at the end [m]";
+    row.value = std::abs(Motion(run).last()[1] - x);
+    row.tolerance = number_after(run.ended.out, "\"steps\": ") * 2 * tolerance;
+    row.amplification = 4;  // a wrong velocity acts for 1 s at most; a wrong position delays the jump
+    row.threshold = factors::law * row.tolerance * row.amplification;  // estimates at a jump are rough
+    row.why = message;
+    judge.add(judge.judged(row, message.empty() ? 0 : 1));
+  });
+}
+
+/// `tries`: how many allocations fail, each in a run of its own; afterwards there is memory again, or not.
+void judge_allocations(Judge& judge, double tries) {
+  const Workplace place(judge.choice().program, pushed_pendulum(0));
+  const Options options{"--t-end", "0.02", "--output-step", "0.005"};
+  const std::string preload = "LD_PRELOAD=" TRIVIUM_FAILING_ALLOCATOR;
+  Command counting;
+  counting.environment = {preload, "TRIVIUM_ALLOCATION_COUNT_FILE=" + place.file("count")};
+  Run whole = place.simulate(options, counting);
+  const double all = whole.files.contains("count") ? std::stod(whole.files["count"]) : 0,
+               tried = std::min(tries, all);
+  whole.files.erase("count");
+  for (const bool is_once : {true, false}) {
+    std::vector<std::string> wrong{all > 0 ? wrong_unharmed(whole, 0.02) : "allocations are not counted"};
+    std::map<std::string, int> ends;
+    for (double k = 0; k < tried; ++k) {
+      const long first = 1 + static_cast<long>(k * all / tried),
+                 last = is_once ? first : std::numeric_limits<long>::max();
+      Command failing;
+      failing.environment = {preload, fmt::format("TRIVIUM_FIRST_FAILING_ALLOCATION={}", first),
+                             fmt::format("TRIVIUM_LAST_FAILING_ALLOCATION={}", last)};
+      const Run run = place.simulate(options, failing);
+      ++ends[run.ended.text()];
+      if (const std::string lost = wrong_in_loss(run, whole); !lost.empty())
+        wrong.push_back(fmt::format("allocation {}: {}", first, lost));
+    }
+    std::string why = fmt::format("{} of {} allocations", tried, all);
+    for (const auto& [end, count] : ends) why += fmt::format(", {} times {}", count, end);
+    settle(judge, row_of(judge, is_once ? "one allocation fails" : "all fail from one on"), wrong, why);
+  }
+}
+
+void judge_full_disk(Judge& judge, double bytes) {
+  const Workplace place(judge.choice().program, pushed_pendulum(0));
+  const Options options{"--t-end", "0.5", "--output-step", "0.01", "--save-end", place.file("end.json")};
+  const Run whole = place.simulate(options);
+  if (const std::string wrong = wrong_unharmed(whole, 0.5); !wrong.empty())
+    return settle(judge, row_of(judge, "an empty disk"), {wrong}, "");
+  for (const bool raises : {false, true}) {
+    Command how;
+    how.largest_file = static_cast<std::uint64_t>(bytes);
+    how.raises_at_largest_file = raises;
+    const Run run = place.simulate(options, how);
+    std::string wrong = judge.is_twin() ? wrong_unharmed(run, 0.5) : wrong_in_loss(run, whole);
+    if (wrong.empty() && !Motion(run).text().empty() && Motion(run).text() != Motion(whole).text())
+      wrong = "motion.csv is not whole";
+    settle(judge, row_of(judge, raises ? "limited files (SIGXFSZ)" : "full disk"), {wrong}, run.ended.err);
+  }
+  if (judge.is_twin()) return;
+  Command how;
+  how.out_file = "/dev/full";
+  const Run run = place.simulate(options, how);
+  std::string wrong =
+      run.ended.exit_code == exit_done ? "exit code 0 without a report" : wrong_in_loss(run, whole);
+  if (wrong.empty() && run.files != whole.files) wrong = "files are not whole";
+  settle(judge, row_of(judge, "full stdout"), {wrong}, run.ended.err);
+}
+
+/// `runs`: each would take hours, and gets the signal within a second.
+void judge_signal(Judge& judge, double runs, int signal, const char* name) {
+  const Workplace place(judge.choice().program, pushed_pendulum(0));
+  const auto options = [](const char* end) {
+    return Options{"--output-step", "2", "--rtol", "1e-12", "--t-end", end};
+  };
+  const Run whole = place.simulate(options("1000"));
+  std::vector<std::string> wrong{wrong_unharmed(whole, 1000)};
+  std::mt19937 random(1);
+  int interrupted = 0;
+  for (double k = 0; k < runs; ++k) {
+    Command how;
+    how.kill = Kill{signal, static_cast<double>(random()) / 0x1p32};
+    const Run run = place.simulate(options("1e8"), how);
+    if (run.ended.exit_code == exit_interrupted) ++interrupted;
+    if (const std::string lost = wrong_after_signal(run, whole, signal); !lost.empty())
+      wrong.push_back(fmt::format("after {:.3f} s: {}", how.kill->after, lost));
+  }
+  if (runs > 0 && interrupted == 0) wrong.emplace_back("no run was interrupted");
+  settle(judge, row_of(judge, name), wrong, fmt::format("{} runs", runs));
+}
+
+}  // namespace
+
+Family faults() {
+  return {
+      "faults",
+      "forces that overflow, steps that underflow, full memory and disks, signals",
+      {{"non_finite_force",
+        "c of the force (c t)^4 [N^(1/4)/s]",
+        1,
+        {1e60, 1e80},
+        {1e20, 1e40, 1e60, 1e80, 1e100},
+        judge_push,
+        pushed_pendulum},
+       {"step_underflow",
+        "angular frequency of the force [rad/s]",
+        10,
+        {1e30},
+        {1e30, 1e60, 1e90},
+        [](Judge& judge, double w) { judge_slider(judge, shaken_slider(w), 1e-8, 1, 1 - std::sin(w) / w); },
+        shaken_slider},
+       {"unseen_jump",
+        "acceleration that changes its sign [m/s^2]",
+        0,
+        {2},
+        {1e-6, 1e-3, 2, 1e3, 1e6},
+        [](Judge& judge, double a) {
+          judge_slider(judge, pulled_slider(a), 1e-12, 4 / (1 + std::sqrt(1 + 2 * a)), -1);
+        },
+        pulled_slider},
+       {"failing_allocation", "number of runs", 0, {40}, {4000}, judge_allocations},
+       {"full_disk",
+        "size to which a file can grow [bytes]",
+        1e9,
+        {4096},
+        {0, 1, 100, 4096, 8191, 8192, 16384},
+        judge_full_disk},
+       {"interrupt",
+        "number of runs",
+        0,
+        {4},
+        {30},
+        [](Judge& judge, double runs) { judge_signal(judge, runs, SIGINT, "SIGINT"); }},
+       {"terminate", "number of runs", 0, {4}, {30}, [](Judge& judge, double runs) {
+          judge_signal(judge, runs, SIGTERM, "SIGTERM");
+        }}}};
+}
+
+}  // namespace trivium::hard

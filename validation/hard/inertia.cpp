@@ -122,6 +122,7 @@ void judge_motion(Judge& judge, const Scene& scene, double end = 1) {
   HardMotion motion;
   motion.scene = scene;
   motion.end = end;
+  motion.step = 5e-4;
   motion.reference = ReferenceRun::in_quad;
   judge.motion(motion);
 }

@@ -23,9 +23,8 @@ namespace trivium::hard {
 
 namespace {
 
-constexpr int outputs = 20;
-/// Standard tolerances of a simulation.
-const integrators::Tolerances tolerances{1e-8, 1e-10};
+/// The standard tolerances of a simulation; the absolute one is a share of the motion's length, else of 1 m.
+constexpr double rtol = 1e-8, atol = 1e-10;
 /// What the local errors of given steps may add up to without a warning, relative to the size of the motion.
 constexpr double tolerance_of_given_steps = 1e-3;
 /// Longer runs than of so many steps are given up.
@@ -89,14 +88,14 @@ Row Judge::ended(Row row, const std::string& message, std::optional<double> when
 Row Judge::exact_row(const std::string& law, double off, const ExactMotion& exact) const {
   Row row = this->row("r-omega", "exact motion", law);
   row.value = off;
-  row.tolerance = tolerances.rtol;
+  row.tolerance = rtol;
   row.amplification = exact.amplification(exact.states().size() - 1);
   row.threshold = std::min(row.tolerance * row.amplification, small_difference);
   return judged(std::move(row));
 }
 
 ExactMotion Judge::motion(const HardMotion& motion) {
-  const ExactMotion exact(motion.scene, motion.end, outputs, motion.monitor, motion.exact, motion.reference);
+  const ExactMotion exact(motion, hard_outputs);
   const std::vector<std::string> methods =
       motion.methods.empty() ? methods_of(family_, choice_.is_quick) : motion.methods;
   const double steps = std::ceil(exact.output_step() / motion.step * (1 - 1e-9));
@@ -104,12 +103,12 @@ ExactMotion Judge::motion(const HardMotion& motion) {
     const integrators::MethodInfo& info = *integrators::find_method(method);
     for (const std::string& formulation : formulations_) {
       if (!goes_with(info, formulation)) continue;
-      if (info.chooses_steps) run(motion, exact, formulation, method, {});
+      if (info.chooses_steps && motion.chooses_steps) run(motion, exact, formulation, method, {});
       if (info.takes_given_steps) run(motion, exact, formulation, method, exact.output_step() / steps);
     }
   }
   if (motion.beside_simbody && choice_.formulations.empty())
-    for (Row& row : simbody_rows(*this, motion, exact, tolerances.rtol)) rows_.push_back(std::move(row));
+    for (Row& row : simbody_rows(*this, motion, exact, rtol)) rows_.push_back(std::move(row));
   return exact;
 }
 
@@ -121,14 +120,15 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
   options.end = motion.end;
   options.step = step;
   options.output_step = exact.output_step();
-  options.tolerances = tolerances;
+  options.tolerances = {rtol, atol * (motion.length > 0 ? motion.length : 1)};
+  options.max_step = step ? std::nullopt : motion.max_step;
   options.charts = motion.charts;
   Row row = this->row(formulation, step ? fmt::format("{}, h = {:.3g}", method, *step) : method,
                       motion.monitor == Monitor::motion ? "motion [-]" : "positions [-]");
   Outputs found;
   SimulationReport report;
   try {
-    report = simulate(make_model<double>(motion.scene), options, found);
+    report = simulate(make_model<double>(motion.scene, motion.start), options, found);
   } catch (const Error& error) {
     return add(ended(std::move(row), error.what(), error.when()));
   }
@@ -138,13 +138,28 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
     row.verdict = Verdict::fails;
     return add(std::move(row));
   }
-  const double of_a_step = tolerances.rtol + tolerances.atol;
-  row.tolerance = step ? tolerance_of_given_steps : static_cast<double>(report.counters.steps) * of_a_step;
+  row.tolerance =
+      step ? tolerance_of_given_steps : static_cast<double>(report.counters.steps) * (rtol + atol);
+  row.tolerance += motion.rounding;
   const double factor = step ? factors::given_steps : factors::chosen_steps;
+  row.why = counted(report.counters.steps, "step", "steps");
+  if (!exact.trouble().empty()) {
+    row.value = std::numeric_limits<double>::quiet_NaN();
+    row.verdict = Verdict::fails;
+    row.why += ", though the exact motion ends: " + exact.trouble();
+    return add(std::move(row));
+  }
   std::vector<MechanismState<double>> states;
   for (std::size_t k = 1; k < found.all.size(); ++k) states.push_back(found.all[k].state);
   judge_states(row, exact, states, factor);
-  row.why = counted(report.counters.steps, "step", "steps");
+  if (const double off = report.phi / exact.length();
+      row.is_met() && off > factors::phi * (rtol + atol + motion.rounding)) {
+    row.quantity = "Phi [-]";
+    row.value = off;
+    row.tolerance = rtol + atol;
+    row.amplification = 1;
+    row.threshold = factors::phi * (rtol + atol);
+  }
   double figure = 0;
   for (const MotionWarning& warning : motion_warnings(report)) {
     figure = std::max({figure, std::min(warning.relative_error, 1.0), std::numeric_limits<double>::min()});
@@ -152,24 +167,25 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
   }
   const std::string name = row.method;
   add(judged(std::move(row), figure));
-  if (motion.also) motion.also(*this, {formulation, name, report, states});
+  if (motion.also) motion.also(*this, {formulation, name, report});
 }
 
 void judge_states(Row& row, const ExactMotion& exact, const std::vector<MechanismState<double>>& states,
                   double factor) {
   double worst = -1;
   for (std::size_t k = 0; k < exact.states().size(); ++k) {
-    const double amplification = exact.amplification(k);
-    // neighbouring motions part: nothing can be said
-    if (factors::chosen_steps * (tolerances.rtol + tolerances.atol) * amplification > small_difference) break;
-    const double threshold = std::min(factor * row.tolerance * amplification, small_difference),
-                 value = std::min(exact.difference(states[k], k), 1.0);
-    if (!(value / threshold <= worst)) {
-      worst = value / threshold;
-      row.value = value;
-      row.threshold = threshold;
-      row.amplification = amplification;
+    const double amplification = exact.amplification(k), threshold = factor * row.tolerance * amplification;
+    // from here on the tolerance promises nothing
+    if (!(threshold <= small_difference)) {
+      row.why += fmt::format(", judged up to t = {:.3g}", k == 0 ? 0.0 : exact.states()[k - 1].t);
+      break;
     }
+    const double value = std::min(exact.difference(states[k], k), 1.0);
+    if (value / threshold <= worst) continue;
+    worst = value / threshold;
+    row.value = value;
+    row.threshold = threshold;
+    row.amplification = amplification;
   }
 }
 

@@ -1,14 +1,11 @@
 #pragma once
 /// Judges the runs of one case: by its error against the exact motion, or by what it announces.
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "formulations/contract/chart_options.hpp"
-#include "scenes/scene.hpp"
 #include "validation/hard/exact_motion.hpp"
 #include "validation/hard/row.hpp"
 
@@ -19,30 +16,6 @@ struct Choice {
   bool is_quick = false;
   std::vector<std::string> formulations;  ///< names; all if empty
   std::string program;                    ///< path of the program `trivium`, for the family of faults
-};
-
-/// One of the runs of a motion.
-struct RunOfCase {
-  const std::string &formulation, &method;
-  const SimulationReport& report;
-  const std::vector<MechanismState<double>>& states;  ///< at the outputs of the exact motion
-};
-
-class Judge;
-
-/// A motion to be judged.
-struct HardMotion {
-  scenes::Scene scene;
-  double end = 1;      ///< time [s] at which it ends; it begins at 0
-  double step = 1e-3;  ///< of methods with given steps, or a little less, so that it divides the run [s]
-  Monitor monitor = Monitor::motion;
-  /// Sets the bodies' state at the state's time, if a formula is known.
-  ExactState exact = {};
-  ReferenceRun reference = ReferenceRun::in_double;
-  ChartOptions charts = {};
-  std::vector<std::string> methods = {};  ///< if not those of the family
-  bool beside_simbody = true;
-  std::function<void(Judge&, const RunOfCase&)> also = {};  ///< adds rows about what else a run must satisfy
 };
 
 class Judge {
@@ -87,7 +60,8 @@ class Judge {
 };
 
 /// Enters into the row the largest difference of the states from the exact ones, relative to its threshold
-/// factor . row.tolerance . amplification.
+/// factor . row.tolerance . amplification. States whose threshold exceeds small_difference are not judged:
+/// nothing is promised there.
 void judge_states(Row& row, const ExactMotion& exact, const std::vector<MechanismState<double>>& states,
                   double factor);
 

@@ -14,15 +14,13 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <initializer_list>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/whole_file.hpp"
-#include "scenes/format/scene_file.hpp"
 
 namespace trivium::hard {
 
@@ -66,6 +64,12 @@ struct Pipe {
   }
 };
 
+/// Whether the list sets the variable of this NAME=VALUE.
+bool is_set(const std::vector<std::string>& list, std::string_view variable) {
+  const std::string_view name = variable.substr(0, variable.find('=') + 1);
+  return std::any_of(list.begin(), list.end(), [&](const std::string& one) { return one.starts_with(name); });
+}
+
 /// The words with a null at the end, as exec takes them.
 std::vector<char*> pointers(std::vector<std::string>& words) {
   std::vector<char*> all;
@@ -82,6 +86,7 @@ void limit(decltype(RLIMIT_CORE) resource, std::uint64_t most) {
 /// Becomes the program. The other threads are gone, perhaps with locks: only calls that need none follow.
 [[noreturn]] void become(const Command& command, char* const* arguments, char* const* environment, int in,
                          int out, int err, int failure) {
+  setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) std::signal(number, SIG_DFL);
   if (!command.raises_at_largest_file) std::signal(SIGXFSZ, SIG_IGN);
@@ -126,7 +131,7 @@ void attend(pid_t process, const Command& command, Descriptor& out, Descriptor& 
       kill.reset();
     }
     if (now >= command.most_seconds && !ended.is_late) {
-      ::kill(process, SIGKILL);
+      ::kill(-process, SIGKILL);  // and what it has started
       ended.is_late = true;
     }
     double until = ended.is_late ? now + 1 : command.most_seconds;
@@ -156,7 +161,8 @@ std::string Ended::text() const {
 Ended run(const Command& command) {
   std::vector<std::string> words{command.program}, variables;
   words.insert(words.end(), command.arguments.begin(), command.arguments.end());
-  for (char** variable = environ; *variable != nullptr; ++variable) variables.emplace_back(*variable);
+  for (char** variable = environ; *variable != nullptr; ++variable)
+    if (!is_set(command.environment, *variable)) variables.emplace_back(*variable);
   variables.insert(variables.end(), command.environment.begin(), command.environment.end());
   const std::vector<char*> arguments = pointers(words), environment = pointers(variables);
   Descriptor in(open("/dev/null", O_RDONLY | O_CLOEXEC)), to_file;
@@ -180,42 +186,6 @@ Ended run(const Command& command) {
   if (read(failure.read.number(), &why, sizeof why) == static_cast<ssize_t>(sizeof why))
     refuse(command.program, why);
   return ended;
-}
-
-Workplace::Workplace(std::string program, const scenes::Scene& scene) : program_(std::move(program)) {
-  std::string name = (std::filesystem::temp_directory_path() / "hard_cases-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr)
-    throw std::filesystem::filesystem_error("cannot create", name, {errno, std::generic_category()});
-  folder_ = name;
-  scenes::write_scene_file(file("scene.json"), scene);
-}
-
-Workplace::~Workplace() {
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
-}
-
-Run Workplace::simulate(const std::vector<std::string>& options, Command how) const {
-  const auto motions = [&] {
-    std::vector<std::filesystem::path> all;
-    for (const std::filesystem::path& entry : std::filesystem::directory_iterator(folder_))
-      if (entry.filename().string().starts_with("motion.csv")) all.push_back(entry);
-    return all;
-  };
-  for (const auto& old : motions()) std::filesystem::remove(old);
-  how.program = program_;
-  how.arguments = {"simulate", file("scene.json").string(), "--out", file("motion.csv").string()};
-  how.arguments.insert(how.arguments.end(), options.begin(), options.end());
-  Run run{hard::run(how), {}, {}, {}};
-  for (const auto& left : motions()) {
-    if (left == file("motion.csv")) {
-      run.motion = read_whole(left);
-    } else {
-      run.unfinished = left.filename().string();
-      run.unfinished_motion = read_whole(left);
-    }
-  }
-  return run;
 }
 
 }  // namespace trivium::hard

@@ -1,15 +1,11 @@
 #pragma once
-/// Starts a program as a child process, without a shell, and says how it ended; `trivium simulate` in a
-/// temporary folder, with the files that it leaves. Several threads may do so at the same time: environment,
-/// limits and signals are those of the child only.
+/// Starts a program as a child process, without a shell, and says how it ended. Several threads may do so at
+/// the same time: environment, limits and signals are those of the child only.
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "scenes/scene.hpp"
 
 namespace trivium::hard {
 
@@ -23,14 +19,14 @@ struct Kill {
 struct Command {
   std::string program;  ///< path
   std::vector<std::string> arguments;
-  std::vector<std::string> environment;       ///< NAME=VALUE, in addition to that of this process
+  std::vector<std::string> environment;       ///< NAME=VALUE, added to that of this process
   std::string out_file;                       ///< file that receives stdout; empty: Ended::out
   std::optional<std::uint64_t> largest_file;  ///< no file grows beyond this [bytes]
   /// Whether a write beyond largest_file also raises SIGXFSZ, which ends a program that does not handle it. A
   /// full disk raises none.
   bool raises_at_largest_file = false;
   std::optional<Kill> kill;
-  double most_seconds = 60;  ///< then it is ended by SIGKILL
+  double most_seconds = 30;  ///< then it is ended by SIGKILL
 };
 
 /// How a program ended.
@@ -47,29 +43,5 @@ struct Ended {
 
 /// Starts the program and waits for its end. Throws an Error if it cannot be started.
 Ended run(const Command& command);
-
-/// A run of `trivium simulate --out motion.csv`, and what it left.
-struct Run {
-  Ended ended;
-  std::optional<std::string> motion;  ///< text of motion.csv
-  /// Name and text of motion.csv.incomplete-N; empty if there is none.
-  std::string unfinished, unfinished_motion;
-};
-
-/// A temporary folder with a scene, in which the program runs.
-class Workplace {
- public:
-  Workplace(std::string program, const scenes::Scene& scene);
-  Workplace(const Workplace&) = delete;
-  ~Workplace();
-
-  /// Removes what an earlier run left, and runs the scene. `how`: all of the command but its words.
-  Run simulate(const std::vector<std::string>& options, Command how = {}) const;
-  std::filesystem::path file(const char* name) const { return folder_ / name; }
-
- private:
-  std::string program_;
-  std::filesystem::path folder_;
-};
 
 }  // namespace trivium::hard

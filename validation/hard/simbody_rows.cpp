@@ -34,6 +34,7 @@ std::vector<MechanismState<double>> states_of(const simbody::Motion& motion) {
 std::vector<Row> simbody_rows(const Judge& judge, const HardMotion& motion, const ExactMotion& exact,
                               double accuracy) {
   std::vector<Row> rows;
+  if (!exact.trouble().empty()) return rows;
   std::vector<double> times;
   for (const auto& state : exact.states()) times.push_back(state.t);
   for (const auto& [name, which] :
@@ -42,12 +43,12 @@ std::vector<Row> simbody_rows(const Judge& judge, const HardMotion& motion, cons
     Row row = judge.row("Simbody", name, motion.monitor == Monitor::motion ? "motion [-]" : "positions [-]");
     row.counts = false;
     try {
-      const simbody::Motion found =
-          simbody::move(to_simbody(motion.scene, 0), simbody::Way::mobilizers, which, accuracy, times);
+      const simbody::Motion found = simbody::move(to_simbody(motion.scene, motion.start),
+                                                  simbody::Way::mobilizers, which, accuracy, times);
       row.tolerance = static_cast<double>(found.steps) * accuracy;
+      row.why = counted(found.steps, "step", "steps");
       judge_states(row, exact, states_of(found), factors::chosen_steps);
       row.verdict = row.is_met() ? Verdict::survives : Verdict::fails;
-      row.why = counted(found.steps, "step", "steps");
     } catch (const simbody::Refused& refusal) {
       row.value = std::numeric_limits<double>::quiet_NaN();
       row.verdict = Verdict::announces;

@@ -1,0 +1,56 @@
+#pragma once
+/// A motion to be judged, and one of its runs.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formulations/contract/chart_options.hpp"
+#include "scenes/scene.hpp"
+#include "simulation/motion.hpp"
+
+namespace trivium::hard {
+
+class Judge;
+
+/// Which difference of two motions is monitored [-].
+enum class Monitor {
+  motion,     ///< positions, orientations, velocities and angular velocities
+  positions,  ///< of the centres of mass
+};
+
+/// The run that serves as exact motion: in double by a method of high order, for stiff scenes an implicit
+/// one, or in quad.
+enum class ReferenceRun { in_double, stiff, in_quad };
+
+/// A run, for further rows about it.
+struct RunOfCase {
+  const std::string &formulation, &method;
+  const SimulationReport& report;
+};
+
+/// At how many states, evenly spread, a motion is compared with the exact one.
+inline constexpr int hard_outputs = 20;
+
+struct HardMotion {
+  scenes::Scene scene;
+  double start = 0, end = 1;  ///< times [s]
+  double step = 1e-3;  ///< of methods with given steps, or a little less, so that it divides the run [s]
+  Monitor monitor = Monitor::motion;
+  /// Sets the bodies' state at the state's time, if a formula is known.
+  std::function<void(MechanismState<double>&)> exact = {};
+  ReferenceRun reference = ReferenceRun::in_double;
+  ChartOptions charts = {};
+  /// The length [m] to which differences and the absolute tolerance refer; 0: the mechanism's extent, and 1
+  /// m.
+  double length = 0;
+  double rounding = 0;        ///< errors that the numbers of the state allow, relative to `length` [-]
+  bool chooses_steps = true;  ///< false: given steps only
+  std::optional<double> max_step = {};    ///< the longest chosen step [s]
+  std::vector<std::string> methods = {};  ///< if not those of the family
+  bool beside_simbody = true;
+  std::function<void(Judge&, const RunOfCase&)> also = {};  ///< adds rows about what else a run must satisfy
+};
+
+}  // namespace trivium::hard

@@ -1,0 +1,104 @@
+/// Bodies that cannot move, alone and beside others, and equilibria that must be held.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scenes/building.hpp"
+#include "scenes/generators.hpp"
+#include "validation/hard/family.hpp"
+
+namespace trivium::hard {
+
+namespace {
+
+using building::body, building::joint, building::side;
+using scenes::Scene, scenes::Vector3;
+
+/// A body on three pins to the ground, the last of which misses the line of the others by `off` [m].
+Scene held_body(double off) {
+  Scene scene;
+  scene.name = fmt::format("held_body_{:g}", off);
+  scene.bodies = {body("held", 1, {0.1, 0.2, 0.15}, {1, 0, 0})};
+  for (const Vector3& p : {Vector3{-1, 0, 0}, Vector3{-1, 0, 1}, Vector3{-1, off, 2}})
+    scene.constraints.push_back(joint(JointType::spherical, fmt::format("pin {:g}", p[2]),
+                                      side(scenes::ground, Vector3{p[0] + 1, p[1], p[2]}), side(0, p)));
+  scene.effects = {Gravity<double>{"", {0, -9.81, 0}}};
+  return scene;
+}
+
+/// The held body beside a pendulum whose mass and size are this ratio of its own.
+Scene beside_a_pendulum(double ratio) {
+  Scene scene = held_body(0.1);
+  scene.name = fmt::format("beside_a_pendulum_{:g}", ratio);
+  const double mass = ratio, length = ratio, J = 0.1 * mass * length * length;
+  scene.bodies.push_back(body("bob", mass, {J, 2 * J, 1.5 * J}, {5 + length, 0, 0}));
+  scene.constraints.push_back(joint(JointType::spherical, "pivot", side(scenes::ground, Vector3{5, 0, 0}),
+                                    side(1, Vector3{-length, 0, 0})));
+  return scene;
+}
+
+/// A chain of bars that hangs straight down, with a spring beside its first bar.
+Scene hanging_chain(double bars) {
+  Scene scene;
+  scene.name = fmt::format("hanging_chain_{:g}", bars);
+  const Vector3 y{0, 1, 0};
+  for (int k = 0; k < static_cast<int>(bars); ++k) {
+    scene.bodies.push_back(body(fmt::format("bar_{}", k + 1), 1, {0.1, 0.1, 0.01}, {0, 0, -0.5 - k}));
+    scene.constraints.push_back(
+        joint(JointType::revolute, fmt::format("J{}", k + 1),
+              side(k == 0 ? scenes::ground : k - 1, k == 0 ? Vector3{} : Vector3{0, 0, -0.5}, y),
+              side(k, Vector3{0, 0, 0.5}, y)));
+  }
+  scene.effects = {building::gravity()};
+  return scene;
+}
+
+/// A motion that is none: the state stays as it is.
+void judge_rest(Judge& judge, const Scene& scene, double end, double step) {
+  HardMotion motion;
+  motion.scene = scene;
+  motion.end = end;
+  motion.step = step;
+  motion.exact = [](MechanismState<double>&) {};
+  judge.motion(motion);
+}
+
+void judge_beside(Judge& judge, double ratio) {
+  HardMotion motion;
+  motion.scene = beside_a_pendulum(ratio);
+  motion.end = std::sqrt(ratio);
+  motion.step = motion.end / 1000;
+  motion.length = ratio;  // of what moves
+  judge.motion(motion);
+}
+
+}  // namespace
+
+Family locked() {
+  return {"locked",
+          "bodies that cannot move, and equilibria",
+          {{"held_body",
+            "by how much a third pin misses a line [m]",
+            1,
+            {1e-3, 1e-6},
+            {1e-1, 1e-3, 1e-5, 1e-6, 3e-7},
+            [](Judge& judge, double off) { judge_rest(judge, held_body(off), 1, 1e-2); },
+            held_body},
+           {"beside_a_pendulum",
+            "size and mass of a pendulum beside it",
+            1,
+            {1e-3},
+            {1e-3, 1e-2, 1e2, 1e3},
+            judge_beside,
+            beside_a_pendulum},
+           {"hanging_chain",
+            "number of bars that hang at rest",
+            1,
+            {},
+            {3, 10},
+            [](Judge& judge, double bars) { judge_rest(judge, hanging_chain(bars), 1000, 0.02); },
+            hanging_chain}}};
+}
+
+}  // namespace trivium::hard

@@ -1,0 +1,174 @@
+/// Long runs of a pendulum: energy, constraints and phase over many periods, and steps so short that rounding
+/// shows.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/raise.hpp"
+#include "bodies/numbers/scalar.hpp"
+#include "scenes/building.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "simulation/simulate.hpp"
+#include "validation/hard/factors.hpp"
+#include "validation/hard/family.hpp"
+#include "validation/hard/methods.hpp"
+
+namespace trivium::hard {
+
+namespace {
+
+constexpr double arm = 1, moment = 0.1, mass = 1, g = 9.81, swing = 1;  // [m, kg m^2, kg, m/s^2, rad]
+
+/// A pendulum about the y axis, released at rest, one radian from the vertical.
+scenes::Scene pendulum() {
+  scenes::Scene scene;
+  scene.name = "pendulum";
+  const scenes::Vector3 y{0, 1, 0};
+  scene.bodies = {building::body("bob", mass, {moment, moment, moment},
+                                 {-arm * std::sin(swing), 0, -arm * std::cos(swing)})};
+  // the body's x axis points to the pivot: its z axis stays away from the vertical, where 3-1-3 is singular
+  scene.bodies[0].orientation = scenes::AxisAngle{y, swing - std::numbers::pi / 2};
+  scene.constraints = {building::joint(JointType::revolute, "pivot",
+                                       building::side(scenes::ground, scenes::Vector3{}, y),
+                                       building::side(0, scenes::Vector3{arm, 0, 0}, y))};
+  scene.effects = {building::gravity(g)};
+  return scene;
+}
+
+/// Its period [s], by the arithmetic-geometric mean.
+double period() {
+  double x = 1, y = std::cos(swing / 2);
+  for (int k = 0; k < 6; ++k) {
+    const double mean = (x + y) / 2;
+    y = std::sqrt(x * y);
+    x = mean;
+  }
+  return 2 * std::numbers::pi / x * std::sqrt((moment + mass * arm * arm) / (mass * g * arm));
+}
+
+/// The errors of a run over whole periods.
+struct LongRun {
+  double energy = 0, phi = 0;  ///< [J, m]
+  double phase = 0;            ///< the speed that is left where the pendulum should turn back [rad/s]
+};
+
+LongRun run_over(const std::string& method, const std::string& formulation, long periods,
+                 long steps_per_period) {
+  SimulationOptions options;
+  options.integrator = method;
+  options.formulation = formulation;
+  options.end = static_cast<double>(periods) * period();
+  options.step = options.end / static_cast<double>(periods * steps_per_period);
+  Samples samples;
+  const SimulationReport report = simulate(make_model<double>(pendulum()), options, samples);
+  return {report.unaccounted_energy, report.phi, samples.all.back().state.twist[0].omega_bar.norm()};
+}
+
+/// One method in one formulation. The energy error of a symplectic method stays as it is, and its phase error
+/// grows in proportion to the time. The others lose energy in proportion to the time, and the phase error
+/// grows with its square. The phase is compared as long as it is small.
+void judge_periods(Judge& judge, double periods) {
+  struct Kept {
+    const char *method, *formulation;
+    long steps, in_phase;
+    bool is_symplectic;
+  };
+  const long all = std::lround(periods);
+  for (const auto& [method, formulation, steps, in_phase, is_symplectic] :
+       {Kept{"rattle", "r-omega", 100, 100, true},
+        {"generalized-alpha", "r-p", 100, 100, false},
+        {"radau9", "r-epsilon", 20, all, false}}) {
+    const auto& wanted = judge.formulations();
+    if (std::find(wanted.begin(), wanted.end(), formulation) == wanted.end()) continue;
+    const auto part_of = [](long count) { return std::max(1L, count / 100); };
+    const LongRun some = run_over(method, formulation, part_of(all), steps),
+                  whole = run_over(method, formulation, all, steps);
+    const auto add = [&](const std::string& quantity, double value, double tolerance, double factor,
+                         const char* law) {
+      Row row = judge.row(formulation, fmt::format("{}, h = T/{}", method, steps), quantity);
+      row.value = value;
+      row.tolerance = tolerance;
+      row.threshold = factor * tolerance;
+      row.why = law;
+      judge.add(judge.judged(row));
+    };
+    const double longer = static_cast<double>(all) / static_cast<double>(part_of(all)),
+                 rounding = unit_roundoff<double>() * static_cast<double>(all * steps),
+                 energies = mass * g * arm, rate = std::sqrt(g / arm);
+    // rounding errors of the steps add up at most in proportion to their number
+    add("energy [J]", whole.energy, some.energy * (is_symplectic ? 1 : longer) + rounding * energies,
+        factors::growth, is_symplectic ? "as over a hundredth of the run" : "in proportion to the time");
+    add("Phi [m]", whole.phi, 1e-8 * arm, factors::phi, "the tolerance of chosen steps");
+    const long phased = std::min(all, in_phase);
+    const double times = static_cast<double>(phased) / static_cast<double>(part_of(phased)),
+                 ratio = is_symplectic ? times : times * times;
+    add(fmt::format("phase after {} periods [rad/s]", phased),
+        run_over(method, formulation, phased, steps).phase,
+        run_over(method, formulation, part_of(phased), steps).phase * ratio + rounding * rate,
+        factors::growth, is_symplectic ? "in proportion to the time" : "with the square of the time");
+  }
+}
+
+/// The pendulum over one second by given steps: the error does not grow as they become shorter, but for the
+/// multipliers of index 3, which know positions only to their rounding, u / h^2.
+void judge_short_steps(Judge& judge, double h) {
+  const auto model = make_model<double>(pendulum());
+  SimulationOptions options;
+  options.integrator = "rkf78";
+  options.end = 1;
+  options.output_step = 0.05;
+  options.tolerances = {1e-13, 1e-15};
+  Samples exact;
+  simulate(model, options, exact);
+  for (const std::string& method : methods_of("short_steps", judge.is_quick()))
+    for (const std::string& formulation : judge.formulations()) {
+      options.integrator = method;
+      options.formulation = formulation;
+      options.step = h;
+      Samples found;
+      Row row = judge.row(formulation, method, "position [m]");
+      SimulationReport report;
+      try {
+        report = simulate(model, options, found);
+      } catch (const Error& error) {
+        judge.add(judge.ended(row, error.what(), error.when()));
+        continue;
+      }
+      for (std::size_t k = 0; k < exact.all.size(); ++k)
+        raise(row.value, (found.all[k].state.pose[0].r - exact.all[k].state.pose[0].r).norm());
+      const double omega = std::sqrt(g / arm), u = unit_roundoff<double>();
+      // of methods of order 2, and rounding of every step
+      row.tolerance = omega * omega * h * h * arm + u / h * arm;
+      row.threshold = factors::law * row.tolerance;
+      row.why = "law (omega h)^2 + u / h";
+      judge.add(judge.judged(row));
+      if (!report.has_raw_lambda) continue;
+      row.quantity = "raw lambda [N]";
+      row.value = report.lambda_gap;
+      row.tolerance = (omega * h + u * arm / (g * h * h)) * mass * g;
+      row.threshold = factors::law * row.tolerance;
+      row.why = "law omega h + u l / (g h^2), relative to the weight";
+      judge.add(judge.judged(row));
+    }
+}
+
+}  // namespace
+
+Family long_runs() {
+  return {
+      "long_runs",
+      "many periods, and very short steps",
+      {{"periods", "number of periods", 10, {200}, {1e5}, judge_periods, [](double) { return pendulum(); }},
+       {"short_steps",
+        "length of the step [s]",
+        2e-3,
+        {1e-4},
+        {1e-3, 1e-4, 1e-5, 5e-6, 5e-7},
+        judge_short_steps,
+        [](double) { return pendulum(); }}}};
+}
+
+}  // namespace trivium::hard

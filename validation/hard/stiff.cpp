@@ -1,0 +1,122 @@
+/// Stiff springs: an orbit on a spring, with and without damping, a vibration that must be followed, and the
+/// flyball governor.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scenes/building.hpp"
+#include "scenes/catalogue.hpp"
+#include "validation/hard/family.hpp"
+
+namespace trivium::hard {
+
+namespace {
+
+using scenes::Scene;
+
+/// A stone of 1 kg on a spring to the origin, in direction x.
+Scene stone(double stiffness, double damping, double free_length, double velocity) {
+  Scene scene;
+  scene.name = fmt::format("stone_{:g}", stiffness);
+  scene.bodies = {building::body("stone", 1, {0.1, 0.1, 0.1}, {1, 0, 0})};
+  scene.bodies[0].velocity = {0, velocity, 0};
+  SpringDamper<double> spring;
+  spring.i.body = scenes::ground;
+  spring.j.body = 0;
+  spring.stiffness = stiffness;
+  spring.damping = damping;
+  spring.free_length = free_length;
+  scene.effects = {spring};
+  return scene;
+}
+
+constexpr double speed = 10;  // [rad/s], of the orbits
+
+/// The spring's tension keeps the stone on a circle of radius 1.
+Scene orbit(double stiffness) { return stone(stiffness, 0, 1 - speed * speed / stiffness, speed); }
+Scene damped_orbit(double stiffness) {
+  return stone(stiffness, 0.2 * std::sqrt(stiffness), 1 - speed * speed / stiffness, speed);
+}
+void set_orbit(MechanismState<double>& state) {
+  const double c = std::cos(speed * state.t), s = std::sin(speed * state.t);
+  state.pose[0].r = {c, s, 0};
+  state.twist[0].r_dot = {-speed * s, speed * c, 0};
+}
+
+void judge_orbit(Judge& judge, Scene (*make)(double), double stiffness) {
+  HardMotion motion;
+  motion.scene = make(stiffness);
+  motion.end = judge.is_quick() ? 0.2 : 2;
+  motion.step = 1e-3;
+  motion.reference = ReferenceRun::stiff;
+  motion.exact = set_orbit;
+  judge.motion(motion);
+}
+
+constexpr double amplitude = 0.05;  // [m]: large enough to be missed if it is damped away
+
+/// The stone vibrates along x.
+Scene vibration(double stiffness) { return stone(stiffness, 0, 1 - amplitude, 0); }
+
+void judge_vibration(Judge& judge, double stiffness) {
+  HardMotion motion;
+  motion.scene = vibration(stiffness);
+  motion.end = (judge.is_quick() ? 50 : 200) / std::sqrt(stiffness);  // about 8 or 32 periods
+  motion.step = 2 / std::sqrt(stiffness);                             // three steps a period
+  motion.exact = [stiffness](MechanismState<double>& state) {
+    const double omega = std::sqrt(stiffness);
+    state.pose[0].r = {1 + amplitude * (std::cos(omega * state.t) - 1), 0, 0};
+    state.twist[0].r_dot = {-amplitude * omega * std::sin(omega * state.t), 0, 0};
+  };
+  // the easy twin has steps that follow the vibration
+  if (judge.is_twin()) motion.step = motion.end / 10000;
+  judge.motion(motion);
+}
+
+/// The flyball governor of IFToMM A05, its springs and dampers `factor` times as stiff.
+Scene governor(double factor) {
+  Scene scene = load_scene("flyball_governor");
+  scene.name = fmt::format("governor_{:g}", factor);
+  for (scenes::Effect& effect : scene.effects)
+    if (auto* spring = std::get_if<SpringDamper<double>>(&effect)) {
+      spring->stiffness *= factor;
+      spring->damping *= factor;
+    }
+  return scene;
+}
+
+void judge_governor(Judge& judge, double factor) {
+  HardMotion motion;
+  motion.scene = governor(factor);
+  motion.end = judge.is_quick() ? 0.2 : 1;
+  motion.step = judge.is_twin() ? 2e-4 : 1e-3;
+  motion.reference = ReferenceRun::stiff;
+  judge.motion(motion);
+}
+
+}  // namespace
+
+Family stiff() {
+  return {
+      "stiff",
+      "stiff springs and dampers",
+      {{"orbit",
+        "stiffness [N/m]",
+        1e3,
+        {1e10},
+        {1e6, 1e8, 1e10},
+        [](Judge& judge, double k) { judge_orbit(judge, orbit, k); },
+        orbit},
+       {"damped_orbit",
+        "stiffness [N/m]",
+        1e3,
+        {},
+        {1e6, 1e8, 1e10},
+        [](Judge& judge, double k) { judge_orbit(judge, damped_orbit, k); },
+        damped_orbit},
+       {"vibration", "stiffness [N/m]", 1e2, {1e6}, {1e6, 1e8, 1e10}, judge_vibration, vibration},
+       {"governor", "factor of its stiffness and damping", 1e-3, {1}, {1, 100}, judge_governor, governor}}};
+}
+
+}  // namespace trivium::hard
