@@ -37,12 +37,7 @@ foreach(k RANGE ${last})
   list(APPEND accept_programs ${program})
   list(APPEND command --csv ${regenerated}/${name}.csv)
   list(APPEND accept_commands COMMAND ${command})
-  # Results that take many minutes have a label of their own.
-  string(JSON label ERROR_VARIABLE no_label GET "${schema_text}" files ${name} label)
-  if(no_label)
-    set(label paper)
-    list(APPEND fixtures regenerated_${name})
-  endif()
+  list(APPEND fixtures regenerated_${name})
   list(APPEND accept_files ${regenerated}/${name}.csv)
 
   if(TRIVIUM_BUILD_TESTS AND NOT TRIVIUM_SANITIZE)
@@ -50,9 +45,9 @@ foreach(k RANGE ${last})
     add_test(NAME results.${name}.is_as_accepted
              COMMAND compare_results ${PROJECT_SOURCE_DIR}/results/${name}.csv ${regenerated}/${name}.csv
                      --schema ${schema})
-    set_tests_properties(results.${name}.regenerates PROPERTIES LABELS ${label} FIXTURES_SETUP regenerated_${name} TIMEOUT 3600
+    set_tests_properties(results.${name}.regenerates PROPERTIES LABELS paper FIXTURES_SETUP regenerated_${name}
                          COST 100)  # the longest tests start first
-    set_tests_properties(results.${name}.is_as_accepted PROPERTIES LABELS ${label} FIXTURES_REQUIRED regenerated_${name})
+    set_tests_properties(results.${name}.is_as_accepted PROPERTIES LABELS paper FIXTURES_REQUIRED regenerated_${name})
   endif()
 endforeach()
 

@@ -188,7 +188,13 @@ class ReversibleSteps {
     const S by_turn = 6 * size(even_part(system, t, y));
     const S error =
         S(5) * sqrt(by_jerk * by_jerk + by_turn * by_turn + l * l * (pow(by_v, S(6)) + by_a * by_a * by_a));
-    return pow(S(error + 1 / (longest_ * longest_ * longest_)), S(-1) / 3);
+    const S suited = pow(S(error + 1 / (longest_ * longest_ * longest_)), S(-1) / 3);
+    if (!(suited > S(0)))  // NaN too: accelerations whose change overflows
+      throw IntegrationError(
+          {{}, static_cast<double>(t)},
+          "no step is short enough for these accelerations; try other tolerances or another "
+          "method");
+    return suited;
   }
   /// The motion per s^3 that the even part of T(theta)^-1 M theta causes, see above.
   const StateVector<S>& even_part(System& system, const S& t, const StateVector<S>& y) {

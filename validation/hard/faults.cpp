@@ -124,19 +124,6 @@ Scene shaken_slider(double w) {
   return slider(fmt::format("shaken_slider_{:g}", w), 0, force);
 }
 
-/// A constant pull a towards the origin and a velocity of -1 m/s: x = 1 - t - a t^2/2 until the slider passes
-/// the origin at t_1. There the force jumps by 2 a, and no event says so. By symmetry x(2 t_1) = -1.
-Scene pulled_slider(double a) {
-  SpringDamper<double> pull;
-  pull.name = "pull";
-  pull.i.body = ground;
-  pull.j.body = 0;
-  pull.actuator = a;
-  Scene scene = slider(fmt::format("pulled_slider_{:g}", a), 1, pull);
-  scene.bodies[0].velocity = {-1, 0, 0};
-  return scene;
-}
-
 /// A run must end at the position x, or with an announcement.
 void judge_slider(Judge& judge, const Scene& scene, double tolerance, double end, double x) {
   const Workplace place(judge.choice().program, scene);
@@ -260,15 +247,6 @@ Family faults() {
         {1e30, 1e60, 1e90},
         [](Judge& judge, double w) { judge_slider(judge, shaken_slider(w), 1e-8, 1, 1 - std::sin(w) / w); },
         shaken_slider},
-       {"unseen_jump",
-        "acceleration that changes its sign [m/s^2]",
-        0,
-        {2},
-        {1e-6, 1e-3, 2, 1e3, 1e6},
-        [](Judge& judge, double a) {
-          judge_slider(judge, pulled_slider(a), 1e-12, 4 / (1 + std::sqrt(1 + 2 * a)), -1);
-        },
-        pulled_slider},
        {"failing_allocation", "number of runs", 0, {40}, {4000}, judge_allocations},
        {"full_disk",
         "size to which a file can grow [bytes]",

