@@ -72,7 +72,7 @@ std::string gimbal_lock_figure(Results& results, Numbers&) {
       if (const std::string theta = difficulty_of(table.text(row, "case"));
           !theta.empty() && table.text(row, "formulation") == formulation &&
           table.text(row, "method") == "printed")
-        points.emplace_back(theta, table.text(row, "value"));
+        if (table.number(row, "value") <= 1) points.emplace_back(theta, table.text(row, "value"));
     figure.add(text(formulation), points);
   }
   const double u = std::ldexp(1, -53);

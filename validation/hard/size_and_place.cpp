@@ -166,7 +166,8 @@ void judge_large(Judge& judge, const Scene& scene) {
   for (const FormulationResult<double>& found : answer.formulations) {
     Row row = judge.row(found.name, "structured", "lambda [-]");
     row.tolerance = unit_roundoff<double>();
-    row.amplification = static_cast<double>(scene.bodies.size());
+    // the condition number of a chain grows with the square of its length
+    row.amplification = std::pow(static_cast<double>(scene.bodies.size()), 2);
     row.threshold = factors::state * row.tolerance * row.amplification;
     if (!found.error.empty()) {
       judge.add(judge.ended(row, found.error, 0.0));
