@@ -25,7 +25,8 @@ inline std::string without_advice(std::string message) {
   const std::size_t end = message.rfind("; ");
   if (end == std::string::npos) return message;
   const std::string_view advice = std::string_view(message).substr(end + 2);
-  if (advice.starts_with("take smaller steps") || advice.starts_with("try other tolerances")) message.resize(end);
+  if (advice.starts_with("take smaller steps") || advice.starts_with("try other tolerances"))
+    message.resize(end);
   return message;
 }
 

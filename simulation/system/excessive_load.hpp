@@ -1,5 +1,6 @@
 #pragma once
-/// Finds the effect whose load is no number that a motion can follow, for messages about failed steps.
+/// Finds the effect whose load is no number that a motion can follow. Messages about failed steps name it as
+/// the cause.
 
 #include <fmt/format.h>
 

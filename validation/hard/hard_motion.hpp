@@ -1,5 +1,6 @@
 #pragma once
-/// A motion to be judged, and one of its runs.
+/// A motion to be judged: its scene, its times, its steps, what is monitored. All methods of a family run it
+/// in all formulations.
 
 #include <functional>
 #include <optional>

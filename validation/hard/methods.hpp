@@ -1,5 +1,6 @@
 #pragma once
-/// Which methods enter which family of hard cases, and why.
+/// Which methods enter which family of hard cases, and why. The list exists once, in methods.cpp; `hard_cases
+/// --list` prints it.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-/// Works through numbered tasks with as many threads as the machine has cores.
+/// Works through numbered tasks with as many threads as the machine has cores. The order of results is that
+/// of the numbers, whatever the order of the work.
 
 #include <functional>
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Places bodies of generated scenes so that they satisfy their joints exactly.
+/// Places bodies of generated scenes so that they satisfy their joints exactly. Only their orientation and
+/// angular velocity are chosen.
 
 #include "scenes/scene.hpp"
 

@@ -1,5 +1,6 @@
 #pragma once
-/// One state solved in every formulation by both solvers, with the errors against r-omega in quad.
+/// One state solved in every formulation by both solvers. The errors are those against r-omega in quad, and
+/// beside them stands the error that each solver states by itself.
 
 #include <string>
 #include <vector>
