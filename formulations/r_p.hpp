@@ -170,10 +170,7 @@ struct RP {
   }
   static Unknown displacement_rate(const Unknown&, const Unknown& p_dot) { return p_dot; }
   static void normalise_step(Orientation& p, const S& share, Unknown& p_ddot) {
-    using std::abs;
     const S size = p.norm();
-    // a last digit, which the division by a share of h^2 would turn into a motion
-    if (abs(size - 1) <= 2 * std::numeric_limits<S>::epsilon()) return;
     p /= size;
     p_ddot += (1 - size) / share * p;
   }

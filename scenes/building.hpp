@@ -9,6 +9,8 @@
 
 namespace trivium::building {
 
+/// A body at rest with its axes along those of the ground: mass [kg], moments of inertia [kg m^2], position
+/// of the centre of mass [m].
 inline scenes::Body body(std::string name, double mass, scenes::Vector3 inertia = {1, 1, 1},
                          scenes::Vector3 position = {}) {
   scenes::Body b;
@@ -19,6 +21,7 @@ inline scenes::Body body(std::string name, double mass, scenes::Vector3 inertia 
   return b;
 }
 
+/// A side of a joint on a body, or on scenes::ground: point [m], axis and x axis in the body frame.
 inline scenes::Side side(int body, std::optional<scenes::Vector3> point = {},
                          std::optional<scenes::Vector3> axis = {}, std::optional<scenes::Vector3> x = {}) {
   return {body, point, {}, axis, x};
@@ -28,6 +31,7 @@ inline scenes::Side vector_side(int body, const scenes::Vector3& vector) {
   return {body, {}, vector, {}, {}};
 }
 
+/// A joint or a basic constraint without parameters.
 inline scenes::Constraint joint(ConstraintType type, std::string name, scenes::Side i, scenes::Side j) {
   scenes::Constraint c;
   c.type = type;

@@ -160,7 +160,7 @@ TEST(Branches, AnotherBranchThanThatOfTheStartIsAnErrorInDoubleAndInQuad) {
       const Motion motion(scene, options, quad);
       ADD_FAILURE() << quad;
     } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()).find("changed to another branch: d"), std::string::npos)
+      EXPECT_NE(std::string(error.what()).find("changed to another branch: joint \"d\""), std::string::npos)
           << error.what();
     }
 }

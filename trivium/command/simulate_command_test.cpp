@@ -114,9 +114,9 @@ TEST(Simulate, AMotionThatChangesToAnotherBranchOfADriverEndsWithAnErrorThatName
   const Outcome r = run("trivium simulate " + scene +
                         " --integrator radau5 --rtol 0.1 --atol 0.1 --t-end 1 --output-step 0.01");
   EXPECT_EQ(r.exit_code, 3) << r.out;
-  EXPECT_NE(
-      r.err.find("the motion has changed to another branch: d: the angle of the joint is 180 degrees from"),
-      std::string::npos)
+  EXPECT_NE(r.err.find("the motion has changed to another branch: joint \"d\": the angle of the joint is 180 "
+                       "degrees from"),
+            std::string::npos)
       << r.err;
 }
 

@@ -87,7 +87,8 @@ TEST(Solve, AnInconsistentStartIsAnInputErrorThatNamesItsRows) {
 TEST(Solve, AWrongBranchIsNotAdvisedToAssemble) {
   const Outcome wrong = run("trivium solve " + hung_backwards());
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_NE(wrong.err.find("hinge: the axes z_i and z_j are antiparallel"), std::string::npos) << wrong.err;
+  EXPECT_NE(wrong.err.find("joint \"hinge\": the axes z_i and z_j are antiparallel"), std::string::npos)
+      << wrong.err;
   EXPECT_NE(wrong.err.find("reverse the axis in the scene file"), std::string::npos) << wrong.err;
   EXPECT_EQ(wrong.err.find("--assemble"), std::string::npos) << wrong.err;
   const Outcome assembled = run("trivium solve --assemble " + hung_backwards());
