@@ -13,6 +13,7 @@
 #include "base/progress.hpp"
 #include "base/table.hpp"
 #include "formulations/formulation_list.hpp"
+#include "results/tools/results_table.hpp"
 #include "scenes/format/scene_file.hpp"
 #include "validation/hard/family.hpp"
 #include "validation/hard/methods.hpp"
@@ -41,31 +42,17 @@ struct Task {
   }
 };
 
-/// NAME=DIFFICULTY of the command line.
-struct Wish {
-  std::string name;
-  double difficulty;
-};
-
-Wish read_wish(const std::string& option, const std::string& text) {
+/// The case and the difficulty that an option asks for as NAME=DIFFICULTY.
+Task read_task(const std::vector<Family>& all, const std::string& option, const std::string& text) {
   const std::size_t at = text.find('=');
-  std::size_t read = 0;
-  try {
-    if (at != text.npos) {
-      const std::string number = text.substr(at + 1);
-      const double difficulty = std::stod(number, &read);
-      if (read == number.size() && std::isfinite(difficulty)) return {text.substr(0, at), difficulty};
-    }
-  } catch (const std::exception&) {
-  }
-  throw Error(ErrorKind::input, fmt::format("{}: found {}; accepted: NAME=NUMBER", option, text));
-}
-
-const Case& find_case(const std::vector<Family>& all, const std::string& option, const std::string& name) {
+  const double difficulty = at == text.npos ? to_number("") : to_number(text.substr(at + 1));
+  if (!std::isfinite(difficulty))
+    throw Error(ErrorKind::input, fmt::format("{}: found {}; accepted: NAME=NUMBER", option, text));
+  const std::string name = text.substr(0, at);
   std::vector<std::string> names;
   for (const Family& family : all)
     for (const Case& one : family.cases) {
-      if (one.name == name) return one;
+      if (one.name == name) return {&family, &one, difficulty, false};
       names.push_back(one.name);
     }
   throw Error(ErrorKind::input,
@@ -74,13 +61,7 @@ const Case& find_case(const std::vector<Family>& all, const std::string& option,
 
 std::vector<Task> tasks_of(const std::vector<Family>& all, const Arguments& arguments) {
   std::vector<Task> tasks;
-  for (const std::string& text : arguments.cases) {
-    const Wish wish = read_wish("--case", text);
-    const Case& wanted = find_case(all, "--case", wish.name);
-    for (const Family& family : all)
-      for (const Case& one : family.cases)
-        if (&one == &wanted) tasks.push_back({&family, &one, wish.difficulty, false});
-  }
+  for (const std::string& text : arguments.cases) tasks.push_back(read_task(all, "--case", text));
   if (!tasks.empty()) return tasks;
   for (const Family& family : all) {
     const auto& wanted = arguments.families;
@@ -117,8 +98,7 @@ std::string text(const std::vector<Row>& rows, const std::vector<Family>& all) {
       has_rows = true;
       if (row.counts) ++count[static_cast<int>(row.verdict)];
       table.add({row.name, row.formulation, row.method, row.quantity, number(row.value),
-                 number(row.threshold),
-                 row.counts ? name_of(row.verdict) : fmt::format("({})", name_of(row.verdict)), row.why});
+                 number(row.threshold), verdict_of(row), row.why});
     }
     if (!has_rows) continue;
     out += fmt::format("{}: {}\n{}{} survive, {} announce themselves, {} fail\n\n", family.name, family.about,
@@ -142,7 +122,7 @@ std::vector<std::string> fields(const Row& r) {
           known(r.tolerance),
           known(r.amplification),
           known(r.threshold),
-          r.counts ? name_of(r.verdict) : fmt::format("({})", name_of(r.verdict)),
+          verdict_of(r),
           r.why};
 }
 
@@ -183,11 +163,10 @@ int run(const Program& program, const Arguments& arguments) {
   const std::vector<Family> all = families();
   if (arguments.lists) return list(all);
   if (!arguments.scene.empty()) {
-    const Wish wish = read_wish("--scene", arguments.scene);
-    const Case& one = find_case(all, "--scene", wish.name);
-    if (!one.scene)
-      throw Error(ErrorKind::input, fmt::format("--scene: {} is not a single scene", wish.name));
-    fmt::print("{}", scenes::write_scene(one.scene(wish.difficulty)));
+    const Task task = read_task(all, "--scene", arguments.scene);
+    if (!task.of->scene)
+      throw Error(ErrorKind::input, fmt::format("--scene: {} is not a single scene", task.of->name));
+    fmt::print("{}", scenes::write_scene(task.of->scene(task.difficulty)));
     return exit_done;
   }
   const std::vector<Task> tasks = tasks_of(all, arguments);

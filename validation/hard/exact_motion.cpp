@@ -34,11 +34,11 @@ std::vector<MechanismState<double>> states_of(const Model<Scalar>& model, const 
 
 }  // namespace
 
-ExactMotion::ExactMotion(const HardMotion& motion, int outputs)
-    : motion_(motion), output_step_((motion.end - motion.start) / outputs) {
+ExactMotion::ExactMotion(const HardMotion& motion)
+    : motion_(motion), output_step_((motion.end - motion.start) / hard_outputs) {
   const auto model = make_model<double>(motion.scene, motion.start);
   if (motion.exact) {
-    for (int k = 1; k <= outputs; ++k) {
+    for (int k = 1; k <= hard_outputs; ++k) {
       MechanismState<double> state = model.state;
       state.t = motion.start + k * output_step_;
       motion.exact(state);
@@ -74,7 +74,7 @@ SimulationOptions ExactMotion::options(double rtol) const {
   options.integrator = motion_.reference == ReferenceRun::stiff ? "radau9" : "rkf78";
   options.end = motion_.end;
   options.output_step = output_step_;
-  options.tolerances = {rtol, rtol / 100 * (motion_.length > 0 ? motion_.length : 1)};
+  options.tolerances = motion_.tolerances(rtol);
   options.max_step = motion_.max_step;
   return options;
 }

@@ -13,8 +13,8 @@ namespace trivium::hard {
 
 class ExactMotion {
  public:
-  /// `outputs` states, evenly spread over (start, end].
-  ExactMotion(const HardMotion& motion, int outputs);
+  /// hard_outputs states, evenly spread over (start, end].
+  explicit ExactMotion(const HardMotion& motion);
 
   /// Why the exact motion ends early; empty if it does not.
   const std::string& trouble() const { return trouble_; }

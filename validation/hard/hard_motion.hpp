@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "formulations/contract/chart_options.hpp"
+#include "integrators/contract/tolerances.hpp"
 #include "scenes/scene.hpp"
 #include "simulation/motion.hpp"
 
@@ -51,6 +52,10 @@ struct HardMotion {
   std::optional<double> max_step = {};    ///< the longest chosen step [s]
   std::vector<std::string> methods = {};  ///< if not those of the family
   bool beside_simbody = true;
+  /// The tolerances of chosen steps: the absolute one is a hundredth of rtol, as a share of the length.
+  integrators::Tolerances tolerances(double rtol) const {
+    return {rtol, rtol / 100 * (length > 0 ? length : 1)};
+  }
   std::function<void(Judge&, const RunOfCase&)> also = {};  ///< adds rows about what else a run must satisfy
 };
 

@@ -23,8 +23,8 @@ namespace trivium::hard {
 
 namespace {
 
-/// The standard tolerances of a simulation; the absolute one is a share of the motion's length, else of 1 m.
-constexpr double rtol = 1e-8, atol = 1e-10;
+/// The standard tolerance of a simulation, and what it allows a step with the absolute one.
+constexpr double rtol = 1e-8, of_a_step = rtol + rtol / 100;
 /// What the local errors of given steps may add up to without a warning, relative to the size of the motion.
 constexpr double tolerance_of_given_steps = 1e-3;
 /// Longer runs than of so many steps are given up.
@@ -95,7 +95,7 @@ Row Judge::exact_row(const std::string& law, double off, const ExactMotion& exac
 }
 
 ExactMotion Judge::motion(const HardMotion& motion) {
-  const ExactMotion exact(motion, hard_outputs);
+  const ExactMotion exact(motion);
   const std::vector<std::string> methods =
       motion.methods.empty() ? methods_of(family_, choice_.is_quick) : motion.methods;
   const double steps = std::ceil(exact.output_step() / motion.step * (1 - 1e-9));
@@ -120,7 +120,7 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
   options.end = motion.end;
   options.step = step;
   options.output_step = exact.output_step();
-  options.tolerances = {rtol, atol * (motion.length > 0 ? motion.length : 1)};
+  options.tolerances = motion.tolerances(rtol);
   options.max_step = step ? std::nullopt : motion.max_step;
   options.charts = motion.charts;
   Row row = this->row(formulation, step ? fmt::format("{}, h = {:.3g}", method, *step) : method,
@@ -138,8 +138,7 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
     row.verdict = Verdict::fails;
     return add(std::move(row));
   }
-  row.tolerance =
-      step ? tolerance_of_given_steps : static_cast<double>(report.counters.steps) * (rtol + atol);
+  row.tolerance = step ? tolerance_of_given_steps : static_cast<double>(report.counters.steps) * of_a_step;
   row.tolerance += motion.rounding;
   const double factor = step ? factors::given_steps : factors::chosen_steps;
   row.why = counted(report.counters.steps, "step", "steps");
@@ -153,12 +152,12 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
   for (std::size_t k = 1; k < found.all.size(); ++k) states.push_back(found.all[k].state);
   judge_states(row, exact, states, factor);
   if (const double off = report.phi / exact.length();
-      row.is_met() && off > factors::phi * (rtol + atol + motion.rounding)) {
+      row.is_met() && off > factors::phi * (of_a_step + motion.rounding)) {
     row.quantity = "Phi [-]";
     row.value = off;
-    row.tolerance = rtol + atol;
+    row.tolerance = of_a_step;
     row.amplification = 1;
-    row.threshold = factors::phi * (rtol + atol);
+    row.threshold = factors::phi * of_a_step;
   }
   double figure = 0;
   for (const MotionWarning& warning : motion_warnings(report)) {

@@ -19,7 +19,7 @@ const std::vector<std::string> implicit{
 }  // namespace
 
 const std::vector<MethodsOfFamily>& method_list() {
-  const std::vector<std::string> all = integrators::method_names();
+  static const std::vector<std::string> all = integrators::method_names();
   static const std::vector<MethodsOfFamily> list{
       {"gimbal_lock", one_of_each_kind, all, "every method moves in the charts of the formulation"},
       {"spin",

@@ -16,7 +16,6 @@ MechanismState<double> state_of(const scenes::Body& body) {
 }
 
 Vector vector(const scenes::Vector3& x) { return {x[0], x[1], x[2]}; }
-scenes::Vector3 plain(const Vector& x) { return {x[0], x[1], x[2]}; }
 
 }  // namespace
 
@@ -24,12 +23,12 @@ void pin_at_origin(scenes::Body& body, const scenes::Vector3& on_body) {
   const MechanismState<double> state = state_of(body);
   const auto A = rotation_matrix(state.pose[0].p);
   const Vector s = vector(on_body);
-  body.position = plain(-A * s);
-  body.velocity = plain(-A * state.twist[0].omega_bar.cross(s));
+  body.position = scenes::plain(-A * s);
+  body.velocity = scenes::plain(-A * state.twist[0].omega_bar.cross(s));
 }
 
 scenes::Vector3 direction_in_ground(const scenes::Body& body, const scenes::Vector3& on_body) {
-  return plain(rotation_matrix(state_of(body).pose[0].p) * vector(on_body));
+  return scenes::plain(rotation_matrix(state_of(body).pose[0].p) * vector(on_body));
 }
 
 }  // namespace trivium::hard

@@ -19,13 +19,14 @@
 #include "scenes/make_mechanism.hpp"
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
+#include "validation/hard/solved_state.hpp"
 
 namespace trivium::hard {
 
 namespace {
 
 using building::joint, building::side;
-using scenes::Scene, scenes::Vector3;
+using scenes::plain, scenes::Scene, scenes::Vector3;
 
 /// The model with these rows alone.
 template <class S>
@@ -45,8 +46,6 @@ Model<S> with_rows(const Model<S>& whole, const std::vector<int>& kept) {
   }
   return model;
 }
-
-Vector3 plain(const trivium::Vector3<double>& x) { return {x[0], x[1], x[2]}; }
 
 /// The scene with its joints written as basic constraints (cd, dp1), every other of which is multiplied by a
 /// factor. This divides its multiplier.
@@ -87,15 +86,6 @@ VectorX<double> constraint_force(const Model<double>& model, const VectorX<doubl
   return force.head(6 * eom.nb());
 }
 
-PhysicalSolution<double> rounded(const PhysicalSolution<Quad>& x) {
-  PhysicalSolution<double> out{{}, {}, scalar_cast<double>(x.lambda)};
-  for (std::size_t b = 0; b < x.r_ddot.size(); ++b) {
-    out.r_ddot.push_back(scalar_cast<double>(x.r_ddot[b]));
-    out.omega_bar_dot.push_back(scalar_cast<double>(x.omega_bar_dot[b]));
-  }
-  return out;
-}
-
 double relative(const VectorX<double>& x, const VectorX<double>& exact) {
   const double off = (x - exact).lpNorm<Eigen::Infinity>();
   return off == 0 ? 0 : off / exact.lpNorm<Eigen::Infinity>();
@@ -119,10 +109,8 @@ void compare_with_reduced(Judge& judge, const Redundant& model, std::optional<in
   const RowAnalysis rows = analyse_rows(model.in_double);
   const Model<double> reduced = with_rows(model.in_double, rows.independent);
   const RowAnalysis reduced_rows = analyse_rows(reduced);
-  const SideBySide<Quad> quad =
-      side_by_side(with_rows(model.in_quad, rows.independent), reduced_rows, SolveOptions{{"r-omega"}, {}});
-  quad.require_solved();
-  const PhysicalSolution<double> exact = rounded(quad.formulations.front().solution);
+  const PhysicalSolution<double> exact =
+      solution_in_quad(with_rows(model.in_quad, rows.independent), reduced_rows);
   const VectorX<double> exact_force = constraint_force(reduced, exact.lambda);
   const SolveOptions options{judge.formulations(), {}};
   const auto compare = [&](const SideBySide<double>& answer, const std::string& solver) {

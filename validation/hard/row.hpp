@@ -44,4 +44,9 @@ inline const char* name_of(Verdict verdict) {
   return "FAILS";
 }
 
+/// Its verdict as text; in brackets if it does not count.
+inline std::string verdict_of(const Row& row) {
+  return row.counts ? name_of(row.verdict) : '(' + std::string(name_of(row.verdict)) + ')';
+}
+
 }  // namespace trivium::hard

@@ -100,7 +100,7 @@ void judge_scaled(Judge& judge, double length, double gravity) {
 void judge_late(Judge& judge, double start) {
   HardMotion early;
   early.scene = scenes::two_bars();
-  const ExactMotion exact(early, hard_outputs);
+  const ExactMotion exact(early);
   HardMotion motion = early;
   motion.start = start;
   motion.end = start + 1;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -13,6 +12,7 @@
 #include "scenes/catalogue.hpp"
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
+#include "validation/hard/known_motions.hpp"
 #include "validation/hard/placing.hpp"
 #include "validation/hard/solved_state.hpp"
 
@@ -28,18 +28,6 @@ scenes::Scene fast_top(double spin) {
   scene.name = fmt::format("fast_top_{:g}", spin);
   scene.bodies[0].angular_velocity[1] = spin;
   return scene;
-}
-
-/// The height [m] of this top at time t. The cosine u of the inclination satisfies u'^2 = (b^2 - beta u)(1 -
-/// u^2) - (b - a u)^2, whose right side is a cubic with the root 0 (Goldstein, Classical Mechanics, 5.7).
-double height_of_top(double spin, double t) {
-  const double a = axial * spin / transverse, b = -4.61538, beta = 2 * mass * g / transverse,
-               sum = (a * a + b * b) / beta, product = 2 * a * b / beta - 1,
-               above = sum / 2 + std::sqrt(sum * sum / 4 - product), below = product / above;
-  double cn, dn;
-  boost::math::jacobi_elliptic(std::sqrt(-below / (above - below)), std::sqrt(beta * (above - below)) / 2 * t,
-                               &cn, &dn);
-  return below * (1 - cn * cn / (dn * dn));
 }
 
 /// The largest |p . p - 1| of r-p; methods normalise it, or treat it as a constraint.
@@ -109,22 +97,6 @@ void judge_sleeping_top(Judge& judge, double ratio) {
   row.tolerance = largest * largest;
   row.threshold = factors::chosen_steps * row.tolerance;
   judge.add(judge.judged(row));
-}
-
-/// Half the period of omega_bar of the catalogue's free body [s] (Landau and Lifshitz, Mechanics, 37). K
-/// follows from the complementary modulus by the arithmetic-geometric mean.
-double time_of_a_flip(const scenes::Body& body) {
-  const auto& J = std::get<scenes::Vector3>(body.inertia);
-  const auto& w = body.angular_velocity;
-  const double above = J[0] * (J[0] - J[1]) * w[0] * w[0] + J[2] * (J[2] - J[1]) * w[2] * w[2],
-               from_least = J[1] * (J[1] - J[0]) * w[1] * w[1] + J[2] * (J[2] - J[0]) * w[2] * w[2];
-  double x = 1, y = std::sqrt((J[2] - J[0]) * above / ((J[2] - J[1]) * from_least));
-  for (int k = 0; k < 8; ++k) {
-    const double mean = (x + y) / 2;
-    y = std::sqrt(x * y);
-    x = mean;
-  }
-  return std::numbers::pi / x / std::sqrt((J[2] - J[1]) * from_least / (J[0] * J[1] * J[2]));
 }
 
 void judge_flips(Judge& judge, double flips) {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "scenes/building.hpp"
 #include "scenes/catalogue.hpp"
 #include "validation/hard/family.hpp"
+#include "validation/hard/known_motions.hpp"
 
 namespace trivium::hard {
 
@@ -15,34 +15,8 @@ namespace {
 
 using scenes::Scene;
 
-/// A stone of 1 kg on a spring to the origin, in direction x.
-Scene stone(double stiffness, double damping, double free_length, double velocity) {
-  Scene scene;
-  scene.name = fmt::format("stone_{:g}", stiffness);
-  scene.bodies = {building::body("stone", 1, {0.1, 0.1, 0.1}, {1, 0, 0})};
-  scene.bodies[0].velocity = {0, velocity, 0};
-  SpringDamper<double> spring;
-  spring.i.body = scenes::ground;
-  spring.j.body = 0;
-  spring.stiffness = stiffness;
-  spring.damping = damping;
-  spring.free_length = free_length;
-  scene.effects = {spring};
-  return scene;
-}
-
-constexpr double speed = 10;  // [rad/s], of the orbits
-
-/// The spring's tension keeps the stone on a circle of radius 1.
-Scene orbit(double stiffness) { return stone(stiffness, 0, 1 - speed * speed / stiffness, speed); }
-Scene damped_orbit(double stiffness) {
-  return stone(stiffness, 0.2 * std::sqrt(stiffness), 1 - speed * speed / stiffness, speed);
-}
-void set_orbit(MechanismState<double>& state) {
-  const double c = std::cos(speed * state.t), s = std::sin(speed * state.t);
-  state.pose[0].r = {c, s, 0};
-  state.twist[0].r_dot = {-speed * s, speed * c, 0};
-}
+Scene orbit(double stiffness) { return orbit_on_spring(stiffness); }
+Scene damped_orbit(double stiffness) { return orbit_on_spring(stiffness, 0.2 * std::sqrt(stiffness)); }
 
 void judge_orbit(Judge& judge, Scene (*make)(double), double stiffness) {
   HardMotion motion;
@@ -57,7 +31,7 @@ void judge_orbit(Judge& judge, Scene (*make)(double), double stiffness) {
 constexpr double amplitude = 0.05;  // [m]: large enough to be missed if it is damped away
 
 /// The stone vibrates along x.
-Scene vibration(double stiffness) { return stone(stiffness, 0, 1 - amplitude, 0); }
+Scene vibration(double stiffness) { return stone_on_spring(stiffness, 0, 1 - amplitude, 0); }
 
 void judge_vibration(Judge& judge, double stiffness) {
   HardMotion motion;
