@@ -85,13 +85,13 @@ std::vector<Row> rows_of(const Task& task, const Choice& choice) {
   return judge.rows();
 }
 
-std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.1e}", x) : "ended"; }
+std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.1e}", x) : "none"; }
 
 std::string text(const std::vector<Row>& rows, const std::vector<Family>& all) {
   std::string out;
   for (const Family& family : all) {
     Table table({"case", "formulation", "method", "monitored", "value", "threshold", "verdict", "why"});
-    long count[3] = {};
+    long count[4] = {};
     bool has_rows = false;
     for (const Row& row : rows) {
       if (row.family != family.name) continue;
@@ -101,8 +101,8 @@ std::string text(const std::vector<Row>& rows, const std::vector<Family>& all) {
                  number(row.threshold), verdict_of(row), row.why});
     }
     if (!has_rows) continue;
-    out += fmt::format("{}: {}\n{}{} survive, {} announce themselves, {} fail\n\n", family.name, family.about,
-                       table.text(), count[0], count[1], count[2]);
+    out += fmt::format("{}: {}\n{}{} survive, {} announce themselves, {} are not judged, {} fail\n\n",
+                       family.name, family.about, table.text(), count[0], count[1], count[2], count[3]);
   }
   return out;
 }

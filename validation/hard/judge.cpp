@@ -63,6 +63,8 @@ Row Judge::row(const std::string& formulation, const std::string& method, const 
 Row Judge::judged(Row row, double figure) const {
   if (row.is_met()) {
     row.verdict = Verdict::survives;
+  } else if (std::isnan(row.value)) {
+    row.verdict = Verdict::not_judged;
   } else if (figure >= std::min(row.value, 1.0) / 10) {  // 1: wholly wrong
     row.verdict = Verdict::announces;
   } else {
@@ -152,7 +154,7 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
   for (std::size_t k = 1; k < found.all.size(); ++k) states.push_back(found.all[k].state);
   judge_states(row, exact, states, factor);
   if (const double off = report.phi / exact.length();
-      row.is_met() && off > factors::phi * (of_a_step + motion.rounding)) {
+      (row.is_met() || std::isnan(row.value)) && off > factors::phi * (of_a_step + motion.rounding)) {
     row.quantity = "Phi [-]";
     row.value = off;
     row.tolerance = of_a_step;
@@ -172,11 +174,12 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
 void judge_states(Row& row, const ExactMotion& exact, const std::vector<MechanismState<double>>& states,
                   double factor) {
   double worst = -1;
+  row.value = row.threshold = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t k = 0; k < exact.states().size(); ++k) {
     const double amplification = exact.amplification(k), threshold = factor * row.tolerance * amplification;
     // from here on the tolerance promises nothing
     if (!(threshold <= small_difference)) {
-      row.why += fmt::format(", judged up to t = {:.3g}", k == 0 ? 0.0 : exact.states()[k - 1].t);
+      if (k > 0) row.why += fmt::format(", judged up to t = {:.3g}", exact.states()[k - 1].t);
       break;
     }
     const double value = std::min(exact.difference(states[k], k), 1.0);

@@ -7,15 +7,16 @@
 namespace trivium::hard {
 
 enum class Verdict {
-  survives,   ///< the error is below its threshold, and an easy twin is not warned of either
-  announces,  ///< the error is larger, and an error or a warning says so
-  fails       ///< neither
+  survives,    ///< the error is below its threshold, and an easy twin is not warned of either
+  announces,   ///< the error is larger, and an error or a warning says so
+  not_judged,  ///< the tolerance promises nothing, from the first compared state on
+  fails        ///< the error is larger, and nothing says so
 };
 
 struct Row {
   std::string family, name, formulation, method;
   std::string quantity;      ///< what is monitored, with its unit
-  double value = 0;          ///< its error; NaN if the case ended early
+  double value = 0;          ///< its error; NaN if the case ended early or is not judged
   double tolerance = 0;      ///< the error that is asked for, before it is amplified
   double amplification = 1;  ///< by how much the exact motion or the state amplifies it
   double threshold = 0;      ///< factor . tolerance . amplification; of a motion at most small_difference
@@ -38,6 +39,8 @@ inline const char* name_of(Verdict verdict) {
       return "survives";
     case Verdict::announces:
       return "announces";
+    case Verdict::not_judged:
+      return "not judged";
     case Verdict::fails:
       break;
   }

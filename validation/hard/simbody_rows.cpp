@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -48,7 +49,9 @@ std::vector<Row> simbody_rows(const Judge& judge, const HardMotion& motion, cons
       row.tolerance = static_cast<double>(found.steps) * accuracy;
       row.why = counted(found.steps, "step", "steps");
       judge_states(row, exact, states_of(found), factors::chosen_steps);
-      row.verdict = row.is_met() ? Verdict::survives : Verdict::fails;
+      row.verdict = row.is_met()            ? Verdict::survives
+                    : std::isnan(row.value) ? Verdict::not_judged
+                                            : Verdict::fails;
     } catch (const simbody::Refused& refusal) {
       row.value = std::numeric_limits<double>::quiet_NaN();
       row.verdict = Verdict::announces;
