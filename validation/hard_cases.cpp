@@ -80,7 +80,10 @@ std::vector<Row> rows_of(const Task& task, const Choice& choice) {
   try {
     task.of->judge(judge, task.difficulty);
   } catch (const Error& error) {
-    judge.add(judge.ended(judge.row("-", "-", "the case itself"), error.what(), error.when()));
+    Row row = judge.row("-", "-", "the case itself");
+    row.verdict = Verdict::fails;
+    row.why = error.what();
+    judge.add(row);
   }
   return judge.rows();
 }
@@ -146,6 +149,11 @@ std::string json(const std::vector<Row>& rows, bool passed) {
   return out.end_array().end_object().str();
 }
 
+bool has_case(const Family& family, const std::string& name) {
+  return std::any_of(family.cases.begin(), family.cases.end(),
+                     [&](const Case& one) { return one.name == name; });
+}
+
 int list(const std::vector<Family>& all) {
   for (const Family& family : all) {
     fmt::print("{}: {}\n", family.name, family.about);
@@ -153,8 +161,10 @@ int list(const std::vector<Family>& all) {
       fmt::print("  {:<24} {}; easy {:g}, quick {}, whole {}\n", one.name, one.difficulty, one.easy,
                  fmt::join(one.quick, " "), fmt::join(one.whole, " "));
     for (const MethodsOfFamily& methods : method_list())
-      if (methods.family == family.name)
-        fmt::print("  methods                  {}: {}\n", fmt::join(methods.whole, ", "), methods.why);
+      if (methods.of == family.name || has_case(family, methods.of))
+        fmt::print("  methods{} {}: {}\n",
+                   methods.of == family.name ? std::string(17, ' ') : fmt::format(" of {:<13}", methods.of),
+                   fmt::join(methods.whole, ", "), methods.why);
   }
   return exit_done;
 }

@@ -113,7 +113,7 @@ class Newton {
         best_ = x;
       }
       if (!falls && is_fresh) {
-        if (least <= S(1e3) * enough()) {
+        if (rises > 0 && least <= S(1e3) * enough()) {
           if (is_best) return;
           x = best_;
           place(x, y);

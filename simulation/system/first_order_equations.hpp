@@ -250,7 +250,7 @@ class FirstOrderEquations {
     std::string message = excessive_load(t, y);
     if (message.empty()) message = near_singular_chart(t, y);
     if constexpr (std::is_same_v<S, double>) {
-      constexpr int most_unknowns = 600;  // the dense analysis of more would take seconds
+      constexpr int most_unknowns = 1500;  // the dense analysis of more would take many seconds
       if (6 * nb() + mechanism_.nc() > most_unknowns) return message;
       const MechanismState<double> now = to_mechanism_state(t, y);
       if (message.empty()) message = lost_grip(mechanism_, account_.drivers(), start_state_, now, step);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <variant>
 
 namespace trivium::hard {
 
@@ -24,11 +25,30 @@ bool advises(std::string message) {
   return false;
 }
 
+/// Whether a name in quotes is that of a part of the scene, or of one of its rows ("hinge.x").
+bool names_a_part(const std::string& message, const scenes::Scene& scene) {
+  const auto is_named = [&](const std::string& name) {
+    const std::size_t at = name.empty() ? message.npos : message.find('"' + name);
+    if (at == message.npos) return false;
+    const char after = message[at + 1 + name.size()];
+    return after == '"' || after == '.' || after == '[';
+  };
+  const auto of = [&](const auto& parts) {
+    return std::any_of(parts.begin(), parts.end(), [&](const auto& part) { return is_named(part.name); });
+  };
+  return of(scene.bodies) || of(scene.constraints) ||
+         std::any_of(scene.effects.begin(), scene.effects.end(), [&](const scenes::Effect& effect) {
+           return std::visit([&](const auto& one) { return is_named(one.name); }, effect);
+         });
+}
+
 }  // namespace
 
-std::string missing_in_announcement(const std::string& message, std::optional<double> when) {
-  if (!when && message.find("t = ") == message.npos) return "does not say when";
-  if (std::count(message.begin(), message.end(), '"') < 2) return "does not say where";
+std::string missing_in_announcement(const std::string& message, std::optional<double> when,
+                                    const scenes::Scene& scene, double start, double end) {
+  if (!when) return "does not say when";
+  if (!(*when >= start && *when <= end)) return "says when, but this is no time of the run";
+  if (!names_a_part(message, scene)) return "does not say where";
   if (!advises(message)) return "does not say what to try";
   return {};
 }

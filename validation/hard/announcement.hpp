@@ -4,9 +4,13 @@
 #include <optional>
 #include <string>
 
+#include "scenes/scene.hpp"
+
 namespace trivium::hard {
 
-/// What a message lacks of a place (a name in quotes), a time and advice; empty if nothing.
-std::string missing_in_announcement(const std::string& message, std::optional<double> when);
+/// What a message lacks of a place (the name of a part of the scene, in quotes), a time within the run, and
+/// advice; empty if nothing.
+std::string missing_in_announcement(const std::string& message, std::optional<double> when,
+                                    const scenes::Scene& scene, double start, double end);
 
 }  // namespace trivium::hard

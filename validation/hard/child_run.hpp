@@ -71,8 +71,8 @@ bool begins(const std::string& text, const std::string& whole);
 
 /// Of a run that nothing may harm or warn of.
 std::string wrong_unharmed(const Run& run, double end);
-/// Of a run that an error of the motion ended.
-std::string wrong_in_failure(const Run& run);
+/// Of a run of the scene from time 0 on that an error of the motion ended before `end`.
+std::string wrong_in_failure(const Run& run, const scenes::Scene& scene, double end);
 /// Of a run that may end early with a message if it cannot go on, or with exit code 2 before it has begun;
 /// `whole` is the same run unharmed.
 std::string wrong_in_loss(const Run& run, const Run& whole);

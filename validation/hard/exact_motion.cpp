@@ -97,15 +97,15 @@ double ExactMotion::difference(const MechanismState<double>& state, std::size_t 
 
 void ExactMotion::measure_amplification(const Model<double>& model) {
   amplification_.assign(states_.size(), 1);
-  // steps err all along the motion: neighbours start at its start and at three later states
-  constexpr std::size_t starts = 4;
-  for (std::size_t part = 0; part < starts; ++part) {
-    const std::size_t first = part * states_.size() / starts;
+  // steps err all along the motion: neighbours start at its start and after outputs
+  const std::size_t every = hard_outputs / motion_.starts;
+  for (std::size_t first = 0; first < states_.size(); first += every) {
     Model<double> from = model;
     if (first > 0) from.state = states_[first - 1];
     // neighbours are compared with a run of their own kind, so that its errors cancel
     const std::vector<MechanismState<double>> itself = states_of(from, options(neighbour_tolerance));
-    for (int seed = 1; seed <= neighbours; ++seed) {
+    for (int d = 0; d < motion_.directions; ++d) {
+      const int seed = 1 + static_cast<int>(first) * motion_.directions + d;
       const NeighbouringStart start = neighbouring_start(from, neighbour_tolerance, seed, 1e4);
       if (!(start.distance > 0)) return;  // the constraints leave no neighbour
       Model<double> near = from;

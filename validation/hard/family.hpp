@@ -36,6 +36,8 @@ Family long_runs();
 Family stiff();
 Family drivers();
 Family size_and_place();
+/// The cases of size_and_place with many bodies.
+std::vector<Case> large_mechanisms();
 Family locked();
 Family faults();
 

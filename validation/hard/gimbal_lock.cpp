@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/number_text.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "scenes/building.hpp"
 #include "validation/hard/factors.hpp"
@@ -50,8 +51,8 @@ void judge_laws(Judge& judge, double distance) {
   std::map<std::pair<std::string, std::string>, Row> worst;
   for (const std::string_view name : euler_sequence_names) {
     const EulerSequence sequence = *parse_euler_sequence(name);
-    const SolvedStates solved =
-        solve_state(near_lock(sequence, distance), judge.formulations(), ChartOptions{sequence, false});
+    const scenes::Scene scene = near_lock(sequence, distance);
+    const SolvedStates solved = solve_state(scene, judge.formulations(), ChartOptions{sequence, false});
     for (const SolvedState& state : solved.all) {
       const int exponent = exponent_of(state.formulation);
       const double law = unit_roundoff<double>() / std::pow(distance, exponent);
@@ -63,7 +64,8 @@ void judge_laws(Judge& judge, double distance) {
       row.why = fmt::format("worst sequence {}; law u/theta^{}", name, exponent);
       if (law >= law_holds_below)
         row.why += fmt::format(", which is lost; stated error {:.1e}", state.announced);
-      row = state.refusal.empty() ? judge.judged(row, state.announced) : judge.ended(row, state.refusal, 0.0);
+      row = state.refusal.empty() ? judge.judged(row, state.announced)
+                                  : judge.ended(row, state.refusal, 0.0, scene);
       const auto [at, is_first] = worst.try_emplace({state.formulation, state.solver}, row);
       if (!is_first && is_worse(row, at->second)) at->second = row;
     }
@@ -90,6 +92,16 @@ scenes::Scene flight(double distance) {
   return scene;
 }
 
+/// The energy, with the tolerance of the motion. It counts v^2, so that twice the error of v enters.
+void judge_energy(Judge& judge, const RunOfCase& run) {
+  Row row = judge.row(run.row.formulation, run.row.method, "energy [-]");
+  row.value = run.report.unaccounted_energy / run.report.largest_kinetic;
+  row.tolerance = 2 * run.row.tolerance;
+  row.threshold = factors::chosen_steps * row.tolerance;
+  row.why = counted(run.report.reframings, "change of chart", "changes of chart");
+  judge.add(judge.judged(std::move(row), run.figure));
+}
+
 void judge_flight(Judge& judge, double distance, bool reframe) {
   HardMotion motion;
   motion.scene = flight(distance);
@@ -97,6 +109,7 @@ void judge_flight(Judge& judge, double distance, bool reframe) {
   motion.step = 2e-3;
   motion.reference = ReferenceRun::in_quad;
   motion.charts.reframe = reframe;
+  motion.also = judge_energy;
   judge.motion(motion);
 }
 
@@ -110,15 +123,15 @@ Family gimbal_lock() {
            {"flight",
             "closest approach [rad], charts are changed",
             0.5,
-            {1e-6},
-            {1e-2, 1e-4, 1e-8},
+            {1e-2, 1e-6},
+            distances,
             [](Judge& judge, double distance) { judge_flight(judge, distance, true); },
             flight},
            {"raw_flight",
             "closest approach [rad], charts are kept",
             0.5,
-            {1e-2, 1e-8},
-            {1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8},
+            {1e-2, 1e-6},
+            distances,
             [](Judge& judge, double distance) { judge_flight(judge, distance, false); },
             flight}}};
 }

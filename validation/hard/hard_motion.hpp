@@ -2,6 +2,7 @@
 /// A motion to be judged: its scene, its times, its steps, what is monitored. All methods of a family run it
 /// in all formulations.
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 namespace trivium::hard {
 
 class Judge;
+struct Row;
 
 /// Which difference of two motions is monitored [-].
 enum class Monitor {
@@ -28,9 +30,13 @@ enum class ReferenceRun { in_double, stiff, in_quad };
 
 /// A run, for further rows about it.
 struct RunOfCase {
-  const std::string &formulation, &method;
+  const Row& row;  ///< of the motion
   const SimulationReport& report;
+  double figure;  ///< the largest relative error that its warnings state; 0 without a warning
 };
+
+/// The standard tolerance of a simulation.
+inline constexpr double standard_rtol = 1e-8;
 
 /// At how many states, evenly spread, a motion is compared with the exact one.
 inline constexpr int hard_outputs = 20;
@@ -47,15 +53,23 @@ struct HardMotion {
   /// The length [m] to which differences and the absolute tolerance refer; 0: the mechanism's extent, and 1
   /// m.
   double length = 0;
-  double rounding = 0;        ///< errors that the numbers of the state allow, relative to `length` [-]
-  bool chooses_steps = true;  ///< false: given steps only
+  double speed = 0;  ///< of a slow motion [m/s], to which the absolute tolerance then refers; 0: fast enough
+  double rounding = 0;          ///< errors that the numbers of the state allow, relative to `length` [-]
+  double rtol = standard_rtol;  ///< of chosen steps
+  bool chooses_steps = true;    ///< false: given steps only
   std::optional<double> max_step = {};    ///< the longest chosen step [s]
+  int starts = hard_outputs;              ///< along the motion, where neighbours measure the amplification
+  int directions = 1;                     ///< of the neighbours of each start
   std::vector<std::string> methods = {};  ///< if not those of the family
   bool beside_simbody = true;
-  /// The tolerances of chosen steps: the absolute one is a hundredth of rtol, as a share of the length.
-  integrators::Tolerances tolerances(double rtol) const {
-    return {rtol, rtol / 100 * (length > 0 ? length : 1)};
+  /// The tolerances of chosen steps: the absolute one is a hundredth of rtol, as a share of the length, or of
+  /// the speed if this is the smaller number.
+  integrators::Tolerances tolerances(double relative) const {
+    const double scale = length > 0 ? length : 1;
+    return {relative, relative / 100 * (speed > 0 ? std::min(scale, speed) : scale)};
   }
+  /// What both allow a step, relative to the length [-].
+  double of_a_step() const { return rtol + rtol / 100; }
   std::function<void(Judge&, const RunOfCase&)> also = {};  ///< adds rows about what else a run must satisfy
 };
 

@@ -114,7 +114,7 @@ void judge_state(Judge& judge, const Scene& scene, const std::string& at) {
     row.amplification = solved.kappa;
     row.threshold = factors::state * row.tolerance * row.amplification;
     judge.add(state.refusal.empty() ? judge.judged(row, state.announced)
-                                    : judge.ended(row, state.refusal, 0.0));
+                                    : judge.ended(row, state.refusal, 0.0, scene));
   }
 }
 
@@ -122,7 +122,7 @@ void judge_motion(Judge& judge, const Scene& scene, double end = 1) {
   HardMotion motion;
   motion.scene = scene;
   motion.end = end;
-  motion.step = 5e-4;
+  motion.step = judge.is_twin() ? 5e-5 : 5e-4;
   motion.reference = ReferenceRun::in_quad;
   judge.motion(motion);
 }

@@ -16,8 +16,11 @@ double complete_elliptic_integral(double complementary_modulus);
 double height_of_top(double spin, double t);
 
 /// The time [s] in which a free body with diagonal inertia turns over once about its intermediate axis: half
-/// the period of omega_bar.
+/// the period of omega_bar. Its moments of inertia ascend, and its energy is less than that of a spin about
+/// the intermediate axis with the same angular momentum.
 double time_of_a_flip(const scenes::Body& body);
+/// Its angular velocity [rad/s] at time t, in its own frame.
+scenes::Vector3 angular_velocity_of_flips(const scenes::Body& body, double t);
 
 /// A crank of length 1 m and a rod of the same length, whose end slides along the x axis, without gravity.
 /// The crank turns by `rate` [rad/s] at first. Where the rod lies on the crank, both could also turn
@@ -25,6 +28,12 @@ double time_of_a_flip(const scenes::Body& body);
 scenes::Scene rod_on_crank(double rate);
 /// Its state at the state's time.
 void set_rod_on_crank(MechanismState<double>& state, double rate);
+
+/// A crank of 1 m and a rod of 2 m whose end slides along the x axis, without gravity. The crank starts at
+/// 2 rad/s and turns round and round.
+scenes::Scene slider_crank();
+/// The time of a turn [s].
+double period_of_slider_crank();
 
 /// A stone of 1 kg that a spring with a damper keeps on a circle of radius 1 m, by 10 rad/s.
 scenes::Scene orbit_on_spring(double stiffness, double damping = 0);
@@ -35,6 +44,10 @@ void set_orbit(MechanismState<double>& state);
 /// angle and angular velocity.
 void set_in_plane(MechanismState<double>& state, int body, double x, double y, double angle, double x_dot,
                   double y_dot, double rate);
+
+/// Sets the rods of the ladder of n loops (scenes/generators.hpp) at this angle [rad] to the x axis, turning
+/// at `rate` [rad/s].
+void set_ladder(MechanismState<double>& state, int n, double angle, double rate);
 
 /// A state at time 0 with room for so many bodies.
 MechanismState<double> state_of_size(std::size_t bodies);

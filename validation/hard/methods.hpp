@@ -8,15 +8,15 @@
 namespace trivium::hard {
 
 struct MethodsOfFamily {
-  std::string family;
+  std::string of;  ///< a family, or a case that has methods of its own
   std::vector<std::string> quick, whole;
   std::string why;  ///< these and no others
 };
 
-/// The list: one entry for a family of motions.
+/// The list.
 const std::vector<MethodsOfFamily>& method_list();
 
-/// The methods of a family.
-const std::vector<std::string>& methods_of(const std::string& family, bool quick);
+/// The methods of a family or a case.
+const std::vector<std::string>& methods_of(const std::string& name, bool quick);
 
 }  // namespace trivium::hard

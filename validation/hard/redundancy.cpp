@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/SVD>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -86,6 +88,21 @@ VectorX<double> constraint_force(const Model<double>& model, const VectorX<doubl
   return force.head(6 * eom.nb());
 }
 
+/// The components of lambda that are unique: those whose row of the null space of Phi_q^T is zero. By a
+/// singular value decomposition of the Jacobian of r-omega, whose rows are normalised.
+std::vector<bool> unique_components(const Model<double>& model, int rank) {
+  const auto nc = static_cast<Eigen::Index>(model.mechanism.rows.size());
+  Eigen::MatrixXd transposed(6 * model.mechanism.bodies.size(), nc);
+  for (Eigen::Index k = 0; k < nc; ++k)
+    transposed.col(k) = constraint_force(model, VectorX<double>::Unit(nc, k)).normalized();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(transposed, Eigen::ComputeFullV);
+  const Eigen::MatrixXd null_space = svd.matrixV().rightCols(nc - rank);
+  std::vector<bool> unique;
+  // far above rounding, and far below the components of a dependence of few rows
+  for (Eigen::Index k = 0; k < nc; ++k) unique.push_back(!(null_space.row(k).norm() > 1e-6));
+  return unique;
+}
+
 double relative(const VectorX<double>& x, const VectorX<double>& exact) {
   const double off = (x - exact).lpNorm<Eigen::Infinity>();
   return off == 0 ? 0 : off / exact.lpNorm<Eigen::Infinity>();
@@ -105,19 +122,29 @@ struct Redundant {
 
 /// Compares both solvers in all formulations with the model without the dependent rows. `expected`: the rank,
 /// if it is known.
-void compare_with_reduced(Judge& judge, const Redundant& model, std::optional<int> expected) {
+void compare_with_reduced(Judge& judge, const Scene& scene, std::optional<int> expected) {
+  const Redundant model(scene);
   const RowAnalysis rows = analyse_rows(model.in_double);
   const Model<double> reduced = with_rows(model.in_double, rows.independent);
   const RowAnalysis reduced_rows = analyse_rows(reduced);
   const PhysicalSolution<double> exact =
       solution_in_quad(with_rows(model.in_quad, rows.independent), reduced_rows);
   const VectorX<double> exact_force = constraint_force(reduced, exact.lambda);
+  VectorX<double> exact_lambda = VectorX<double>::Zero(static_cast<Eigen::Index>(rows.unique.size()));
+  for (std::size_t k = 0; k < rows.independent.size(); ++k)
+    exact_lambda[rows.independent[k]] = exact.lambda[k];
+  const std::vector<bool> unique = unique_components(model.in_double, expected.value_or(rows.rank));
+  const auto unique_part = [&](VectorX<double> lambda) {
+    for (std::size_t k = 0; k < unique.size(); ++k)
+      if (!unique[k]) lambda[k] = 0;
+    return lambda;
+  };
   const SolveOptions options{judge.formulations(), {}};
   const auto compare = [&](const SideBySide<double>& answer, const std::string& solver) {
     for (const FormulationResult<double>& found : answer.formulations) {
       Row row = judge.row(found.name, solver, "accelerations [-]");
       if (!found.error.empty()) {
-        judge.add(judge.ended(row, found.error, 0.0));
+        judge.add(judge.ended(row, found.error, 0.0, scene));
         continue;
       }
       row.tolerance = unit_roundoff<double>();
@@ -125,15 +152,19 @@ void compare_with_reduced(Judge& judge, const Redundant& model, std::optional<in
       row.threshold = factors::state * row.tolerance * row.amplification;
       row.value = compare_accelerations(reduced_rows, found.solution, exact).all.error();
       judge.add(judge.judged(row));
+      row.quantity = "unique lambda [-]";
+      row.value = relative(unique_part(found.solution.lambda), unique_part(exact_lambda));
+      judge.add(judge.judged(row));
       row.quantity = "Phi_q^T lambda [-]";
       row.value = relative(constraint_force(model.in_double, found.solution.lambda), exact_force);
       judge.add(judge.judged(row));
     }
     Row row = judge.row("all", solver, "rank and uniqueness [1]");
     row.value = std::abs(answer.rows.rank - expected.value_or(rows.rank));
-    for (std::size_t k = 0; k < rows.unique.size(); ++k) row.value += answer.rows.unique[k] != rows.unique[k];
+    for (std::size_t k = 0; k < unique.size(); ++k) row.value += answer.rows.unique[k] != unique[k];
     row.threshold = 0;
-    row.why = fmt::format("rank {} of {} rows", answer.rows.rank, rows.unique.size());
+    row.why = fmt::format("rank {} of {} rows, {} unique", answer.rows.rank, unique.size(),
+                          std::count(unique.begin(), unique.end(), true));
     judge.add(judge.judged(row));
   };
   compare(side_by_side(model.in_double, rows, options, &model.higher), "printed");
@@ -155,14 +186,14 @@ void judge_copies(Judge& judge, double copies) {
         scene.constraints.push_back(copy);
       }
     judge.begin_part(name);
-    compare_with_reduced(judge, Redundant(scene), rank);
+    compare_with_reduced(judge, scene, rank);
   }
 }
 
 void judge_scaled_rows(Judge& judge, double factor) {
   for (const auto& [name, rank] : redundant_scenes) {
     judge.begin_part(name);
-    compare_with_reduced(judge, Redundant(with_scaled_rows(load_scene(name), factor)), rank);
+    compare_with_reduced(judge, with_scaled_rows(load_scene(name), factor), rank);
   }
 }
 
@@ -186,7 +217,7 @@ void judge_misalignment(Judge& judge, double angle) {
   std::optional<int> rank;
   if (angle < 3e-9) rank = 5;
   if (angle > 3e-8) rank = 6;
-  compare_with_reduced(judge, Redundant(misaligned_door(angle)), rank);
+  compare_with_reduced(judge, misaligned_door(angle), rank);
 }
 
 /// How often the rank changes between 1e-14 and 1e-4 rad, and whether both solvers change it together.

@@ -46,8 +46,8 @@ std::vector<Row> simbody_rows(const Judge& judge, const HardMotion& motion, cons
     try {
       const simbody::Motion found = simbody::move(to_simbody(motion.scene, motion.start),
                                                   simbody::Way::mobilizers, which, accuracy, times);
-      row.tolerance = static_cast<double>(found.steps) * accuracy;
       row.why = counted(found.steps, "step", "steps");
+      row.tolerance = static_cast<double>(found.steps) * accuracy;
       judge_states(row, exact, states_of(found), factors::chosen_steps);
       row.verdict = row.is_met()            ? Verdict::survives
                     : std::isnan(row.value) ? Verdict::not_judged

@@ -1,16 +1,14 @@
-/// Large mechanisms, tiny and huge ones, late and distant ones: the same answers by scaling.
+/// Tiny and huge mechanisms, late and distant ones: the same answers by scaling. Large ones are in
+/// large_mechanisms.cpp.
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "base/raise.hpp"
-#include "bodies/numbers/quad.hpp"
 #include "bodies/numbers/scalar.hpp"
-#include "formulations/r_omega.hpp"
-#include "formulations/structured/acceleration_solver.hpp"
-#include "formulations/structured_side_by_side.hpp"
 #include "integrators/methods.hpp"
 #include "scenes/building.hpp"
 #include "scenes/generators.hpp"
@@ -76,6 +74,7 @@ void judge_scaled(Judge& judge, double length, double gravity) {
   motion.end = time;
   motion.step = time / 1024;
   motion.length = length;
+  motion.speed = length / time;
   judge.motion(motion);
   constexpr int steps = 1024;
   for (const std::string& method : methods_of("size_and_place", judge.is_quick())) {
@@ -90,7 +89,7 @@ void judge_scaled(Judge& judge, double length, double gravity) {
         row.value = apart_after_equal_steps(scene, other, length, time, method, formulation, steps);
         judge.add(judge.judged(row));
       } catch (const Error& error) {
-        judge.add(judge.ended(row, error.what(), error.when()));
+        judge.add(judge.ended(row, error.what(), error.when(), other, 0, time));
       }
     }
   }
@@ -133,97 +132,29 @@ void judge_distant(Judge& judge, double distance) {
   judge.motion(motion);
 }
 
-/// n bars in a plane that form a zigzag; each is inclined by `angle` [rad] to the straight line, so that 0 is
-/// straight and nearly pi / 2 is folded.
-Scene zigzag(int n, double angle) {
-  Scene scene;
-  scene.name = fmt::format("zigzag_{:g}", angle);
-  const Vector3 y{0, 1, 0}, back{-0.5, 0, 0}, front{0.5, 0, 0};
-  double x = 0, z = 0;
-  for (int k = 0; k < n; ++k) {
-    const double turn = k % 2 == 0 ? angle : -angle, c = std::cos(turn), s = -std::sin(turn);
-    scene.bodies.push_back(
-        body(fmt::format("bar_{}", k + 1), 1, {0.01, 0.1, 0.1}, {x + c / 2, 0, z + s / 2}));
-    scene.bodies.back().orientation = scenes::AxisAngle{y, turn};
-    scene.constraints.push_back(joint(JointType::revolute, fmt::format("J{}", k + 1),
-                                      side(k == 0 ? scenes::ground : k - 1, k == 0 ? Vector3{} : front, y),
-                                      side(k, back, y)));
-    x += c;
-    z += s;
-  }
-  scene.effects = {building::gravity()};
-  return scene;
-}
-
-/// lambda of the linear-time solver against the same solver in quad.
-void judge_large(Judge& judge, const Scene& scene) {
-  const auto model = make_model<double>(scene);
-  const auto quad = make_model<Quad>(scene);
-  AccelerationSolver<ROmega<Quad>> solver(quad.mechanism);
-  solver.solve(to_coordinates<ROmega<Quad>>(quad.mechanism, quad.state, {}), quad.state.t);
-  const VectorX<double> exact = scalar_cast<double>(solver.lambda());
-  const SideBySide<double> answer = structured_side_by_side(model, SolveOptions{judge.formulations(), {}});
-  for (const FormulationResult<double>& found : answer.formulations) {
-    Row row = judge.row(found.name, "structured", "lambda [-]");
-    row.tolerance = unit_roundoff<double>();
-    // the condition number of a chain grows with the square of its length
-    row.amplification = std::pow(static_cast<double>(scene.bodies.size()), 2);
-    row.threshold = factors::state * row.tolerance * row.amplification;
-    if (!found.error.empty()) {
-      judge.add(judge.ended(row, found.error, 0.0));
-      continue;
-    }
-    row.value = (found.solution.lambda - exact).lpNorm<Eigen::Infinity>() / exact.lpNorm<Eigen::Infinity>();
-    judge.add(judge.judged(row));
-  }
-}
-
-constexpr int many = 1000;
-
 }  // namespace
 
 Family size_and_place() {
   const double tiny = std::pow(4, -10), huge = std::pow(4, 5);  // powers of 4 scale without rounding
-  const auto generated = [](const char* name, Scene (*make)(int), int least) {
-    return Case{name,
-                "number of bodies",
-                static_cast<double>(least),
-                {100},
-                {many},
-                [make](Judge& judge, double n) { judge_large(judge, make(static_cast<int>(n))); },
-                [make](double n) { return make(static_cast<int>(n)); }};
-  };
-  return {
-      "size_and_place",
-      "large, tiny, huge, late and distant mechanisms",
-      {generated("chain", scenes::chain, 3),
-       generated("ring", scenes::ring, 5),
-       generated("ladder", scenes::ladder, 3),
-       generated(
-           "random_tree", [](int n) { return scenes::tree(n); }, 3),
-       {"zigzag",
-        "inclination of each of a thousand bars [rad]",
-        0.5,
-        {0},
-        {0, 1, 1.5, 1.57},
-        [](Judge& judge, double angle) { judge_large(judge, zigzag(judge.is_quick() ? 100 : many, angle)); },
-        [](double angle) { return zigzag(many, angle); }},
-       {"length",
-        "factor of all lengths",
-        1,
-        {tiny},
-        {tiny, huge},
-        [](Judge& judge, double length) { judge_scaled(judge, length, 1); },
-        [](double length) { return scaled(scenes::two_bars(), length, 1); }},
-       {"gravity",
-        "factor of gravity",
-        1,
-        {},
-        {std::pow(4, -15), std::pow(4, 15)},
-        [](Judge& judge, double gravity) { judge_scaled(judge, 1, gravity); },
-        [](double gravity) { return scaled(scenes::two_bars(), 1, gravity); }},
-       {"late", "time of the start [s]", 0, {1e6}, {1e3, 1e6}, judge_late},
-       {"distant", "distance from the origin [m]", 0, {1e6}, {1e3, 1e6}, judge_distant, distant}}};
+  std::vector<Case> cases = large_mechanisms();
+  cases.insert(cases.end(),
+               {{"length",
+                 "factor of all lengths",
+                 1,
+                 {tiny},
+                 {tiny, huge},
+                 [](Judge& judge, double length) { judge_scaled(judge, length, 1); },
+                 [](double length) { return scaled(scenes::two_bars(), length, 1); }},
+                {"gravity",
+                 "factor of gravity",
+                 1,
+                 {},
+                 {std::pow(4, -15), std::pow(4, 15)},
+                 [](Judge& judge, double gravity) { judge_scaled(judge, 1, gravity); },
+                 [](double gravity) { return scaled(scenes::two_bars(), 1, gravity); }},
+                {"late", "time of the start [s]", 0, {1e6}, {1e3, 1e6}, judge_late},
+                {"distant", "distance from the origin [m]", 0, {1e6}, {1e3, 1e6}, judge_distant, distant}});
+  return {"size_and_place", "large, tiny, huge, late and distant mechanisms", std::move(cases)};
 }
 
 }  // namespace trivium::hard

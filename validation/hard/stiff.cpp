@@ -25,6 +25,8 @@ void judge_orbit(Judge& judge, Scene (*make)(double), double stiffness) {
   motion.step = 1e-3;
   motion.reference = ReferenceRun::stiff;
   motion.exact = set_orbit;
+  motion.monitor = Monitor::positions;  // every difference of a position makes the spring vibrate
+  motion.starts = 5;                    // which are followed step by step
   judge.motion(motion);
 }
 

@@ -3,10 +3,12 @@
 #include "validation/simbody/motion.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <memory>
+#include <mutex>
 
 #include "simulation/cpu_time.hpp"
 #include "validation/simbody/system.hpp"
@@ -19,17 +21,22 @@ using SimTK::MobilizedBody;
 using SimTK::Rotation;
 using SimTK::SpatialVec;
 
-/// Redirects stderr to /dev/null during its lifetime. CPodes writes thousands of lines there; failures are
-/// reported by exceptions or by the result anyway.
+/// Redirects stderr to /dev/null as long as one of them exists in any thread. CPodes writes thousands of
+/// lines there; failures are reported by exceptions or by the result anyway.
 class SilentErrors {
  public:
-  SilentErrors() : kept_(::dup(STDERR_FILENO)) {
+  SilentErrors() {
+    const std::lock_guard lock(guard_);
+    if (count_++ > 0) return;
     std::fflush(stderr);
+    kept_ = ::dup(STDERR_FILENO);
     const int nowhere = ::open("/dev/null", O_WRONLY);
     if (kept_ >= 0 && nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
     if (nowhere >= 0) ::close(nowhere);
   }
   ~SilentErrors() {
+    const std::lock_guard lock(guard_);
+    if (--count_ > 0) return;
     std::fflush(stderr);
     if (kept_ < 0) return;
     ::dup2(kept_, STDERR_FILENO);
@@ -39,8 +46,12 @@ class SilentErrors {
   SilentErrors& operator=(const SilentErrors&) = delete;
 
  private:
-  int kept_;
+  static inline std::mutex guard_;
+  static inline int count_ = 0, kept_ = -1;
 };
+
+/// A run is given up after so many steps. The integrator returns after `steps_at_once` of them.
+constexpr int most_steps = 200'000, steps_at_once = 10'000;
 
 std::unique_ptr<SimTK::Integrator> make(const System& system, Integrator which) {
   switch (which) {
@@ -89,12 +100,17 @@ Motion move(System& system, Integrator which, double accuracy, const std::vector
   // CPodes interpolates as accurately as it steps; the Runge-Kutta methods interpolate only by a cubic.
   const bool interpolates = which == Integrator::cpodes_adams || which == Integrator::cpodes_bdf;
   integrator->setAllowInterpolation(interpolates);
+  integrator->setInternalStepLimit(steps_at_once);
   Motion out;
   const SilentErrors silent;
   const double start = cpu_seconds();
   integrator->initialize(system.state);
   for (const double t : times) {
-    while (integrator->getTime() < t) integrator->stepTo(t, interpolates ? SimTK::Infinity : t);
+    while (integrator->getTime() < t) {
+      integrator->stepTo(t, interpolates ? SimTK::Infinity : t);
+      if (integrator->getNumStepsTaken() > most_steps)
+        throw Refused(fmt::format("more than {} steps up to t = {:g}", most_steps, integrator->getTime()));
+    }
     system.state = integrator->getState();
     read_states(system, out);
   }

@@ -37,7 +37,7 @@ struct Motion {
 };
 
 /// The motion at the given times. Steps end at these times, except that CPodes interpolates. Constraints are
-/// satisfied to `accuracy`. Throws Refused, and no other exception.
+/// satisfied to `accuracy`. Throws Refused, also after 200 000 steps, and no other exception.
 Motion move(const Model& model, Way way, Integrator integrator, double accuracy,
             const std::vector<double>& times);
 

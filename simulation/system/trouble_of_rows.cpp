@@ -1,0 +1,66 @@
+/// Compares the row analyses at two states, and names the row that a singular position concerns most.
+
+#include "simulation/system/trouble_of_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/SVD>
+
+#include "formulations/analysis/row_analysis.hpp"
+
+namespace trivium {
+
+namespace {
+
+/// A message about drivers that depend on other rows and contradict them; empty if there are none.
+std::string contradicting_drivers(const std::vector<std::string>& row_names, const RowAnalysis& rows,
+                                  const std::vector<int>& drivers, double t) {
+  for (const int row : rows.contradictory) {
+    // the rows that its dependence involves
+    const VectorX<double> share = (rows.null_basis * rows.null_basis.row(row).transpose()).cwiseAbs();
+    std::vector<std::string> involved;
+    for (const int driver : drivers)
+      if (share[driver] > 1e-6 * share.maxCoeff())
+        involved.push_back(fmt::format("driver \"{}\"", row_names[driver]));
+    if (!involved.empty())
+      return fmt::format(
+          "{}: what is demanded at t = {} contradicts the other rows, so no acceleration satisfies all. Make "
+          "the functions of time consistent, or leave a driver out",
+          fmt::join(involved, ", "), t);
+  }
+  return {};
+}
+
+/// The row with the largest share in the combination of rows that has, or comes closest to, the gradient 0.
+/// Of `rank` rows that were independent before, it is the next combination to lose its gradient.
+Eigen::Index nearest_to_dependent(const TangentSystem& now, int rank) {
+  const MatrixX<double> Phi = now.Phi.rowwise().normalized();
+  const Eigen::BDCSVD<MatrixX<double>> svd(Phi, Eigen::ComputeThinU);
+  Eigen::Index row = 0;
+  svd.matrixU().col(rank - 1).cwiseAbs().maxCoeff(&row);
+  return row;
+}
+
+}  // namespace
+
+std::string trouble_of_rows(const std::vector<std::string>& row_names, const std::vector<int>& drivers,
+                            const TangentSystem& before, const TangentSystem& now, double t) {
+  // Each row is divided by its size, which depends on the position. So the condition number of three rows of
+  // a spherical joint changes by 40 where the body is slender.
+  constexpr double much = 1000;
+  const RowAnalysis then = analyse_rows(before), here = analyse_rows(now);
+  if (here.rank >= then.rank && here.kappa <= much * then.kappa)
+    return contradicting_drivers(row_names, here, drivers, t);
+  return fmt::format(
+      "near a singular position, where row \"{}\" comes to depend on others and the mechanism can go on in "
+      "more than one way: since the start {}. Take tighter tolerances or smaller steps, or try dopri5, rkf78 "
+      "or "
+      "rattle, which pass most singular positions",
+      row_names[nearest_to_dependent(now, then.rank)],
+      here.rank < then.rank
+          ? fmt::format("the rank of the rows has fallen from {} to {}", then.rank, here.rank)
+          : fmt::format("the condition number of the rows has grown from {:.1e} to {:.1e}", then.kappa,
+                        here.kappa));
+}
+
+}  // namespace trivium

@@ -1,0 +1,232 @@
+/// Chains, rings, ladders and trees of many bodies: straight, random and folded. lambda of one state, and a
+/// short motion.
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "bodies/numbers/quad.hpp"
+#include "bodies/numbers/scalar.hpp"
+#include "formulations/r_omega.hpp"
+#include "formulations/structured/acceleration_solver.hpp"
+#include "formulations/structured_side_by_side.hpp"
+#include "scenes/building.hpp"
+#include "scenes/generators.hpp"
+#include "scenes/make_mechanism.hpp"
+#include "scenes/scene_state.hpp"
+#include "validation/hard/factors.hpp"
+#include "validation/hard/family.hpp"
+#include "validation/hard/known_motions.hpp"
+
+namespace trivium::hard {
+
+namespace {
+
+using building::body, building::joint, building::side;
+using scenes::plain, scenes::Scene, scenes::Vector3;
+
+constexpr int many = 1000, some = 100;
+const scenes::Vector3 y{0, 1, 0}, back{-0.5, 0, 0}, front{0.5, 0, 0};
+
+/// Uniform numbers between -1 and 1, the same with every library.
+class Random {
+ public:
+  explicit Random(double seed) : engine_(static_cast<std::uint64_t>(std::llround(std::abs(seed)))) {}
+  double operator()() { return 2 * static_cast<double>(engine_() >> 11) * 0x1.0p-53 - 1; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// A chain of n bars in a plane, each at its own angle [rad] to the x axis.
+Scene plane_chain(const std::string& name, int n, const std::function<double(int)>& angle) {
+  Scene scene;
+  scene.name = name;
+  double x = 0, z = 0;
+  for (int k = 0; k < n; ++k) {
+    const double turn = angle(k), c = std::cos(turn), s = -std::sin(turn);
+    scene.bodies.push_back(
+        body(fmt::format("bar_{}", k + 1), 1, {0.01, 0.1, 0.1}, {x + c / 2, 0, z + s / 2}));
+    scene.bodies.back().orientation = scenes::AxisAngle{y, turn};
+    scene.constraints.push_back(joint(JointType::revolute, fmt::format("J{}", k + 1),
+                                      side(k == 0 ? scenes::ground : k - 1, k == 0 ? Vector3{} : front, y),
+                                      side(k, back, y)));
+    x += c;
+    z += s;
+  }
+  scene.effects = {building::gravity()};
+  return scene;
+}
+
+/// A zigzag: at the angle 0 it is straight, at nearly pi / 2 folded.
+Scene zigzag(int n, double angle) {
+  return plane_chain(fmt::format("zigzag_{:g}", angle), n,
+                     [angle](int k) { return k % 2 == 0 ? angle : -angle; });
+}
+
+Scene random_chain(int n, double seed) {
+  Random random(seed);
+  return plane_chain(fmt::format("random_chain_{:g}", seed), n,
+                     [&](int) { return std::numbers::pi * random(); });
+}
+
+/// A ring of bars on spherical joints through these points [m]. It turns as a whole at 0.8 rad/s about the y
+/// axis of a revolute in the middle of its first bar.
+Scene ring_through(const std::string& name, const std::vector<trivium::Vector3<double>>& points) {
+  using V = trivium::Vector3<double>;
+  Scene scene;
+  scene.name = name;
+  const int n = static_cast<int>(points.size());
+  const V middle = (points[0] + points[1]) / 2, omega(0, 0.8, 0);
+  std::vector<double> half;
+  for (int k = 0; k < n; ++k) {
+    const V &from = points[k], &to = points[(k + 1) % n], r = (from + to) / 2 - middle;
+    half.push_back((to - from).norm() / 2);
+    const auto turn = Eigen::Quaterniond::FromTwoVectors(V::UnitX(), to - from);
+    scenes::Body bar = body(fmt::format("bar_{}", k + 1), 1, {0.01, 0.1, 0.1}, plain(r));
+    bar.orientation = scenes::EulerParameters{{turn.w(), turn.x(), turn.y(), turn.z()}};
+    bar.velocity = plain(V(omega.cross(r)));
+    bar.angular_velocity = plain(V(turn.conjugate() * omega));
+    scene.bodies.push_back(bar);
+  }
+  const auto first = Eigen::Quaterniond::FromTwoVectors(V::UnitX(), points[1] - points[0]);
+  scene.constraints = {joint(JointType::revolute, "hold", side(scenes::ground, Vector3{}, y),
+                             side(0, Vector3{}, plain(V(first.conjugate() * V::UnitY()))))};
+  for (int k = 0; k < n; ++k)
+    scene.constraints.push_back(joint(JointType::spherical, fmt::format("J{}", k + 1),
+                                      side(k, Vector3{half[k], 0, 0}),
+                                      side((k + 1) % n, Vector3{-half[(k + 1) % n], 0, 0})));
+  scene.effects = {building::gravity()};
+  return scene;
+}
+
+/// A star: a regular polygon in the x-z plane whose corners are alternately farther out and farther in by
+/// this share of its radius. At nearly 1 its bars are folded.
+Scene star_ring(int n, double depth) {
+  std::vector<trivium::Vector3<double>> points;
+  for (int k = 0; k < n; ++k) {
+    const double corner = 2 * std::numbers::pi * k / n,
+                 radius = n / (2 * std::numbers::pi) * (1 + (k % 2 == 0 ? depth : -depth));
+    points.emplace_back(radius * std::cos(corner), 0, radius * std::sin(corner));
+  }
+  return ring_through(fmt::format("star_ring_{:g}", depth), points);
+}
+
+/// Through random points in a cube.
+Scene random_ring(int n, double seed) {
+  Random random(seed);
+  std::vector<trivium::Vector3<double>> points(n);
+  for (auto& point : points)
+    for (double& x : point) x = random();
+  return ring_through(fmt::format("random_ring_{:g}", seed), points);
+}
+
+/// The N-four-bar ladder with its rods at this angle [rad] to their base: at pi / 2 upright, at nearly 0
+/// folded.
+Scene folded_ladder(int n, double angle) {
+  Scene scene = scenes::ladder(n);
+  scene.name = fmt::format("folded_ladder_{:g}", angle);
+  MechanismState<double> state = state_of_size(scene.bodies.size());
+  set_ladder(state, n, angle, -1);
+  set_state(scene, state);
+  return scene;
+}
+
+/// lambda of the linear-time solver against the same solver in quad. `worse`: by how much the position is
+/// worse than a straight chain.
+void judge_lambda(Judge& judge, const Scene& scene, double worse = 1) {
+  const auto model = make_model<double>(scene);
+  const auto quad = make_model<Quad>(scene);
+  AccelerationSolver<ROmega<Quad>> solver(quad.mechanism);
+  solver.solve(to_coordinates<ROmega<Quad>>(quad.mechanism, quad.state, {}), quad.state.t);
+  const VectorX<double> exact = scalar_cast<double>(solver.lambda());
+  const SideBySide<double> answer = structured_side_by_side(model, SolveOptions{judge.formulations(), {}});
+  for (const FormulationResult<double>& found : answer.formulations) {
+    Row row = judge.row(found.name, "structured", "lambda [-]");
+    row.tolerance = unit_roundoff<double>();
+    // the condition number of a chain grows with the square of its length
+    row.amplification = std::pow(static_cast<double>(scene.bodies.size()), 2) * worse;
+    row.threshold = factors::state * row.tolerance * row.amplification;
+    if (!found.error.empty()) {
+      judge.add(judge.ended(row, found.error, 0.0, scene));
+      continue;
+    }
+    row.value = (found.solution.lambda - exact).lpNorm<Eigen::Infinity>() / exact.lpNorm<Eigen::Infinity>();
+    const double figure = found.estimate.lambda <= uncertain_from ? 0 : found.estimate.lambda;
+    judge.add(judge.judged(row, figure));
+  }
+}
+
+/// And a short motion, by methods that take steps of the same length at any size.
+void judge_large(Judge& judge, const Scene& scene) {
+  judge_lambda(judge, scene);
+  HardMotion motion;
+  motion.scene = scene;
+  motion.end = 0.02;
+  motion.methods = {"dopri5", "radau5", "rattle"};
+  motion.beside_simbody = false;
+  motion.starts = 2;  // of a thousand bodies each costs as much as a run
+  judge.motion(motion);
+}
+
+Case generated(const char* name, Scene (*make)(int), int least) {
+  return {name,
+          "number of bodies",
+          static_cast<double>(least),
+          {some},
+          {many},
+          [make](Judge& judge, double n) { judge_large(judge, make(static_cast<int>(n))); },
+          [make](double n) { return make(static_cast<int>(n)); }};
+}
+
+/// Many bodies in a position that a number chooses.
+Case placed(const char* name, const char* number, Scene (*make)(int, double), double easy,
+            std::vector<double> quick, std::vector<double> whole) {
+  return {name,
+          number,
+          easy,
+          std::move(quick),
+          std::move(whole),
+          [make](Judge& judge, double x) { judge_lambda(judge, make(judge.is_quick() ? some : many, x)); },
+          [make](double x) { return make(many, x); }};
+}
+
+}  // namespace
+
+std::vector<Case> large_mechanisms() {
+  return {
+      generated("chain", scenes::chain, 3),
+      generated("ring", scenes::ring, 5),
+      generated(
+          "random_tree", [](int n) { return scenes::tree(n); }, 3),
+      placed("zigzag", "inclination of each of a thousand bars [rad]", zigzag, 0.5, {0}, {0, 1, 1.5, 1.57}),
+      placed("random_chain", "seed of the angles of a thousand bars", random_chain, 1, {2}, {2, 3, 4}),
+      placed("star_ring", "share by which the corners of a ring of a thousand are in and out", star_ring, 0.1,
+             {0.9}, {0.5, 0.9, 0.99}),
+      placed("random_ring", "seed of the corners of a ring of a thousand", random_ring, 1, {2}, {2, 3, 4}),
+      // its motion is a case of the singular positions
+      {"ladder",
+       "number of bodies",
+       3,
+       {some},
+       {many},
+       [](Judge& judge, double n) { judge_lambda(judge, scenes::ladder(static_cast<int>(n) / 2)); },
+       [](double n) { return scenes::ladder(static_cast<int>(n) / 2); }},
+      {"folded_ladder",
+       "angle of the rods of a ladder of 500 loops [rad]",
+       1,
+       {1e-3},
+       {0.1, 1e-3, 1e-5},
+       [](Judge& judge, double angle) {
+         judge_lambda(judge, folded_ladder((judge.is_quick() ? some : many) / 2, angle), 1 / angle);
+       },
+       [](double angle) { return folded_ladder(many / 2, angle); }}};
+}
+
+}  // namespace trivium::hard
