@@ -124,6 +124,7 @@ void judge_motion(Judge& judge, const Scene& scene, double end = 1) {
   motion.end = end;
   motion.step = judge.is_twin() ? 5e-5 : 5e-4;
   motion.reference = ReferenceRun::in_quad;
+  motion.starts = 5;
   judge.motion(motion);
 }
 
@@ -157,7 +158,7 @@ Family inertia() {
         "axial moment of inertia [kg m^2]",
         0.05,
         {1e-9, 0},
-        moments,
+        {1e-2, 1e-4, 1e-6, 1e-9, 0},
         motion_of(free_rod),
         free_rod},
        {"point_mass", "moments of inertia [kg m^2]", 0.05, {0}, moments, motion_of(point_mass), point_mass},

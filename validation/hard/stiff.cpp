@@ -38,8 +38,9 @@ Scene vibration(double stiffness) { return stone_on_spring(stiffness, 0, 1 - amp
 void judge_vibration(Judge& judge, double stiffness) {
   HardMotion motion;
   motion.scene = vibration(stiffness);
-  motion.end = (judge.is_quick() ? 50 : 200) / std::sqrt(stiffness);  // about 8 or 32 periods
-  motion.step = 2 / std::sqrt(stiffness);                             // three steps a period
+  const bool is_short = judge.is_quick() || judge.is_twin();
+  motion.end = (is_short ? 50 : 200) / std::sqrt(stiffness);  // about 8 or 32 periods
+  motion.step = 2 / std::sqrt(stiffness);                     // three steps a period
   motion.exact = [stiffness](MechanismState<double>& state) {
     const double omega = std::sqrt(stiffness);
     state.pose[0].r = {1 + amplitude * (std::cos(omega * state.t) - 1), 0, 0};
