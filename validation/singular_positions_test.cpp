@@ -70,6 +70,18 @@ TEST(ALongStep, IsNamedAsTheReason) {
     }
 }
 
+TEST_P(InEveryFormulation, AMethodThatEndsAtASingularPositionNamesARowAndSaysWhatToTry) {
+  try {
+    const Motion motion(catalogue_scene("n_four_bar_1"), tight(GetParam(), "hedop5", 5, 1e-8));
+    FAIL() << "reached " << motion.report.reached;
+  } catch (const Error& error) {
+    const std::string what = error.what();
+    // a revolute of the loop
+    EXPECT_TRUE(what.find("row \"A") != what.npos || what.find("row \"B") != what.npos) << what;
+    EXPECT_NE(what.find("try dopri5"), what.npos) << what;
+  }
+}
+
 // the motion starts upright; nearly so, it is the mass matrix that is singular, though the body has inertia
 TEST(TheRawChart, IsAnErrorThatNamesTheBodyWhereItIsSingular) {
   SimulationOptions options = tight("r-epsilon", "dopri5", 5, 1e-9);

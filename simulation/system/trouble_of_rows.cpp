@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/SVD>
+#include <algorithm>
 
 #include "formulations/analysis/row_analysis.hpp"
 
@@ -37,7 +38,7 @@ Eigen::Index nearest_to_dependent(const TangentSystem& now, int rank) {
   const MatrixX<double> Phi = now.Phi.rowwise().normalized();
   const Eigen::BDCSVD<MatrixX<double>> svd(Phi, Eigen::ComputeThinU);
   Eigen::Index row = 0;
-  svd.matrixU().col(rank - 1).cwiseAbs().maxCoeff(&row);
+  svd.matrixU().col(std::max(rank, 1) - 1).cwiseAbs().maxCoeff(&row);
   return row;
 }
 

@@ -179,7 +179,6 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
     figure = std::max({figure, std::min(warning.relative_error, 1.0), std::numeric_limits<double>::min()});
     row.why += "; warned: " + warning.text;
   }
-  fmt::print(stderr, "TIME {:.2f} {} {} {} {}\n", report.seconds, family_, name_, formulation, row.method);
   row = judged(std::move(row), figure);
   add(row);
   if (motion.also) motion.also(*this, {row, report, figure});
