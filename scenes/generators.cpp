@@ -4,12 +4,12 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
 #include "bodies/rotations/so3.hpp"
 #include "scenes/building.hpp"
+#include "scenes/random_draw.hpp"
 
 namespace trivium::scenes {
 
@@ -155,21 +155,18 @@ Scene ladder(int n) {
 Scene tree(int n, std::uint64_t seed) {
   Scene scene = sized("tree", n, 1,
                       fmt::format("{} bars, each hung on a randomly drawn earlier bar, seed {}", n, seed));
-  std::mt19937_64 engine(seed);
-  const auto uniform = [&](double low, double high) {  // std's distribution depends on the library
-    return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1.0p-53;
-  };
+  RandomDraw random(seed);
   std::vector<Bar> bars;
   bars.reserve(static_cast<std::size_t>(n));
   for (int k = 0; k < n; ++k) {
-    const int inboard = k == 0 ? ground : static_cast<int>(engine() % static_cast<std::uint64_t>(k));
+    const int inboard = k == 0 ? ground : random.below(k);
     // one draw a statement: the order of draws within a call depends on the compiler
-    const double z = uniform(0.2, 1);
-    const double y = uniform(-1, 1);
-    const double x = uniform(-1, 1);
+    const double z = random.uniform(0.2, 1);
+    const double y = random.uniform(-1, 1);
+    const double x = random.uniform(-1, 1);
     const V axis = V(x, y, z).normalized();
-    const double rate = uniform(-1, 1);
-    const double angle = uniform(-1.5, 1.5);
+    const double rate = random.uniform(-1, 1);
+    const double angle = random.uniform(-1.5, 1.5);
     bars.push_back(hang(inboard == ground ? nullptr : &bars[inboard], axis, angle, rate));
     scene.bodies.push_back(body_of(fmt::format("bar_{}", k + 1), bars.back()));
     scene.constraints.push_back(hinge(fmt::format("J{}", k + 1), inboard, k, axis));

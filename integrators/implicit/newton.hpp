@@ -103,8 +103,9 @@ class Newton {
       if (imbalance <= enough() && violation.relative <= rounding<S>()) return;
       // `is_fresh`: the matrix of the last correction was factored at the iterate that it corrected. If even
       // such a correction does not halve the residual, rounding is reached or the iteration diverges. Up to
-      // 1000 times the bounds (a safety factor) it counts as rounding, and the best iterate is taken:
-      // near a singular position the rounding of a correction can exceed the residual that it removes.
+      // 1000 times the bounds (a safety factor) it counts as rounding the second time, and the best iterate
+      // is taken: near a singular position the rounding of a correction can exceed the residual that it
+      // removes. At the first time the iterate may still be far from the best, which lambda of index 3 shows.
       const S now = imbalance / enough() + violation.relative / rounding<S>();
       const bool falls = now <= before / 2;
       const bool is_best = imbalance < least && violation.relative <= S(1e3) * rounding<S>();

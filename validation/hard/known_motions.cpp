@@ -105,6 +105,23 @@ MechanismState<double> state_of_size(std::size_t bodies) {
 
 namespace {
 
+/// A crank of length 1 m on the ground and a rod, both of 1 kg, whose end slides along the x axis. `moment`:
+/// of inertia of the rod about z [kg m^2].
+Scene crank_and_rod(const std::string& name, double rod_length, double moment,
+                    const MechanismState<double>& start) {
+  const Vector3 z{0, 0, 1}, back{-rod_length / 2, 0, 0}, front{rod_length / 2, 0, 0};
+  Scene scene;
+  scene.name = name;
+  scene.bodies = {body("crank", 1, {0.02, 0.1, 0.1}), body("rod", 1, {0.02, moment, moment})};
+  set_state(scene, start);
+  scene.constraints = {
+      joint(JointType::revolute, "A", side(scenes::ground, Vector3{}, z), side(0, Vector3{-0.5, 0, 0}, z)),
+      joint(JointType::revolute, "B", side(0, Vector3{0.5, 0, 0}, z), side(1, back, z)),
+      joint(basic_type<CD>, "slide", side(scenes::ground, Vector3{}), side(1, front))};
+  scene.constraints.back().direction = {0, 1, 0};
+  return scene;
+}
+
 /// The sum of m v^2 and J omega^2 of crank and rod, both of 1 kg, per square of the crank's speed.
 double inertia_at(double theta) {
   const double s2 = std::sin(theta) * std::sin(theta);
@@ -114,18 +131,9 @@ double inertia_at(double theta) {
 }  // namespace
 
 Scene rod_on_crank(double rate) {
-  const Vector3 z{0, 0, 1}, back{-0.5, 0, 0}, front{0.5, 0, 0};
-  Scene scene;
-  scene.name = fmt::format("rod_on_crank_{:g}", rate);
-  scene.bodies = {body("crank", 1, {0.02, 0.1, 0.1}), body("rod", 1, {0.02, 0.1, 0.1})};
   MechanismState<double> start = state_of_size(2);
   set_rod_on_crank(start, rate);
-  set_state(scene, start);
-  scene.constraints = {joint(JointType::revolute, "A", side(scenes::ground, Vector3{}, z), side(0, back, z)),
-                       joint(JointType::revolute, "B", side(0, front, z), side(1, back, z)),
-                       joint(basic_type<CD>, "slide", side(scenes::ground, Vector3{}), side(1, front))};
-  scene.constraints.back().direction = {0, 1, 0};
-  return scene;
+  return crank_and_rod(fmt::format("rod_on_crank_{:g}", rate), 1, 0.1, start);
 }
 
 // The kinetic energy does not change. By Runge-Kutta steps of order 4, far shorter than needed.
@@ -147,8 +155,8 @@ void set_rod_on_crank(MechanismState<double>& state, double rate) {
 
 namespace {
 
-constexpr double rod_length = 2, first_angle = 0.3, first_rate = 2;  // [m, rad, rad/s]
-const scenes::Vector3 moments_of_crank{0.02, 0.1, 0.1}, moments_of_rod{0.02, 0.4, 0.4};
+constexpr double rod_length = 2, moment_of_rod = 0.4;  // [m, kg m^2]
+constexpr double first_angle = 0.3, first_rate = 2;    // [rad, rad/s]
 
 /// The sine and cosine of the rod's angle, and its rate per rate of the crank.
 struct RodOfCrank {
@@ -171,25 +179,16 @@ void set_slider_crank(MechanismState<double>& state, double theta, double omega)
 double inertia_of_slider_crank(double theta) {
   MechanismState<double> state = state_of_size(2);
   set_slider_crank(state, theta, 1);
-  return state.twist[0].r_dot.squaredNorm() + state.twist[1].r_dot.squaredNorm() + moments_of_crank[2] +
-         moments_of_rod[2] * std::pow(RodOfCrank(theta).rate, 2);
+  return state.twist[0].r_dot.squaredNorm() + state.twist[1].r_dot.squaredNorm() + 0.1 +
+         moment_of_rod * std::pow(RodOfCrank(theta).rate, 2);
 }
 
 }  // namespace
 
 Scene slider_crank() {
-  const Vector3 z{0, 0, 1}, back{-0.5, 0, 0}, front{0.5, 0, 0}, half{rod_length / 2, 0, 0};
-  Scene scene;
-  scene.name = "slider_crank";
-  scene.bodies = {body("crank", 1, moments_of_crank), body("rod", 1, moments_of_rod)};
   MechanismState<double> start = state_of_size(2);
   set_slider_crank(start, first_angle, first_rate);
-  set_state(scene, start);
-  scene.constraints = {joint(JointType::revolute, "A", side(scenes::ground, Vector3{}, z), side(0, back, z)),
-                       joint(JointType::revolute, "B", side(0, front, z), side(1, {{-half[0], 0, 0}}, z)),
-                       joint(basic_type<CD>, "slide", side(scenes::ground, Vector3{}), side(1, half))};
-  scene.constraints.back().direction = {0, 1, 0};
-  return scene;
+  return crank_and_rod("slider_crank", rod_length, moment_of_rod, start);
 }
 
 // The kinetic energy does not change. The trapezoidal rule over a period has an error like exp(-n).

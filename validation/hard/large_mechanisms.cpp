@@ -5,9 +5,9 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <numbers>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -19,10 +19,12 @@
 #include "scenes/building.hpp"
 #include "scenes/generators.hpp"
 #include "scenes/make_mechanism.hpp"
+#include "scenes/random_draw.hpp"
 #include "scenes/scene_state.hpp"
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
 #include "validation/hard/known_motions.hpp"
+#include "validation/hard/solved_state.hpp"
 
 namespace trivium::hard {
 
@@ -32,17 +34,11 @@ using building::body, building::joint, building::side;
 using scenes::plain, scenes::Scene, scenes::Vector3;
 
 constexpr int many = 1000, some = 100;
-const scenes::Vector3 y{0, 1, 0}, back{-0.5, 0, 0}, front{0.5, 0, 0};
+const Vector3 y{0, 1, 0}, back{-0.5, 0, 0}, front{0.5, 0, 0};
 
-/// Uniform numbers between -1 and 1, the same with every library.
-class Random {
- public:
-  explicit Random(double seed) : engine_(static_cast<std::uint64_t>(std::llround(std::abs(seed)))) {}
-  double operator()() { return 2 * static_cast<double>(engine_() >> 11) * 0x1.0p-53 - 1; }
-
- private:
-  std::mt19937_64 engine_;
-};
+scenes::RandomDraw random_from(double seed) {
+  return scenes::RandomDraw(static_cast<std::uint64_t>(std::llround(std::abs(seed))));
+}
 
 /// A chain of n bars in a plane, each at its own angle [rad] to the x axis.
 Scene plane_chain(const std::string& name, int n, const std::function<double(int)>& angle) {
@@ -71,9 +67,9 @@ Scene zigzag(int n, double angle) {
 }
 
 Scene random_chain(int n, double seed) {
-  Random random(seed);
+  scenes::RandomDraw random = random_from(seed);
   return plane_chain(fmt::format("random_chain_{:g}", seed), n,
-                     [&](int) { return std::numbers::pi * random(); });
+                     [&](int) { return std::numbers::pi * random.uniform(-1, 1); });
 }
 
 /// A ring of bars on spherical joints through these points [m]. It turns as a whole at 0.8 rad/s about the y
@@ -120,10 +116,10 @@ Scene star_ring(int n, double depth) {
 
 /// Through random points in a cube.
 Scene random_ring(int n, double seed) {
-  Random random(seed);
+  scenes::RandomDraw random = random_from(seed);
   std::vector<trivium::Vector3<double>> points(n);
   for (auto& point : points)
-    for (double& x : point) x = random();
+    for (double& x : point) x = random.uniform(-1, 1);
   return ring_through(fmt::format("random_ring_{:g}", seed), points);
 }
 
@@ -158,8 +154,7 @@ void judge_lambda(Judge& judge, const Scene& scene, double worse = 1) {
       continue;
     }
     row.value = (found.solution.lambda - exact).lpNorm<Eigen::Infinity>() / exact.lpNorm<Eigen::Infinity>();
-    const double figure = found.estimate.lambda <= uncertain_from ? 0 : found.estimate.lambda;
-    judge.add(judge.judged(row, figure));
+    judge.add(judge.judged(row, stated_error(found)));
   }
 }
 

@@ -141,7 +141,8 @@ void judge_periods(Judge& judge, const Recurrence& motion, double periods) {
 /// The pendulum over one second by given steps: the error does not grow as they become shorter, but for the
 /// multipliers of index 3, which know positions only to their rounding, u / h^2.
 void judge_short_steps(Judge& judge, double h) {
-  const auto model = make_model<double>(pendulum());
+  const scenes::Scene scene = pendulum();
+  const auto model = make_model<double>(scene);
   SimulationOptions options;
   options.integrator = "rkf78";
   options.end = 1;
@@ -160,7 +161,7 @@ void judge_short_steps(Judge& judge, double h) {
       try {
         report = simulate(model, options, found);
       } catch (const Error& error) {
-        judge.add(judge.ended(row, error.what(), error.when(), pendulum(), 0, options.end));
+        judge.add(judge.ended(row, error.what(), error.when(), scene, 0, options.end));
         continue;
       }
       for (std::size_t k = 0; k < exact.all.size(); ++k)

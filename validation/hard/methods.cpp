@@ -33,8 +33,7 @@ const std::vector<MethodsOfFamily>& method_list() {
        "a top of 1000 rad/s turns 16 000 times in 100 s: methods of order 5 would take 1e7 steps and more"},
       {"inertia", one_of_each_kind, all_but_hht,
        "singular and badly scaled mass matrices concern every method; hht, of order 1 in r-p and r-epsilon, "
-       "would "
-       "take millions of steps"},
+       "would take millions of steps"},
       {"singular_positions", one_of_each_kind, all, "every method has to pass them"},
       {"short_steps",
        {"generalized-alpha"},
@@ -44,8 +43,8 @@ const std::vector<MethodsOfFamily>& method_list() {
        {"radau5", "generalized-alpha"},
        implicit,
        "explicit methods follow a vibration of 1e5 rad/s with steps of 1e-5 s, whatever is asked; "
-       "arkode-dirk "
-       "with chosen steps loses any undamped vibration, and warns of its energy (docs/limits.md)"},
+       "arkode-dirk with chosen steps loses any undamped vibration, and warns of its energy "
+       "(docs/limits.md)"},
       {"drivers", one_of_each_kind, all, "every method meets the events"},
       {"size_and_place", one_of_each_kind, all,
        "tolerances, scales and iterations of every method have units"},

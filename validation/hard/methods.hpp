@@ -13,7 +13,7 @@ struct MethodsOfFamily {
   std::string why;  ///< these and no others
 };
 
-/// The list.
+/// All choices: of every family of motions, and of the cases that have their own.
 const std::vector<MethodsOfFamily>& method_list();
 
 /// The methods of a family or a case.

@@ -14,7 +14,7 @@
 #include "bodies/numbers/quad.hpp"
 #include "bodies/numbers/real50.hpp"
 #include "bodies/numbers/scalar.hpp"
-#include "formulations/r_omega.hpp"
+#include "formulations/analysis/tangent_system.hpp"
 #include "formulations/structured_side_by_side.hpp"
 #include "scenes/building.hpp"
 #include "scenes/catalogue.hpp"
@@ -73,33 +73,15 @@ Scene with_scaled_rows(Scene scene, double factor) {
   return scene;
 }
 
-/// Phi_q^T lambda [N, N m], with the Jacobian of r-omega.
-VectorX<double> constraint_force(const Model<double>& model, const VectorX<double>& lambda) {
-  const auto eom = equations_of_motion<ROmega<double>>(
-      model.mechanism, to_coordinates<ROmega<double>>(model.mechanism, model.state, {}), model.state.t);
-  VectorX<double> force = VectorX<double>::Zero(6 * (eom.nb() + 1));
-  for (int k = 0; k < eom.nc(); ++k) {
-    const auto& row = eom.row[k];
-    force.segment<3>(6 * eom.pair[k].i) += lambda[k] * row.r_i.transpose();
-    force.segment<3>(6 * eom.pair[k].i + 3) += lambda[k] * row.rot_i.transpose();
-    force.segment<3>(6 * eom.pair[k].j) += lambda[k] * row.r_j.transpose();
-    force.segment<3>(6 * eom.pair[k].j + 3) += lambda[k] * row.rot_j.transpose();
-  }
-  return force.head(6 * eom.nb());
-}
-
 /// The components of lambda that are unique: those whose row of the null space of Phi_q^T is zero. By a
 /// singular value decomposition of the Jacobian of r-omega, whose rows are normalised.
-std::vector<bool> unique_components(const Model<double>& model, int rank) {
-  const auto nc = static_cast<Eigen::Index>(model.mechanism.rows.size());
-  Eigen::MatrixXd transposed(6 * model.mechanism.bodies.size(), nc);
-  for (Eigen::Index k = 0; k < nc; ++k)
-    transposed.col(k) = constraint_force(model, VectorX<double>::Unit(nc, k)).normalized();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(transposed, Eigen::ComputeFullV);
-  const Eigen::MatrixXd null_space = svd.matrixV().rightCols(nc - rank);
+std::vector<bool> unique_components(const MatrixX<double>& Phi, int rank) {
+  const MatrixX<double> normalised = Phi.rowwise().normalized();
+  const Eigen::JacobiSVD<MatrixX<double>> svd(normalised.transpose(), Eigen::ComputeFullV);
+  const MatrixX<double> null_space = svd.matrixV().rightCols(Phi.rows() - rank);
   std::vector<bool> unique;
   // far above rounding, and far below the components of a dependence of few rows
-  for (Eigen::Index k = 0; k < nc; ++k) unique.push_back(!(null_space.row(k).norm() > 1e-6));
+  for (Eigen::Index k = 0; k < Phi.rows(); ++k) unique.push_back(!(null_space.row(k).norm() > 1e-6));
   return unique;
 }
 
@@ -108,32 +90,20 @@ double relative(const VectorX<double>& x, const VectorX<double>& exact) {
   return off == 0 ? 0 : off / exact.lpNorm<Eigen::Infinity>();
 }
 
-/// A model with redundant rows, in the precisions that are needed.
-struct Redundant {
-  Model<double> in_double;
-  Model<NextPrecisionT<double>> higher;
-  Model<Quad> in_quad;
-
-  explicit Redundant(const Scene& scene)
-      : in_double(make_model<double>(scene)),
-        higher(make_model<NextPrecisionT<double>>(scene)),
-        in_quad(make_model<Quad>(scene)) {}
-};
-
 /// Compares both solvers in all formulations with the model without the dependent rows. `expected`: the rank,
 /// if it is known.
 void compare_with_reduced(Judge& judge, const Scene& scene, std::optional<int> expected) {
-  const Redundant model(scene);
-  const RowAnalysis rows = analyse_rows(model.in_double);
-  const Model<double> reduced = with_rows(model.in_double, rows.independent);
-  const RowAnalysis reduced_rows = analyse_rows(reduced);
+  const auto model = make_model<double>(scene);
+  const auto higher = make_model<NextPrecisionT<double>>(scene);
+  const RowAnalysis rows = analyse_rows(model),
+                    reduced_rows = analyse_rows(with_rows(model, rows.independent));
   const PhysicalSolution<double> exact =
-      solution_in_quad(with_rows(model.in_quad, rows.independent), reduced_rows);
-  const VectorX<double> exact_force = constraint_force(reduced, exact.lambda);
+      solution_in_quad(with_rows(make_model<Quad>(scene), rows.independent), reduced_rows);
+  const MatrixX<double> Phi = tangent_system(model.mechanism, model.state).Phi;
   VectorX<double> exact_lambda = VectorX<double>::Zero(static_cast<Eigen::Index>(rows.unique.size()));
   for (std::size_t k = 0; k < rows.independent.size(); ++k)
     exact_lambda[rows.independent[k]] = exact.lambda[k];
-  const std::vector<bool> unique = unique_components(model.in_double, expected.value_or(rows.rank));
+  const std::vector<bool> unique = unique_components(Phi, expected.value_or(rows.rank));
   const auto unique_part = [&](VectorX<double> lambda) {
     for (std::size_t k = 0; k < unique.size(); ++k)
       if (!unique[k]) lambda[k] = 0;
@@ -156,7 +126,7 @@ void compare_with_reduced(Judge& judge, const Scene& scene, std::optional<int> e
       row.value = relative(unique_part(found.solution.lambda), unique_part(exact_lambda));
       judge.add(judge.judged(row));
       row.quantity = "Phi_q^T lambda [-]";
-      row.value = relative(constraint_force(model.in_double, found.solution.lambda), exact_force);
+      row.value = relative(Phi.transpose() * found.solution.lambda, Phi.transpose() * exact_lambda);
       judge.add(judge.judged(row));
     }
     Row row = judge.row("all", solver, "rank and uniqueness [1]");
@@ -167,8 +137,8 @@ void compare_with_reduced(Judge& judge, const Scene& scene, std::optional<int> e
                           std::count(unique.begin(), unique.end(), true));
     judge.add(judge.judged(row));
   };
-  compare(side_by_side(model.in_double, rows, options, &model.higher), "printed");
-  compare(structured_side_by_side(model.in_double, options), "structured");
+  compare(side_by_side(model, rows, options, &higher), "printed");
+  compare(structured_side_by_side(model, options), "structured");
 }
 
 /// The scenes and their ranks.

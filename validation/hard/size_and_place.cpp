@@ -10,7 +10,6 @@
 #include "base/raise.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "integrators/methods.hpp"
-#include "scenes/building.hpp"
 #include "scenes/generators.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "simulation/simulate.hpp"
@@ -22,7 +21,6 @@ namespace trivium::hard {
 
 namespace {
 
-using building::body, building::joint, building::side;
 using scenes::Scene, scenes::Vector3;
 
 Vector3 times(double factor, const Vector3& x) { return {factor * x[0], factor * x[1], factor * x[2]}; }

@@ -17,14 +17,16 @@ struct SolvedState {
   std::string refusal;              ///< empty if solved
   double lambda = 0;                ///< relative error (formulations/analysis/comparison.hpp)
   double omega_bar_dot = 0;         ///< largest error of a component [rad/s^2]
-  /// The error of lambda that the solver reports by itself; 0 if it is too small for a warning.
-  double announced = 0;
+  double announced = 0;             ///< stated_error
 };
 
 struct SolvedStates {
   double kappa = 1;
   std::vector<SolvedState> all;
 };
+
+/// The error of lambda that a solver states by itself; 0 if it is too small for a warning.
+double stated_error(const FormulationResult<double>& found);
 
 /// The solution of r-omega in quad, rounded. Throws a ModelError if there is none.
 PhysicalSolution<double> solution_in_quad(const Model<Quad>& model, const RowAnalysis& rows);
