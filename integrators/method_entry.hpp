@@ -18,7 +18,6 @@ struct MethodInfo {
   std::string_view name, summary;
   int order = 0;               ///< order of positions, velocities and lambda at given steps; 0: it varies
   int standard_order = order;  ///< order that is used if the parameter `order` is left out
-  int order_where_inertia_varies = standard_order;        ///< where the mass matrix M depends on q
   bool takes_given_steps = false, chooses_steps = false;  ///< the kinds of steps that the method supports
   bool meets_constraints = false;           ///< satisfies Phi = 0 by its own equations; is not projected
   bool needs_constant_inertia = false;      ///< needs a mass matrix M that does not depend on q

@@ -16,9 +16,13 @@
 
 namespace trivium {
 
+namespace {
+
 bool inertia_is_constant(const std::string& formulation) {
   return with_formulation<double>(formulation, []<Formulation F>() { return F::inertia_is_constant; });
 }
+
+}  // namespace
 
 bool goes_with(const integrators::MethodInfo& method, const std::string& formulation) {
   return !method.needs_constant_inertia || inertia_is_constant(formulation);

@@ -108,8 +108,6 @@ std::vector<ErrorByHalving> verify_steps(const Model<double>& model, const Simul
     found.quantity = of.name;
     found.unit = of.unit;
     found.expected_order = order;
-    found.least_order =
-        inertia_is_constant(options.formulation) ? order : std::min(order, info.order_where_inertia_varies);
     double first = 0, second = 0, size = 0;
     const std::size_t outputs = std::min({coarse.size(), half.size(), quarter.size()});
     for (std::size_t k = 0; k < outputs; ++k) {

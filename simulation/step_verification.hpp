@@ -8,6 +8,7 @@
 /// not that of the method, the steps are too long for the expansion of the error, or too short for the digits
 /// of double, and the figure is not reliable.
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,10 +25,9 @@ struct ErrorByHalving {
   /// The order observed there; none if the differences are rounding errors, which hide it.
   std::optional<double> order = {};
   int expected_order = 0;  ///< of the method
-  int least_order = 0;     ///< lower than expected_order if the method may lose order where M varies
 
   /// Whether the observed order is the method's, to 0.3, a tolerance chosen by experiment.
-  bool is_reliable() const { return !order || (*order > least_order - 0.3 && *order < expected_order + 0.3); }
+  bool is_reliable() const { return !order || std::abs(*order - expected_order) < 0.3; }
 };
 
 /// Repeats the motion of `options` (with given steps) with half and with a quarter of the step, and compares

@@ -86,14 +86,11 @@ TEST(VerifiedSteps, OfAMotionThatEndsAtRestAreNotTakenForExact) {
   EXPECT_TRUE(!positions.is_reliable() || positions.error >= 0.1) << positions.error;
 }
 
-// At these steps the errors of a method of order 8 are rounding; hht has the order 1 where M varies.
-TEST(VerifiedSteps, OfRoundingAndOfALowerOrderAreNoReasonForAlarm) {
+// At these steps the errors of a method of order 8 are rounding.
+TEST(VerifiedSteps, OfRoundingAreNoReasonForAlarm) {
   SimulationOptions options = stepping("r-omega", "rkf78", 1, 1e-3);
   for (const ErrorByHalving& error : verify_steps(make_model<double>(catalogue_scene("heavy_top")), options))
     EXPECT_TRUE(error.is_reliable()) << error.quantity << " " << error.error;
-  options = stepping("r-p", "hht", 0.05, 1e-5);
-  for (const ErrorByHalving& error : verify_steps(make_model<double>(catalogue_scene("heavy_top")), options))
-    EXPECT_TRUE(error.is_reliable()) << error.quantity << " " << *error.order;
 }
 
 TEST(VerifiedSteps, HaveNoFigureForMultipliersOfWhichNoneIsUnique) {
@@ -109,7 +106,7 @@ TEST(VerifiedSteps, HaveNoFigureForMultipliersOfWhichNoneIsUnique) {
 TEST(VerifiedSteps, OfAFastTopShowAWrongPrecession) {
   const scenes::Scene scene = catalogue_scene("heavy_top");
   const Motion exact(scene, tight("r-omega", "rkf78", 0.3, 1e-13));
-  SimulationOptions options = stepping("r-p", "hht", 0.3, 5e-4);
+  SimulationOptions options = stepping("r-p", "hht", 0.3, 4e-3);
   const Motion motion(scene, options);
   const double error = (motion.end().state.pose[0].r - exact.end().state.pose[0].r).norm();
   EXPECT_GE(error, 0.01);

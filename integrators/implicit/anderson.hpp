@@ -46,7 +46,10 @@ class Anderson {
       products.diagonal().array() +=
           products.diagonal().maxCoeff() * S(1e-13) + std::numeric_limits<S>::min();
       const auto shares = products.ldlt().solve(sides).eval();
-      for (int a = 0; a < n; ++a) step_ -= shares[a] * (steps_[a] + turns_[a]);
+      // Larger weights come from changes that differ by rounding alone; 1000 is far above those of iterations
+      // that converge.
+      if (shares.cwiseAbs().maxCoeff() <= S(1000))
+        for (int a = 0; a < n; ++a) step_ -= shares[a] * (steps_[a] + turns_[a]);
     }
     before_ = change;
     ++kept_;

@@ -3,11 +3,12 @@
 /// Journal of Computational and Nonlinear Dynamics 2 (2007). It has Newmark's formulas with gamma = 1/2 -
 /// alpha, beta = (1 - alpha)^2 / 4, alpha in [-1/3, 0], and the equations
 ///
-///   M a_n+1 / (1 + alpha) + g_n+1 - alpha / (1 + alpha) g_n = 0,   g = Phi_q^T lambda - Q
+///   M (a_n+1 / (1 + alpha) + alpha / (1 + alpha) v'_n) + g_n+1 = 0,   g = Phi_q^T lambda - Q
 ///   Phi(q_n+1, t_n+1) = 0
 ///
-/// Where M depends on q, as in r-p and r-epsilon, M(q_n+1)^-1 g_n differs from M(q_n)^-1 g_n = -v'_n by a
-/// term of order h. With alpha < 0 the order then falls to 1.
+/// where v'_n is the acceleration of the last step's balance, M v'_n = -g_n. The paper writes -g_n in place
+/// of M v'_n, which is the same for a constant M. Where M depends on q, as in r-p and r-epsilon, M(q_n+1)^-1
+/// g_n differs from M(q_n)^-1 g_n by a term of order h, and the order would fall to 1.
 
 #include <optional>
 
@@ -52,29 +53,25 @@ class HHT {
       newton_.scale_velocity_violation(system, t, ratio * ratio, reached);
     }
     v_ = reached.segment(nq, nv);
-    // Newton's unknown is a_n+1 / (1 + alpha), so that its factor in the equations is M
+    // Newton's unknown is v'_n+1, so that its factor in the equations is M
     const S per_x = 1 + alpha_;
     const auto place = [&](const StepUnknowns<S>& x, StateVector<S>& to) {
-      displacement_ = h * v_ + h * h * ((S(0.5) - beta_) * a_now_ + beta_ * per_x * x.v_dot);
+      a_next_ = per_x * x.v_dot - alpha_ * v_dot_now_;
+      displacement_ = h * v_ + h * h * ((S(0.5) - beta_) * a_now_ + beta_ * a_next_);
       system.displace(y, displacement_, to);
-      to.segment(nq, nv) = v_ + h * ((1 - gamma_) * a_now_ + gamma_ * per_x * x.v_dot);
-    };
-    const auto force = [&](const typename System::Evaluation& at, const StateVector<S>& x,
-                           StateVector<S>& total) {
-      system.inertia_force(at, x, inertia_);
-      total = inertia_ - alpha_ / per_x * g_;
+      to.segment(nq, nv) = v_ + h * ((1 - gamma_) * a_now_ + gamma_ * a_next_);
     };
     a_.ahead(h / *last_h_, x_.v_dot);
-    x_.v_dot /= per_x;
+    x_.v_dot = (x_.v_dot + alpha_ * v_dot_now_) / per_x;
     lambda_.ahead(h / *last_h_, x_.lambda);
-    newton_(system, stop, {h * h * beta_ * per_x, h * gamma_ * per_x}, place, reached, x_, counters_, force);
+    newton_(system, stop, {h * h * beta_ * per_x, h * gamma_ * per_x}, place, reached, x_, counters_);
   }
   /// Accepts the step of length h that was solved last, and adds its work to `reached`.
   void accept(System& system, const S& h, StateVector<S>& reached) {
     work_.add(system, newton_.at(), x_.lambda, h, reached);
-    g_ = alpha_ / (1 + alpha_) * g_ - inertia_;
-    x_.v_dot *= 1 + alpha_;
-    a_.push(x_.v_dot);
+    a_next_ = (1 + alpha_) * x_.v_dot - alpha_ * v_dot_now_;
+    a_.push(a_next_);
+    v_dot_now_ = x_.v_dot;
     lambda_.push(x_.lambda);
     last_h_ = h;
     ++counters_.steps;
@@ -95,10 +92,7 @@ class HHT {
     const InitialAcceleration<S> start(system, t, y, h, counters_);
     a_.begin(start.v_dot, start.v_ddot, h);
     lambda_.begin(start.lambda, start.lambda_dot, h);
-    typename System::Evaluation at;
-    system.evaluate(t, y, at);
-    system.inertia_force(at, start.v_dot, inertia_);
-    g_ = -inertia_;
+    v_dot_now_ = start.v_dot;
     last_h_ = h;
     work_.begin(start.work_rate);
   }
@@ -106,14 +100,15 @@ class HHT {
     a_.show_memory(show);
     lambda_.show_memory(show);
     work_.show_memory(show);
-    show(g_, *last_h_);
+    show(v_dot_now_, *last_h_);
   }
 
  private:
   const S alpha_, gamma_, beta_;
   Newton<System> newton_;
   LinearExtrapolation<S> a_, lambda_;
-  StateVector<S> g_, a_now_, v_dot_, displacement_, inertia_, v_, reached_;
+  StateVector<S> v_dot_now_;  ///< v'_n
+  StateVector<S> a_now_, a_next_, v_dot_, displacement_, v_, reached_;
   StepUnknowns<S> x_;
   WorkQuadrature<S> work_;
   std::optional<S> last_h_;

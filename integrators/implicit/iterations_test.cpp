@@ -85,4 +85,13 @@ TEST(Anderson, EndsALinearIterationInAsManyStepsAsItHasUnknowns) {
   EXPECT_LT(change.norm(), std::sqrt(1e-13) * c.norm());
 }
 
+// Where an iteration stands still, the differences of changes are rounding, and tell nothing of where to go.
+TEST(Anderson, TakesNoLargeStepFromDifferencesOfRounding) {
+  Anderson<double> anderson;
+  const StateVector<double> change = Eigen::Vector3d(1e-8, -2e-8, 3e-8);
+  anderson.step(change, 3);
+  const StateVector<double> again = change * (1 + 1e-15);
+  EXPECT_LT(anderson.step(again, 3).norm(), 1000 * change.norm());
+}
+
 }  // namespace trivium::integrators

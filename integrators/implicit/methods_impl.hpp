@@ -70,7 +70,6 @@ std::vector<MethodEntry<S>> implicit_methods() {
       {{.name = "hht",
         .summary = "Hilber-Hughes-Taylor, index 3",
         .order = 2,
-        .order_where_inertia_varies = 1,
         .takes_given_steps = true,
         .chooses_steps = true,
         .meets_constraints = true,

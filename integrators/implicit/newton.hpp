@@ -25,7 +25,9 @@ namespace trivium::integrators {
 /// at work. The default 1e-10 is chosen by experiment: it is far above rounding in double, and so saves the
 /// last iterations. A larger value leaves larger errors of v' and lambda. The constraints are iterated to
 /// rounding in any case, because an error of Phi causes an error of lambda that is 1 / h^2 times as large. If
-/// rounding prevents this, up to 1000 times both bounds is accepted.
+/// rounding prevents this, up to 1000 times both bounds is accepted. So is any imbalance whose correction
+/// changes velocities by no more than their rounding: it is no small part of the forces where these fade
+/// away.
 struct NewtonOptions {
   double tolerance = 1e-10;
   bool is_full = false;  ///< factor in every iteration; else once per step, and again where needed
@@ -65,37 +67,36 @@ class Newton {
   explicit Newton(const NewtonOptions& options) : options_(options) {}
 
   /// Solves the equations of a step to time t. `place(x, y)` sets y to the state that follows from the
-  /// unknowns x. `force(at, v_dot, f)` sets f to the force that stands for M v' in the residual; the default
-  /// is M v'. Throws an IntegrationError that names the row which is not met, or says that forces do not
+  /// unknowns x. Throws an IntegrationError that names the row which is not met, or says that forces do not
   /// balance.
   template <class Place>
   void operator()(System& system, const S& t, const Shares<S>& shares, const Place& place, StateVector<S>& y,
                   StepUnknowns<S>& x, Counters& counters) {
-    (*this)(system, t, shares, place, y, x, counters,
-            [&](const typename System::Evaluation& at, const StateVector<S>& v_dot, StateVector<S>& force) {
-              system.inertia_force(at, v_dot, force);
-            });
-  }
-  template <class Place, class Force>
-  void operator()(System& system, const S& t, const Shares<S>& shares, const Place& place, StateVector<S>& y,
-                  StepUnknowns<S>& x, Counters& counters, const Force& force) {
     const bool is_stabilised = x.shift.size() > 0;
     const Eigen::Index nv = x.v_dot.size(), nc = x.lambda.size();
-    bool is_fresh = false;
+    bool is_fresh = false, has_best = false;
     Violation<S> violation;
     anderson_.clear();
     system.clear_dependent(x.lambda);
     S before = std::numeric_limits<S>::max(), least = before;
     for (int k = 0, rises = 0; k < most_iterations && rises < most_rises; ++k) {
       place(x, y);
-      if (system.normalise_step(is_stabilised ? S(1) : shares.position, y,
-                                is_stabilised ? x.shift : x.v_dot)) {
-        if (is_stabilised) system.normalise_step_velocity(shares.velocity, y, x.v_dot);
-        place(x, y);
+      if (is_stabilised) {
+        if (system.normalise_step(S(1), y, x.shift)) {
+          system.normalise_step_velocity(shares.velocity, y, x.v_dot);
+          place(x, y);
+        }
+      } else {
+        unnormalised_ = x.v_dot;
+        if (system.normalise_step(shares.position, y, x.v_dot)) {
+          if ((shares.position * (x.v_dot - unnormalised_).array().abs() <= last_digit()).all())
+            x.v_dot = unnormalised_;
+          place(x, y);
+        }
       }
       if (!x.v_dot.allFinite() || !x.lambda.allFinite()) break;
       system.evaluate(t, y, at_);
-      force(at_, x.v_dot, force_);
+      system.inertia_force(at_, x.v_dot, force_);
       const S imbalance = system.residual(at_, force_, x.lambda, left_);
       ++counters.right_sides;
       violation = system.position_rows(at_, phi_);
@@ -112,9 +113,10 @@ class Newton {
       if (is_best) {
         least = imbalance;
         best_ = x;
+        has_best = true;
       }
       if (!falls && is_fresh) {
-        if (rises > 0 && least <= S(1e3) * enough()) {
+        if (rises > 0 && (least <= S(1e3) * enough() || (has_best && is_rounding(system, shares, y, x)))) {
           if (is_best) return;
           x = best_;
           place(x, y);
@@ -142,8 +144,8 @@ class Newton {
         change_.tail(nv) = v_change_;
         v_change_.setZero(nv);
         phi_dot_ /= -shares.velocity;
-      } else if (violation.relative <= std::numeric_limits<S>::epsilon()) {
-        phi_.setZero();  // a last digit, which a division by h^2 would turn into a large v'
+      } else if (violation.relative <= last_digit()) {
+        phi_.setZero();
       } else {
         phi_ /= -shares.position;
       }
@@ -198,6 +200,18 @@ class Newton {
   /// Chosen by experiment. Less would give up slow iterations; more only delays the end of divergent ones.
   static constexpr int most_iterations = 40, most_rises = 5;
 
+  /// Whether the last correction changed velocities and multipliers by rounding: velocities by up to
+  /// four last digits, multipliers by what is accepted of forces.
+  bool is_rounding(const System& system, const Shares<S>& shares, const StateVector<S>& y,
+                   const StepUnknowns<S>& x) const {
+    const auto v = y.segment(system.position_size(), v_change_.size()).array();
+    const S of_lambda = S(1e3) * enough() * x.lambda.template lpNorm<Eigen::Infinity>();
+    return (shares.velocity * v_change_.array().abs() <= 4 * last_digit() * v.abs()).all() &&
+           (lambda_change_.array().abs() <= of_lambda).all();
+  }
+
+  /// A violation of rows that is left, for a division by h^2 would turn it into a large v'.
+  static S last_digit() { return std::numeric_limits<S>::epsilon(); }
   S enough() const { return std::max(S(options_.tolerance), rounding<S>()); }
 
   NewtonOptions options_;
@@ -206,6 +220,7 @@ class Newton {
   typename System::Factors factors_;
   bool has_factors_ = false;
   StepUnknowns<S> best_;
+  StateVector<S> unnormalised_;
   StateVector<S> force_, left_, phi_, phi_dot_;
   StateVector<S> change_, v_change_, lambda_change_, mu_, no_force_;
 };

@@ -2,8 +2,11 @@
 
 #include <ida/ida.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "base/raise.hpp"
 #include "integrators/projection_iteration.hpp"
 #include "integrators/step_size_control.hpp"
 #include "integrators/sundials/methods.hpp"
@@ -65,7 +68,7 @@ class Ida final : public Stepper {
       rates_.reset(N_VClone(numbers()));
       is_differential_.reset(N_VClone(numbers()));
       flat(is_differential_.get()).setZero();
-      flat(is_differential_.get()).head(nq_ + nv_).setOnes();
+      flat(is_differential_.get()).head(ny_).setOnes();
     }
     system().derivative(t, y, y_dot_);
     system().accelerations(t, y, v_dot_, lambda_);
@@ -73,6 +76,7 @@ class Ida final : public Stepper {
     system().applied_force(linearised_, force_at_);
     system().inertia_force(linearised_, y.segment(nq_, nv_), force_);
     momentum_ = nv_ > 0 ? force_.cwiseAbs().maxCoeff() : 0.0;
+    energy_ = 0;
     system().factor(linearised_, {}, factors_);
     counters_.right_sides += 2;
     flat(numbers()) << y, lambda_, StateVectorD::Zero(nc_);
@@ -226,12 +230,13 @@ class Ida final : public Stepper {
     Eigen::Map<StateVectorD> w = flat(weights);
     self.weigh(self.state(numbers), self.tolerances_, w);
     self.keep_above_rounding(self.state(numbers), w);
-    // The work follows from q and v, and sigma is 0: neither counts in error estimates and convergence tests.
+    // sigma is 0 and does not count in error estimates and convergence tests.
     // IDA's norm is the root mean square over all unknowns. The factor makes it the one over q and v, so that
     // the error of a step does not depend on the number of multipliers.
     w.tail(w.size() - self.nq_ - self.nv_).setConstant(no_weight);
     w.head(self.nq_ + self.nv_) *=
         std::sqrt(static_cast<double>(w.size()) / static_cast<double>(self.nq_ + self.nv_));
+    self.weigh_work(self.state(numbers), w);
     self.weigh_multipliers(flat(numbers).segment(self.ny_, self.nc_), w.segment(self.ny_, self.nc_));
     return 0;
   }
@@ -247,6 +252,22 @@ class Ida final : public Stepper {
     };
     bound(0, nq_);
     bound(nq_, nv_);
+  }
+
+  /// The weight of the work. Where the motion is a polynomial of low order, as under a driver, its errors
+  /// vanish, and steps would grow until they do not resolve the power. The tolerance is a share of the work
+  /// and of the largest kinetic energy, and another of the work within a step, without which steps do not
+  /// pass the dead point of a driver. Both are chosen by experiment; they are far looser than the tolerances
+  /// of the motion.
+  void weigh_work(const StateVectorD& y, Eigen::Ref<StateVectorD> weights) {
+    const int work = nq_ + nv_;
+    if (ny_ == work) return;
+    const StateVectorD v = y.segment(nq_, nv_);
+    system().inertia_force(linearised_, v, force_);
+    raise(energy_, v.dot(force_) / 2);
+    const double share = std::max(1e-5, tolerances_.rtol), share_of_step = 1e-4;
+    const double of_step = std::abs(flat(rates_.get())[work]) / c_;
+    weights[work] = 1 / (share * (energy_ + std::abs(y[work])) + share_of_step * of_step + tolerances_.atol);
   }
 
   /// Sets the weights of lambda, which count in convergence tests only. The tolerance is 1e-4 of a multiplier
@@ -269,6 +290,7 @@ class Ida final : public Stepper {
 
   Tolerances tolerances_;
   int nq_ = 0, nv_ = 0, nc_ = 0, ny_ = 0;
+  double energy_ = 0;    ///< largest kinetic energy since the integrator last began [J]
   double momentum_ = 0;  ///< largest component of M v where the integrator last began
   Owned<N_Vector> rates_, is_differential_;
   ProjectionIteration<AnySystem<double>> projection_;

@@ -13,8 +13,12 @@
 /// would vanish where a body turns back: the cubes of |v| / l and of (|v'| / l)^1/2, rates of the motion,
 /// count in the same way, with the sizes l of the positions (position_sizes). So does the error of a rotation
 /// by theta = h v that v'' does not contain: the part of T(theta)^-1 M theta (rattle.hpp) that is even in h,
-/// theta x (theta x M theta) / 12, turns a body with a small moment of inertia by M^-1 times it. d and l stay
-/// the same until the next restart, so that Q depends on the state alone.
+/// theta x (theta x M theta) / 12, turns a body with a small moment of inertia by M^-1 times it. Where a load
+/// changes fast beside these rates, velocities have larger errors than positions: there Q is the step whose
+/// error of velocities, h^3 v'''/12, would be the tolerances; sizes of velocities are the rates times l. d
+/// and l stay the same until the next restart, so that Q depends on the state alone. Where Q changes more
+/// than threefold within a step, as where a load sets in, the mean would not see the shorter one: such a step
+/// has twice its length.
 ///
 /// A step that ends at a stop of the run (an event, the end) is shorter than the rule says, and so is a step
 /// after one that could not be solved. Outputs do not limit steps: the state at an output within a step is
@@ -24,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -82,7 +87,8 @@ class ReversibleSteps {
         not_kept_ -= method_.counters().steps - steps_before;
         continue;
       }
-      const S next = (at_start + suited_) / 2, change = next - h, last = h - tried;
+      const S next = std::min(S((at_start + suited_) / 2), S(2 * std::min(at_start, suited_)));
+      const S change = next - h, last = h - tried;
       if (lands || !is_free || ++k == most_iterations || abs(change) <= S(enough) * h) {
         t = time;
         break;
@@ -154,7 +160,7 @@ class ReversibleSteps {
     smooth_until_ = stop;
     longest_ = stop - t;
     system.position_sizes(y, sizes_);
-    spacing_ = first_step(system, t, y, 2, tolerances_, right_sides_);
+    spacing_ = std::min(first_step(system, t, y, 2, tolerances_, right_sides_), S(longest_ / 2));
     // d is an eighth of the first step: short beside the changes of v'', long beside rounding
     spacing_ = suited(system, t, y) / 8;
     suited_ = suited(system, t, y);
@@ -170,24 +176,34 @@ class ReversibleSteps {
     system.accelerations(t, y, v_dot_, lambda_);
     near_ = y;
     // no model from before the last event or beyond the next one
-    const std::array<S, 2> at{std::max(S(t - spacing_), smooth_from_),
-                              std::min(S(t + spacing_), smooth_until_)};
-    for (const int k : {0, 1}) {
+    const S d = spacing_, middle = std::max(std::min(t, S(smooth_until_ - d)), S(smooth_from_ + d));
+    const std::array<S, 3> at{middle - d, middle, std::min(S(middle + d), smooth_until_)};
+    for (const int k : {0, 1, 2}) {
+      if (at[k] == t) {
+        v_dot_at_[k] = v_dot_;
+        continue;
+      }
       const S by = at[k] - t;
       system.displace(y, by * v_ + by * by / 2 * v_dot_, near_);
       near_.segment(nq, nv) = v_ + by * v_dot_;
       system.accelerations(at[k], near_, v_dot_at_[k], lambda_);
+      ++right_sides_;
     }
-    right_sides_ += 3;
-    v_ddot_ = (v_dot_at_[1] - v_dot_at_[0]) / (at[1] - at[0]);
+    ++right_sides_;
+    v_ddot_ = (v_dot_at_[2] - v_dot_at_[0]) / (at[2] - at[0]);
+    v_dddot_ = (v_dot_at_[2] - 2 * v_dot_at_[1] + v_dot_at_[0]) / (d * d);
     none_.setZero(nv);
-    const auto size = [&](const StateVector<S>& q) {
-      return in_tolerances<S>(tolerances_, sizes_, none_, none_, q, none_);
+    const auto size = [&](const StateVector<S>& q, const StateVector<S>& v, const S& rate) {
+      return in_tolerances<S>(tolerances_, sizes_, rate * sizes_, none_, q, v);
     };
-    const S l = size(sizes_), by_v = size(v_) / l, by_a = size(v_dot_) / l, by_jerk = size(v_ddot_);
-    const S by_turn = 6 * size(even_part(system, t, y));
-    const S error =
-        S(5) * sqrt(by_jerk * by_jerk + by_turn * by_turn + l * l * (pow(by_v, S(6)) + by_a * by_a * by_a));
+    const auto of_positions = [&](const StateVector<S>& q) { return size(q, none_, S(0)); };
+    const S l = of_positions(sizes_), by_v = of_positions(v_) / l, by_a = of_positions(v_dot_) / l,
+            by_jerk = of_positions(v_ddot_), by_turn = 6 * of_positions(even_part(system, t, y)),
+            by_change = by_a * by_a * l / (by_jerk + std::numeric_limits<S>::min()),
+            rate = std::max(by_v, std::min(S(sqrt(by_a)), by_change));
+    const S error = std::max(S(S(5) * sqrt(by_jerk * by_jerk + by_turn * by_turn +
+                                           l * l * (pow(by_v, S(6)) + by_a * by_a * by_a))),
+                             S(size(none_, v_dddot_, rate) / 12));
     const S suited = pow(S(error + 1 / (longest_ * longest_ * longest_)), S(-1) / 3);
     if (!(suited > S(0)))  // NaN too: accelerations whose change overflows
       throw IntegrationError(
@@ -234,9 +250,10 @@ class ReversibleSteps {
   bool is_between_ = false;  ///< the state asked for last was within a step
   bool has_rates_ = false;   ///< rate_at_ belongs to the last step
   ProjectionIteration<System> project_;
-  std::array<StateVector<S>, 2> v_dot_at_, rate_at_;
+  std::array<StateVector<S>, 3> v_dot_at_;
+  std::array<StateVector<S>, 2> rate_at_;
   StateVector<S> lambda_between_;
-  StateVector<S> v_, v_dot_, v_ddot_, near_, sizes_, none_, lambda_;
+  StateVector<S> v_, v_dot_, v_ddot_, v_dddot_, near_, sizes_, none_, lambda_;
   typename System::Evaluation at_;
   typename System::Factors factors_;
   StateVector<S> theta_, momentum_, even_, back_, reduced_, no_rows_, turn_;  ///< of even_part

@@ -51,8 +51,7 @@ std::string convergence_order_table(Results& results, Numbers& numbers) {
     if (quantity == "r" && formulation == "r-omega") lines[method].published = published;
     ++compared;
     if (verdict != "ok") ++failed;
-    // a single order; a range such as 1..2 has no distance
-    if (published.size() == 1) distance.add(std::abs(order - std::stod(published)), method);
+    distance.add(std::abs(order - std::stod(published)), method);
   }
   std::vector<TexColumn> columns{{"l", {"method"}}, {"r", {"published"}}};
   for (std::size_t k = 0; k < formulations.size(); ++k)
@@ -70,11 +69,6 @@ std::string convergence_order_table(Results& results, Numbers& numbers) {
   numbers.define("OrdersFailed", integer(failed));
   numbers.define("OrdersWorst", ratio_in_text(distance.worst()));
   numbers.define("OrdersWorstMethod", text(distance.worst_name()));
-  const Line& hht = lines["hht"];
-  for (const auto& [formulation, macro] :
-       {std::pair("r-omega", "ROmega"), {"r-p", "RP"}, {"r-epsilon", "REpsilon"}})
-    if (const auto found = hht.order.find({formulation, "r"}); found != hht.order.end())
-      numbers.define(std::string("OrderHht") + macro, {fmt::format("{:.2f}", found->second)});
   return out.str("results/convergence_order.csv");
 }
 

@@ -23,6 +23,7 @@
 #include "simulation/system/branch_check.hpp"
 #include "simulation/system/chart_switching.hpp"
 #include "simulation/system/constraint_projection.hpp"
+#include "simulation/system/dead_points.hpp"
 #include "simulation/system/discontinuities.hpp"
 #include "simulation/system/driver_grip.hpp"
 #include "simulation/system/energy_account.hpp"
@@ -172,7 +173,7 @@ class FirstOrderEquations {
 
   /// Accepts a state: changes the charts of bodies near their singularity, detects the dependent rows, and
   /// lets effects count turns. Returns whether a chart changed; y is then in the new chart. Throws a
-  /// ModelError.
+  /// ModelError, also at a dead point (dead_points.hpp).
   bool accept_state(const S& t, StateVector& y) {
     solved_t_.reset();
     const bool reframed = charts_.is_on() && reframe(t, y);
@@ -184,6 +185,7 @@ class FirstOrderEquations {
     projection_.accept_state();
     take_motion();
     mechanism_.effects.follow(view(t));
+    dead_points_.check(mechanism_, account_.drivers(), solver_.assembly().body(), t);
     return reframed;
   }
 
@@ -394,6 +396,7 @@ class FirstOrderEquations {
   EnergyAccount<S, MechanismTypesOf<F>> account_;
   ChartSwitching<F> charts_;
   BranchCheck<F> branches_;
+  DeadPoints<S> dead_points_;
   MotionLog<S> log_;
   VectorX<S> lambda_;
   bool limits_steps_ = false;

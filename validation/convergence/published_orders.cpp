@@ -30,7 +30,7 @@ std::vector<Case> cases() {
   add("hem4", "hem4", 20);
   add("generalized-alpha", "generalized-alpha", 100);
   add("generalized-alpha-gl2", "generalized-alpha-gl2", 50);
-  add("hht", "hht", 200).needs_constant_mass = true;
+  add("hht", "hht", 200);
   // without damping the raw lambda of hht oscillates
   add("hht, alpha = 0", "hht", 50, {.alpha = 0.0}).raw_order = 0;
   add("radau5", "radau5", 20);

@@ -17,8 +17,6 @@ struct Case {
   /// Number of steps of the coarsest run, chosen by experiment: all errors show their order, and those of the
   /// finest run are above rounding.
   int steps;
-  /// The order is lower if the mass matrix depends on the position: between 1 and the published order.
-  bool needs_constant_mass = false;
   bool is_double = false;  ///< the method belongs to a library that computes in double only
   /// The scene that is used if the command line names none. hedop5 has double_pendulum, since on the
   /// slider-crank some of its errors first fall faster than its order.
