@@ -29,7 +29,7 @@ class GrowingFile {
   /// Returns false if this or an earlier text could not be written.
   bool write(std::string_view text);
   /// Closes the file and renames it to `target`. Returns the reason if that failed; the file then stays,
-  /// with its whole lines, as `incomplete()`.
+  /// with its whole lines, as `incomplete()`, if it could be made at all.
   std::error_code keep();
   const std::filesystem::path& incomplete() const { return temporary_; }
 

@@ -132,6 +132,18 @@ class Effects {
   void follow(const EffectView<Scalar>& view) {
     std::apply([&](auto&... list) { (follow_list(list, view), ...); }, lists_);
   }
+  /// Whether a function of time among the parts of an effect is not constant.
+  bool depend_on_time() const {
+    bool found = false;
+    const auto look = [&](const auto& part) {
+      if constexpr (requires { part.is_constant(); })
+        found = found || !part.is_constant();
+      else if constexpr (requires { part[0].is_constant(); })
+        for (const auto& function : part) found = found || !function.is_constant();
+    };
+    for_each([&](const auto& effect) { show_effect_parts(look, effect); });
+    return found;
+  }
   /// Appends the times [s] at which functions of time of the effects have kinks (TimeFunction::append_kinks).
   void append_kinks(std::vector<double>& times) const {
     for_each([&](const auto& effect) {

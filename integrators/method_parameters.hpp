@@ -18,6 +18,8 @@ struct MethodParameters {
   /// default false
   std::optional<bool> full_newton = {};
   bool projects = true;  ///< cvode-bdf: whether it projects states within its steps as well
+  /// rkf78 with chosen steps: whether loads or drivers are functions of time (fehlberg_control.hpp)
+  bool depends_on_time = false;
 };
 
 }  // namespace trivium::integrators

@@ -72,6 +72,13 @@ struct Mechanism {
     return times;
   }
 
+  /// Whether a driver or a load is a function of time that is not constant.
+  bool depends_on_time() const {
+    return effects.depend_on_time() || std::any_of(rows.begin(), rows.end(), [](const Row& row) {
+             return !function_of(row).is_constant();
+           });
+  }
+
   int nb() const { return static_cast<int>(bodies.size()); }  ///< number of bodies, without the ground
   int nc() const { return static_cast<int>(rows.size()); }    ///< number of constraint rows
   int ground() const { return nb(); }                         ///< body index of the ground

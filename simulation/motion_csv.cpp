@@ -77,9 +77,12 @@ bool MotionCsv::add(const MotionSample& sample) {
 }
 
 void MotionCsv::keep() {
-  if (const std::error_code reason = file_.keep())
-    throw std::runtime_error(fmt::format("cannot write {}: {}; the lines that could be written are in {}",
-                                         name_, reason.message(), file_.incomplete().string()));
+  const std::error_code reason = file_.keep();
+  if (!reason) return;
+  std::string what = fmt::format("cannot write {}: {}", name_, reason.message());
+  if (std::filesystem::exists(file_.incomplete()))
+    what += fmt::format("; the lines that could be written are in {}", file_.incomplete().string());
+  throw std::runtime_error(what);
 }
 
 }  // namespace trivium

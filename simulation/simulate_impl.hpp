@@ -33,7 +33,7 @@ class Simulation {
         entry_(entry_of(options)),
         is_implicit_(is_implicit(entry_.info, options)),
         projects_(options.projects && !is_implicit_),
-        method_(make_method()),
+        method_(make_method(model.mechanism)),
         equations_(model.mechanism, model.state,
                    {options.charts, options.baumgarte, projects_ || is_implicit_, saved_run(options)}) {}
 
@@ -105,23 +105,22 @@ class Simulation {
   static const SavedRun* saved_run(const SimulationOptions& options) {
     return options.from && options.from->formulation == F::name ? &*options.from : nullptr;
   }
-  static integrators::MethodParameters parameters(const SimulationOptions& options, bool projects) {
-    integrators::MethodParameters given = options.parameters;
-    given.projects = projects;
-    return given;
-  }
 
-  std::unique_ptr<integrators::AnyMethod<S>> make_method() const {
+  std::unique_ptr<integrators::AnyMethod<S>> make_method(const MechanismOf<F>& mechanism) const {
+    integrators::MethodParameters given = options_.parameters;
+    given.projects = projects_;
+    given.depends_on_time = mechanism.depends_on_time();
     return integrators::make_method<S>(entry_,
                                        options_.step ? integrators::Steps::given : integrators::Steps::chosen,
-                                       options_.tolerances, parameters(options_, projects_));
+                                       options_.tolerances, given);
   }
   /// The errors of given steps, if the order of the method is known.
   std::optional<StepErrors<F>> step_errors(integrators::AnySystem<S>& system) {
     const int order = options_.parameters.order.value_or(entry_.info.standard_order);
     if (!options_.step || order < 1) return {};
-    return StepErrors<F>(equations_, *method_, order, is_implicit_,
-                         HalvedSteps<S>(system, make_method(), projects_));
+    return StepErrors<F>(
+        equations_, *method_, order, is_implicit_,
+        HalvedSteps<S>(system, make_method(equations_.first_order().mechanism()), projects_));
   }
   /// Gives the method the memory of the saved run, such as an auxiliary acceleration.
   void recall(integrators::AnySystem<S>& system, const SavedRun& from) {

@@ -66,12 +66,28 @@ TEST_P(InEveryFormulation, AWheelWithoutALoadTurnsSteadilyAtAnyStep) {
     }
 }
 
-// cos^64 falls to 1e-132 within a second, by up to 1e12 a step
-TEST_P(InEveryFormulation, ALoadMayFadeToNothing) {
+/// cos^64, pulses of a tenth of a second, which no event marks.
+TimeFunction smooth_pulses() {
   TimeFunction power(TimeFunction::Cos{{TimeFunction(TimeFunction::Polynomial{{0.5, 3.133}})}});
   for (int k = 0; k < 6; ++k) power = TimeFunction(TimeFunction::Product{{power, power}});
+  return power;
+}
+
+// The error estimate of the method itself is 0 there.
+TEST_P(InEveryFormulation, Rkf78SeesAPulseWithinAStep) {
+  const Motion exact(puck(smooth_pulses()), stepping(GetParam(), "rkf78", 1, 1e-3));
+  const auto error = [&](double rtol) {
+    const Motion motion(puck(smooth_pulses()), tight(GetParam(), "rkf78", 1, rtol));
+    return (motion.end().state.twist[0].r_dot - exact.end().state.twist[0].r_dot).norm();
+  };
+  for (const double rtol : {1e-4, 1e-6, 1e-8}) EXPECT_LE(error(rtol), 30 * rtol) << rtol;
+}
+
+// cos^64 falls to 1e-132 within a second, by up to 1e12 a step
+TEST_P(InEveryFormulation, ALoadMayFadeToNothing) {
   for (const char* method : {"bdf", "generalized-alpha", "generalized-alpha-gl2", "hht"})
-    EXPECT_EQ(Motion(puck(power), stepping(GetParam(), method, 1, 1e-3)).end().state.t, 1) << method;
+    EXPECT_EQ(Motion(puck(smooth_pulses()), stepping(GetParam(), method, 1, 1e-3)).end().state.t, 1)
+        << method;
 }
 
 // The impulse is that of the function, whatever its width.

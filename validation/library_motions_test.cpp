@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/raise.hpp"
+#include "scenes/testing/scene_builders.hpp"
 #include "validation/testing/catalogue_motion.hpp"
 
 namespace trivium {
@@ -31,6 +32,23 @@ TEST_P(Implicit, BackwardDifferencesOfLibrariesChooseLongStepsInAStiffMotion) {
               method == std::string("arkode-dirk") ? 45.0 * static_cast<double>(motion.report.counters.steps)
                                                    : 5.0 * static_cast<double>(motion.report.counters.steps))
         << method;
+  }
+}
+
+// A matrix of another step size must not damp the stages of arkode-dirk.
+TEST_P(InEveryFormulation, UndampedVibrationsKeepTheirAmplitude) {
+  scenes::Scene scene;
+  scene.name = "stone";
+  scene.bodies = {test::body("stone", 1, {0.1, 0.1, 0.1}, {1, 0, 0})};
+  SpringDamper<double> spring;
+  spring.i = {scenes::ground, Vector3<double>::Zero()};
+  spring.j = {0, Vector3<double>::Zero()};
+  spring.stiffness = 100;
+  spring.free_length = 0.95;
+  scene.effects.emplace_back(spring);
+  for (const std::string& method : of_sundials) {
+    const Motion motion(scene, tight(GetParam(), method, 20, 1e-8));
+    EXPECT_NEAR(motion.end().state.pose[0].r[0], 0.95 + 0.05 * std::cos(10 * 20.0), 1e-5) << method;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "integrators/chosen_steps.hpp"
+#include "integrators/explicit/fehlberg_control.hpp"
 #include "integrators/explicit/half_explicit.hpp"
 #include "integrators/explicit/odeint.hpp"
 #include "integrators/quad.hpp"
@@ -15,11 +16,14 @@ namespace trivium::integrators {
 namespace {
 
 template <class S, class Stepper>
-auto chosen_runge_kutta(int order, const Tolerances& tolerances) {
+std::unique_ptr<AnyMethod<S>> chosen_runge_kutta(int order, const Tolerances& tolerances,
+                                                 [[maybe_unused]] bool depends_on_time) {
   using Controlled = odeint::controlled_runge_kutta<Stepper>;
-  return adapt<S>(ChosenSteps<S, Controlled>(
-      Controlled(typename Controlled::error_checker_type(S(tolerances.atol), S(tolerances.rtol))), order,
-      tolerances));
+  Controlled controlled(typename Controlled::error_checker_type(S(tolerances.atol), S(tolerances.rtol)));
+  if constexpr (std::is_same_v<Stepper, Fehlberg78<S>>)
+    if (depends_on_time)
+      return adapt<S>(ChosenSteps<S, FehlbergControl<S>>({controlled, tolerances}, order, tolerances));
+  return adapt<S>(ChosenSteps<S, Controlled>(controlled, order, tolerances));
 }
 
 template <class S>
@@ -38,7 +42,8 @@ std::unique_ptr<AnyMethod<S>> chosen_adams(const Tolerances& tolerances) {
 
 template <class S, class Stepper>
 std::unique_ptr<AnyMethod<S>> runge_kutta(int order, const MethodRequest& request) {
-  if (request.tolerances) return chosen_runge_kutta<S, Stepper>(order, *request.tolerances);
+  if (request.tolerances)
+    return chosen_runge_kutta<S, Stepper>(order, *request.tolerances, request.given.depends_on_time);
   return adapt<S>(GivenSteps<S, Stepper>());
 }
 

@@ -1,6 +1,7 @@
 #include "validation/hard/exact_motion.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/raise.hpp"
 #include "bodies/numbers/quad.hpp"
@@ -17,18 +18,23 @@ namespace {
 constexpr double reference_tolerance = 1e-13, neighbour_tolerance = 1e-12;
 
 /// The states of a run after its start, up to its end or its trouble.
+struct Reference {
+  std::vector<MechanismState<double>> states;
+  std::string trouble;  ///< why it ends early; empty if it does not
+  long steps = 0;
+};
+
 template <class Scalar>
-std::vector<MechanismState<double>> states_of(const Model<Scalar>& model, const SimulationOptions& options,
-                                              std::string& trouble) {
+Reference run(const Model<Scalar>& model, const SimulationOptions& options) {
+  Reference found;
   Samples samples;
   try {
-    simulate(model, options, samples);
+    found.steps = simulate(model, options, samples).counters.steps;
   } catch (const Error& error) {
-    trouble = error.what();
+    found.trouble = error.what();
   }
-  std::vector<MechanismState<double>> states;
-  for (std::size_t k = 1; k < samples.all.size(); ++k) states.push_back(samples.all[k].state);
-  return states;
+  for (std::size_t k = 1; k < samples.all.size(); ++k) found.states.push_back(samples.all[k].state);
+  return found;
 }
 
 }  // namespace
@@ -43,10 +49,14 @@ ExactMotion::ExactMotion(const HardMotion& motion)
       motion.exact(state);
       states_.push_back(state);
     }
-  } else if (motion.reference == ReferenceRun::in_quad) {
-    states_ = states_of(make_model<Quad>(motion.scene, Quad(motion.start)), options(1e-16), trouble_);
   } else {
-    states_ = states_of(model, options(reference_tolerance), trouble_);
+    const bool in_quad = motion.reference == ReferenceRun::in_quad;
+    const double rtol = in_quad ? 1e-16 : reference_tolerance;
+    Reference found = in_quad ? run(make_model<Quad>(motion.scene, Quad(motion.start)), options(rtol))
+                              : run(model, options(rtol));
+    states_ = std::move(found.states);
+    trouble_ = std::move(found.trouble);
+    tolerance_ = static_cast<double>(found.steps) * HardMotion::of_a_step(rtol);
   }
   length_ = motion.length;
   if (!(length_ > 0)) {
@@ -103,19 +113,21 @@ void ExactMotion::measure_amplification(const Model<double>& model) {
     if (first > 0) from.state = states_[first - 1];
     // neighbours are compared with a run of their own kind, so that its errors cancel; a run that does not
     // get through says nothing about the exact motion
-    std::string trouble;
-    const std::vector<MechanismState<double>> itself = states_of(from, options(neighbour_tolerance), trouble);
+    const std::vector<MechanismState<double>> itself = run(from, options(neighbour_tolerance)).states;
     for (int d = 0; d < motion_.directions; ++d) {
       const int seed = 1 + static_cast<int>(first) * motion_.directions + d;
       const NeighbouringStart start = neighbouring_start(from, neighbour_tolerance, seed, 1e4);
-      if (!(start.distance > 0)) return;  // the constraints leave no neighbour
+      if (!(start.distance > 0)) {  // the constraints leave no neighbour
+        has_neighbours_ = true;
+        return;
+      }
       Model<double> near = from;
       near.state = start.state;
       // its distance is relative to the whole mechanism
       const double whole = extent_of(from.mechanism, from.state).length,
                    apart = start.distance * std::max(1.0, whole / length_);
-      const std::vector<MechanismState<double>> states =
-          states_of(near, options(neighbour_tolerance), trouble);
+      const std::vector<MechanismState<double>> states = run(near, options(neighbour_tolerance)).states;
+      has_neighbours_ = has_neighbours_ || !states.empty();
       double largest = 1;
       for (std::size_t k = 0; k < std::min(states.size(), itself.size()); ++k) {
         raise(largest, difference(itself[k], states[k]) / apart);

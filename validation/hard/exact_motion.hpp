@@ -20,6 +20,10 @@ class ExactMotion {
   const std::string& trouble() const { return trouble_; }
   /// The length to which differences are relative [m].
   double length() const { return length_; }
+  /// The error that the tolerances of its own run allow, relative to the length; 0 if a formula is known [-].
+  double tolerance() const { return tolerance_; }
+  /// Whether runs from neighbouring starts have measured the amplification; else it is taken as 1.
+  bool has_neighbours() const { return has_neighbours_; }
   double output_step() const { return output_step_; }
   const std::vector<MechanismState<double>>& states() const { return states_; }
   /// By how much differences of the start have grown up to output k; at least 1.
@@ -36,7 +40,8 @@ class ExactMotion {
   HardMotion motion_;
   double output_step_;
   std::string trouble_;
-  double length_ = 0, speed_ = 0, rate_ = 0;
+  double length_ = 0, speed_ = 0, rate_ = 0, tolerance_ = 0;
+  bool has_neighbours_ = false;
   std::vector<MechanismState<double>> states_;
   std::vector<double> amplification_;
 };

@@ -97,7 +97,7 @@ void judge_energy(Judge& judge, const RunOfCase& run) {
   Row row = judge.row(run.row.formulation, run.row.method, "energy [-]");
   row.value = run.report.unaccounted_energy / run.report.largest_kinetic;
   row.tolerance = 2 * run.row.tolerance;
-  row.threshold = factors::chosen_steps * row.tolerance;
+  row.threshold = run.factor * row.tolerance;
   row.why = counted(run.report.reframings, "change of chart", "changes of chart");
   judge.add(judge.judged(std::move(row), run.figure));
 }

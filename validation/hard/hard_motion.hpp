@@ -31,6 +31,7 @@ enum class ReferenceRun { in_double, stiff, in_quad };
 /// A run, for further rows about it.
 struct RunOfCase {
   const Row& row;  ///< of the motion
+  double factor;   ///< of its threshold
   const SimulationReport& report;
   double figure;  ///< the largest relative error that its warnings state; 0 without a warning
 };
@@ -69,7 +70,8 @@ struct HardMotion {
     return {relative, relative / 100 * (speed > 0 ? std::min(scale, speed) : scale)};
   }
   /// What both allow a step, relative to the length [-].
-  double of_a_step() const { return rtol + rtol / 100; }
+  static double of_a_step(double relative) { return relative + relative / 100; }
+  double of_a_step() const { return of_a_step(rtol); }
   std::function<void(Judge&, const RunOfCase&)> also = {};  ///< adds rows about what else a run must satisfy
 };
 

@@ -98,9 +98,9 @@ Row Judge::ended(Row row, const std::string& message, std::optional<double> when
 Row Judge::exact_row(const std::string& law, double off, const ExactMotion& exact) const {
   Row row = this->row("r-omega", "exact motion", law);
   row.value = off;
-  row.tolerance = standard_rtol;
+  row.tolerance = exact.tolerance();
   row.amplification = exact.amplification(exact.states().size() - 1);
-  row.threshold = std::min(row.tolerance * row.amplification, small_difference);
+  row.threshold = std::min(factors::chosen_steps * row.tolerance * row.amplification, small_difference);
   return judged(std::move(row));
 }
 
@@ -150,6 +150,7 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
   }
   const double factor = step ? factors::given_steps : factors::chosen_steps;
   row.why = counted(report.counters.steps, "step", "steps");
+  if (!exact.has_neighbours()) row.why += ", amplification unknown: no neighbouring run gets through";
   if (!exact.trouble().empty()) {
     row.value = std::numeric_limits<double>::quiet_NaN();
     row.verdict = Verdict::fails;
@@ -181,7 +182,7 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
   }
   row = judged(std::move(row), figure);
   add(row);
-  if (motion.also) motion.also(*this, {row, report, figure});
+  if (motion.also) motion.also(*this, {row, factor, report, figure});
 }
 
 void judge_states(Row& row, const ExactMotion& exact, const std::vector<MechanismState<double>>& states,

@@ -1,0 +1,87 @@
+#pragma once
+/// Chosen steps of Fehlberg 7(8) under loads and drivers that are functions of time. Its own error estimate
+/// compares derivatives at the two ends of a step. It vanishes where y' depends on time alone, and sees
+/// nothing of what happens within the step. There the method of order 8 is the rule of Newton and Cotes on
+/// the sixths of the step, whose error is
+///
+///     9/1400 (h/6)^9 f^(8),   and (h/6)^6 f^(6) is about D, the sixth difference of y' on the sixths
+///
+/// Abramowitz and Stegun, Handbook of Mathematical Functions (1964), 25.4.18. Where derivatives grow evenly
+/// with their order and F is the size of y', (h/6)^8 f^(8) is about F (D/F)^(8/6). The second estimate is
+/// therefore 9/8400 h F (D/F)^(4/3), for each element of y. Where y' depends on y, stages are less accurate
+/// than steps, and the estimate is too large: steps are shorter by a third or so.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "integrators/explicit/odeint.hpp"
+
+namespace trivium::integrators {
+
+/// A controlled stepper for Fehlberg 7(8), which rejects a step by either estimate.
+template <class S>
+class FehlbergControl {
+ public:
+  using Controlled = odeint::controlled_runge_kutta<Fehlberg78<S>>;
+
+  FehlbergControl(Controlled controlled, const Tolerances& tolerances)
+      : controlled_(std::move(controlled)), tolerances_(tolerances) {}
+
+  /// Odeint's try_step: after a step y, t and h are those of the next one; after a rejected step h is.
+  template <class F>
+  odeint::controlled_step_result try_step(const F& f, StateVector<S>& y, const StateVector<S>& y_dot, S& t,
+                                          S& h) {
+    using std::abs, std::pow, std::round;
+    const S begin = t, tried = h;
+    before_ = y;
+    on_sixths_[0] = y_dot;
+    // of two stages at a node the later one is the more accurate; at the start y_dot is exact
+    const auto recorded = [&](const StateVector<S>& at, StateVector<S>& rate, const S& time) {
+      f(at, rate, time);
+      const S sixths = 6 * (time - begin) / tried, nearest = round(sixths);
+      if (nearest > S(0) && abs(sixths - nearest) < S(0.01))
+        on_sixths_[static_cast<std::size_t>(nearest)] = rate;
+    };
+    const auto result = controlled_.try_step(recorded, y, y_dot, t, h);
+    if (result != odeint::success) return result;
+    const S error = second_error(tried);
+    // the safety factor of Odeint's controller, and its limits
+    const S change = S(0.9) * pow(S(error + S(1e-9)), S(-1) / 9);
+    h = std::min(h, S(tried * std::clamp(change, S(0.2), S(5))));
+    if (!(error > S(1))) return result;
+    y = before_;
+    t = begin;
+    return odeint::fail;
+  }
+
+ private:
+  /// The second estimate for a step of length h, in units of the tolerances.
+  S second_error(const S& h) const {
+    using std::abs, std::cbrt;
+    constexpr std::array<int, 7> binomial{1, -6, 15, -20, 15, -6, 1};
+    const S atol(tolerances_.atol), rtol(tolerances_.rtol);
+    S largest(0);
+    for (Eigen::Index k = 0; k < before_.size(); ++k) {
+      S D(0), F(0);
+      for (std::size_t j = 0; j < binomial.size(); ++j) {
+        D += binomial[j] * on_sixths_[j][k];
+        F = std::max(F, S(abs(on_sixths_[j][k])));
+      }
+      if (!(F > S(0))) continue;
+      const S ratio = abs(D) / F, error = S(9) / 8400 * h * F * ratio * cbrt(ratio);
+      // as in Odeint's checker of errors
+      largest = std::max(largest, S(error / (atol + rtol * (abs(before_[k]) + h * abs(on_sixths_[0][k])))));
+    }
+    return largest;
+  }
+
+  Controlled controlled_;
+  const Tolerances tolerances_;
+  StateVector<S> before_;
+  std::array<StateVector<S>, 7> on_sixths_;  ///< y' at the nodes 0, 1/6, ... 1
+};
+
+}  // namespace trivium::integrators
