@@ -58,8 +58,8 @@ class Arkode final : public OdeStepper {
     accept(ARKStepSetOrder(library_memory(), order_), "set the order");
     if (!is_implicit()) return;
     iterate_by_newton();
-    // A matrix of another step size leaves an error of the stages in proportion to the change of the size. The
-    // library's test does not see it: it takes the iteration for as fast as with earlier matrices.
+    // A matrix of another step size leaves an error of the stages in proportion to the change of the size.
+    // The library's test does not see it: it takes the iteration for as fast as with earlier matrices.
     accept(ARKStepSetDeltaGammaMax(library_memory(), 1e-10), "set when a new matrix is needed");
     accept(ARKStepSetLinSysFn(library_memory(), step_matrix), "set the matrix");
   }
