@@ -22,14 +22,6 @@ bool inertia_is_constant(const std::string& formulation) {
   return with_formulation<double>(formulation, []<Formulation F>() { return F::inertia_is_constant; });
 }
 
-}  // namespace
-
-bool goes_with(const integrators::MethodInfo& method, const std::string& formulation) {
-  return !method.needs_constant_inertia || inertia_is_constant(formulation);
-}
-
-namespace {
-
 void check_that_it_goes(const integrators::MethodInfo& method, const std::string& formulation) {
   if (goes_with(method, formulation)) return;
   std::vector<std::string> accepted = formulation_names();
@@ -55,6 +47,10 @@ std::vector<std::string> narrow_rows_at(const Model<double>& model) {
 }
 
 }  // namespace
+
+bool goes_with(const integrators::MethodInfo& method, const std::string& formulation) {
+  return !method.needs_constant_inertia || inertia_is_constant(formulation);
+}
 
 template <class Scalar>
 SimulationReport simulate(const Model<Scalar>& model, const SimulationOptions& options,

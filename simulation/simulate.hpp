@@ -41,8 +41,8 @@ struct SimulationOptions {
   std::optional<SavedRun> from;
 };
 
-/// Whether the method can be used with the formulation: some methods need a constant mass
-/// matrix. Throws a ModelError for an unknown name of a formulation.
+/// Whether the method can be used with the formulation: some methods need a constant mass matrix. Throws
+/// a ModelError for an unknown name of a formulation.
 bool goes_with(const integrators::MethodInfo& method, const std::string& formulation);
 
 /// Simulates from the model's state and time to options.end. Throws a ModelError or an IntegrationError with

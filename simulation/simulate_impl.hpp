@@ -33,7 +33,8 @@ class Simulation {
         entry_(entry_of(options)),
         is_implicit_(is_implicit(entry_.info, options)),
         projects_(options.projects && !is_implicit_),
-        method_(make_method(model.mechanism)),
+        depends_on_time_(model.mechanism.depends_on_time()),
+        method_(make_method()),
         equations_(model.mechanism, model.state,
                    {options.charts, options.baumgarte, projects_ || is_implicit_, saved_run(options)}) {}
 
@@ -106,10 +107,10 @@ class Simulation {
     return options.from && options.from->formulation == F::name ? &*options.from : nullptr;
   }
 
-  std::unique_ptr<integrators::AnyMethod<S>> make_method(const MechanismOf<F>& mechanism) const {
+  std::unique_ptr<integrators::AnyMethod<S>> make_method() const {
     integrators::MethodParameters given = options_.parameters;
     given.projects = projects_;
-    given.depends_on_time = mechanism.depends_on_time();
+    given.depends_on_time = depends_on_time_;
     return integrators::make_method<S>(entry_,
                                        options_.step ? integrators::Steps::given : integrators::Steps::chosen,
                                        options_.tolerances, given);
@@ -118,9 +119,8 @@ class Simulation {
   std::optional<StepErrors<F>> step_errors(integrators::AnySystem<S>& system) {
     const int order = options_.parameters.order.value_or(entry_.info.standard_order);
     if (!options_.step || order < 1) return {};
-    return StepErrors<F>(
-        equations_, *method_, order, is_implicit_,
-        HalvedSteps<S>(system, make_method(equations_.first_order().mechanism()), projects_));
+    return StepErrors<F>(equations_, *method_, order, is_implicit_,
+                         HalvedSteps<S>(system, make_method(), projects_));
   }
   /// Gives the method the memory of the saved run, such as an auxiliary acceleration.
   void recall(integrators::AnySystem<S>& system, const SavedRun& from) {
@@ -156,7 +156,7 @@ class Simulation {
   const SimulationOptions& options_;
   SimulationObserver& observer_;
   const integrators::MethodEntry<S> entry_;
-  const bool is_implicit_, projects_;
+  const bool is_implicit_, projects_, depends_on_time_;
   std::unique_ptr<integrators::AnyMethod<S>> method_;
   ConstrainedEquations<F> equations_;
   SimulationReport report_;

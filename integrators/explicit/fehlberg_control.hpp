@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include "integrators/explicit/odeint.hpp"
 
@@ -25,10 +24,9 @@ namespace trivium::integrators {
 template <class S>
 class FehlbergControl {
  public:
-  using Controlled = odeint::controlled_runge_kutta<Fehlberg78<S>>;
-
-  FehlbergControl(Controlled controlled, const Tolerances& tolerances)
-      : controlled_(std::move(controlled)), tolerances_(tolerances) {}
+  explicit FehlbergControl(const Tolerances& tolerances)
+      : controlled_(typename Controlled::error_checker_type(S(tolerances.atol), S(tolerances.rtol))),
+        tolerances_(tolerances) {}
 
   /// Odeint's try_step: after a step y, t and h are those of the next one; after a rejected step h is.
   template <class F>
@@ -58,6 +56,8 @@ class FehlbergControl {
   }
 
  private:
+  using Controlled = odeint::controlled_runge_kutta<Fehlberg78<S>>;
+
   /// The second estimate for a step of length h, in units of the tolerances.
   S second_error(const S& h) const {
     using std::abs, std::cbrt;

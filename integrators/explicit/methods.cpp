@@ -16,14 +16,11 @@ namespace trivium::integrators {
 namespace {
 
 template <class S, class Stepper>
-std::unique_ptr<AnyMethod<S>> chosen_runge_kutta(int order, const Tolerances& tolerances,
-                                                 [[maybe_unused]] bool depends_on_time) {
+auto chosen_runge_kutta(int order, const Tolerances& tolerances) {
   using Controlled = odeint::controlled_runge_kutta<Stepper>;
-  Controlled controlled(typename Controlled::error_checker_type(S(tolerances.atol), S(tolerances.rtol)));
-  if constexpr (std::is_same_v<Stepper, Fehlberg78<S>>)
-    if (depends_on_time)
-      return adapt<S>(ChosenSteps<S, FehlbergControl<S>>({controlled, tolerances}, order, tolerances));
-  return adapt<S>(ChosenSteps<S, Controlled>(controlled, order, tolerances));
+  return adapt<S>(ChosenSteps<S, Controlled>(
+      Controlled(typename Controlled::error_checker_type(S(tolerances.atol), S(tolerances.rtol))), order,
+      tolerances));
 }
 
 template <class S>
@@ -42,8 +39,7 @@ std::unique_ptr<AnyMethod<S>> chosen_adams(const Tolerances& tolerances) {
 
 template <class S, class Stepper>
 std::unique_ptr<AnyMethod<S>> runge_kutta(int order, const MethodRequest& request) {
-  if (request.tolerances)
-    return chosen_runge_kutta<S, Stepper>(order, *request.tolerances, request.given.depends_on_time);
+  if (request.tolerances) return chosen_runge_kutta<S, Stepper>(order, *request.tolerances);
   return adapt<S>(GivenSteps<S, Stepper>());
 }
 
@@ -65,7 +61,12 @@ std::vector<MethodEntry<S>> explicit_methods() {
         .order = 8,
         .takes_given_steps = true,
         .chooses_steps = true},
-       [](Request request) { return runge_kutta<S, Fehlberg78<S>>(8, request); }},
+       [](Request request) -> Made {
+         if (request.tolerances && request.given.depends_on_time)
+           return adapt<S>(ChosenSteps<S, FehlbergControl<S>>(FehlbergControl<S>(*request.tolerances), 8,
+                                                              *request.tolerances));
+         return runge_kutta<S, Fehlberg78<S>>(8, request);
+       }},
       {{.name = "bulirsch-stoer",
         .summary = "Bulirsch-Stoer extrapolation, orders 4 to 16 (Odeint)",
         .chooses_steps = true},

@@ -69,8 +69,7 @@ class HHT {
   /// Accepts the step of length h that was solved last, and adds its work to `reached`.
   void accept(System& system, const S& h, StateVector<S>& reached) {
     work_.add(system, newton_.at(), x_.lambda, h, reached);
-    a_next_ = (1 + alpha_) * x_.v_dot - alpha_ * v_dot_now_;
-    a_.push(a_next_);
+    a_.push(a_next_);  // placed last
     v_dot_now_ = x_.v_dot;
     lambda_.push(x_.lambda);
     last_h_ = h;

@@ -74,11 +74,12 @@ class Newton {
                   StepUnknowns<S>& x, Counters& counters) {
     const bool is_stabilised = x.shift.size() > 0;
     const Eigen::Index nv = x.v_dot.size(), nc = x.lambda.size();
-    bool is_fresh = false, has_best = false;
+    bool is_fresh = false;
     Violation<S> violation;
     anderson_.clear();
     system.clear_dependent(x.lambda);
-    S before = std::numeric_limits<S>::max(), least = before;
+    const S none = std::numeric_limits<S>::max();
+    S before = none, least = none;
     for (int k = 0, rises = 0; k < most_iterations && rises < most_rises; ++k) {
       place(x, y);
       if (is_stabilised) {
@@ -113,10 +114,10 @@ class Newton {
       if (is_best) {
         least = imbalance;
         best_ = x;
-        has_best = true;
       }
       if (!falls && is_fresh) {
-        if (rises > 0 && (least <= S(1e3) * enough() || (has_best && is_rounding(system, shares, y, x)))) {
+        if (rises > 0 &&
+            (least <= S(1e3) * enough() || (least < none && is_rounding(system, shares, y, x)))) {
           if (is_best) return;
           x = best_;
           place(x, y);

@@ -193,17 +193,18 @@ class ReversibleSteps {
     v_ddot_ = (v_dot_at_[2] - v_dot_at_[0]) / (at[2] - at[0]);
     v_dddot_ = (v_dot_at_[2] - 2 * v_dot_at_[1] + v_dot_at_[0]) / (d * d);
     none_.setZero(nv);
-    const auto size = [&](const StateVector<S>& q, const StateVector<S>& v, const S& rate) {
-      return in_tolerances<S>(tolerances_, sizes_, rate * sizes_, none_, q, v);
+    const auto size = [&](const StateVector<S>& q) {
+      return in_tolerances<S>(tolerances_, sizes_, none_, none_, q, none_);
     };
-    const auto of_positions = [&](const StateVector<S>& q) { return size(q, none_, S(0)); };
-    const S l = of_positions(sizes_), by_v = of_positions(v_) / l, by_a = of_positions(v_dot_) / l,
-            by_jerk = of_positions(v_ddot_), by_turn = 6 * of_positions(even_part(system, t, y)),
+    const S l = size(sizes_), by_v = size(v_) / l, by_a = size(v_dot_) / l, by_jerk = size(v_ddot_),
+            by_turn = 6 * size(even_part(system, t, y)),
             by_change = by_a * by_a * l / (by_jerk + std::numeric_limits<S>::min()),
             rate = std::max(by_v, std::min(S(sqrt(by_a)), by_change));
+    speeds_ = rate * sizes_;
+    const S of_velocities = in_tolerances<S>(tolerances_, sizes_, speeds_, none_, none_, v_dddot_);
     const S error = std::max(S(S(5) * sqrt(by_jerk * by_jerk + by_turn * by_turn +
                                            l * l * (pow(by_v, S(6)) + by_a * by_a * by_a))),
-                             S(size(none_, v_dddot_, rate) / 12));
+                             S(of_velocities / 12));
     const S suited = pow(S(error + 1 / (longest_ * longest_ * longest_)), S(-1) / 3);
     if (!(suited > S(0)))  // NaN too: accelerations whose change overflows
       throw IntegrationError(
@@ -253,7 +254,7 @@ class ReversibleSteps {
   std::array<StateVector<S>, 3> v_dot_at_;
   std::array<StateVector<S>, 2> rate_at_;
   StateVector<S> lambda_between_;
-  StateVector<S> v_, v_dot_, v_ddot_, v_dddot_, near_, sizes_, none_, lambda_;
+  StateVector<S> v_, v_dot_, v_ddot_, v_dddot_, near_, sizes_, speeds_, none_, lambda_;
   typename System::Evaluation at_;
   typename System::Factors factors_;
   StateVector<S> theta_, momentum_, even_, back_, reduced_, no_rows_, turn_;  ///< of even_part

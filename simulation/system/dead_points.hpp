@@ -30,7 +30,8 @@ class DeadPoints {
     largest_.resize(drivers.size());
     for (std::size_t k = 0; k < drivers.size(); ++k) {
       const auto& constraint = mechanism.rows[drivers[k]];
-      const Body &i = body[bodies_of(constraint).i], &j = body[bodies_of(constraint).j];
+      const BodyPair pair = bodies_of(constraint);
+      const Body &i = body[pair.i], &j = body[pair.j];
       const auto row = evaluate_row(constraint, i, j, t);
       const S gradient = sqrt(row.r_i.squaredNorm() + row.r_j.squaredNorm() + row.rot_i.squaredNorm() +
                               row.rot_j.squaredNorm());

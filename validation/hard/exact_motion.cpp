@@ -127,11 +127,11 @@ void ExactMotion::measure_amplification(const Model<double>& model) {
       const double whole = extent_of(from.mechanism, from.state).length,
                    apart = start.distance * std::max(1.0, whole / length_);
       const std::vector<MechanismState<double>> states = run(near, options(neighbour_tolerance)).states;
-      has_neighbours_ = has_neighbours_ || !states.empty();
       double largest = 1;
       for (std::size_t k = 0; k < std::min(states.size(), itself.size()); ++k) {
         raise(largest, difference(itself[k], states[k]) / apart);
         raise(amplification_[first + k], largest);
+        has_neighbours_ = true;
       }
     }
   }
