@@ -166,7 +166,8 @@ ModelError AccelerationSolver<F>::named(const SingularLink& link, const S& t) co
   require_numbers();
   return ModelError(
       {fmt::format("body \"{}\"", mechanism_.body_names[link.body()]), static_cast<double>(t)},
-      fmt::format("{}; the structured solver cannot eliminate this body: solve the printed system instead",
+      fmt::format("{}; the structured solver cannot eliminate this body: give it inertia in this motion, or "
+                  "solve the printed system instead",
                   link.what()));
 }
 

@@ -29,10 +29,11 @@ void GraphSolver<S>::factor_closing(int c, BodyBlock<S>* body) {
   // A pivot is the diagonal entry of a row after the rows and closings before it were eliminated. own: the
   // entry before other closings were eliminated. size.product: the size of the entry if no terms had
   // cancelled on the way along the loop. The rounding error of the pivot is relative to the sum of both. If
-  // the pivot is below sine2 * size.product, the row has cancelled to less than direction_tolerance of its
+  // the pivot is below sine2 * size.product, the row has cancelled nearly to direction_tolerance of its
   // terms, and the remainder has no reliable direction. is_marked_: rows that are dependent whatever their
   // pivot is, by an earlier decision, by the caller or by choose_rows().
-  const S sine = direction_tolerance<S>(plan_.graph.rank_tolerance), sine2 = sine * sine;
+  const S sine = S(cancelled_candidate) * direction_tolerance<S>(plan_.graph.rank_tolerance),
+          sine2 = sine * sine;
   for (int k = 0; k < n; ++k) {
     const S pivot = block(k, k);
     const S cancelled = sine2 * f.size.product[k];

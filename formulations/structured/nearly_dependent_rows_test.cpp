@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "formulations/structured/testing/dependent_rows_scenes.hpp"
+#include "formulations/structured_side_by_side.hpp"
 
 namespace trivium {
 namespace {
@@ -60,6 +61,21 @@ TEST(NearlyDependentRows, ASecondHingeBesideTheAxisOfTheFirstHoldsTheDoor) {
       side->point = Vector3{point[0] + axis[0], point[1] + axis[1], point[2] + axis[2] + shift};
     }
     expect_solution_of_quad<F>(scene, 1e-12 / beside, fmt::format("{} m beside", beside));
+  }
+}
+
+TEST(NearlyDependentRows, LockADoorFromTheSameMisalignmentOnAsInTheDenseAnalysis) {
+  for (int percent = 90; percent <= 140; ++percent) {
+    const double angle = percent * 1e-10;
+    scenes::Scene scene;
+    scene.bodies = {test::body("door", 20, {6, 8, 2}, {0.45, 0, 1})};
+    const Vector3 tilted{std::sin(angle), 0, std::cos(angle)};
+    for (const auto& [name, height, z] : {std::tuple("lower", 0.3, Vector3{0, 0, 1}), {"upper", 1.7, tilted}})
+      scene.constraints.push_back(test::joint(JointType::revolute, name,
+                                              test::side(scenes::ground, Vector3{0, 0, height}, z),
+                                              test::side(0, Vector3{-0.45, 0, height - 1}, z)));
+    const auto model = make_model<double>(scene);
+    EXPECT_EQ(structured_row_analysis(model).rank, analyse_rows(model).rank) << angle;
   }
 }
 
