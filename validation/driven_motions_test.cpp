@@ -31,6 +31,16 @@ TEST_P(InEveryFormulation, Rkf78SeesAPulseWithinAStep) {
 }
 
 // cos^64 falls to 1e-132 within a second, by up to 1e12 a step
+// The times of the stages are rounded to a part of the step.
+TEST_P(InEveryFormulation, Rkf78TakesStepsOfAFewRoundingsOfTheTime) {
+  constexpr double late = 1e9, longest = 1e-5;
+  Samples samples;
+  simulate(make_model<double>(hard::unmarked_pulses(0.1), late),
+           tight(GetParam(), "rkf78", late + longest, 1e-8), samples);
+  constexpr double strongest = 10;  // [m/s^2]
+  EXPECT_LE(samples.all.back().state.twist[0].r_dot.norm(), 1.1 * strongest * longest);
+}
+
 TEST_P(InEveryFormulation, ALoadMayFadeToNothing) {
   for (const char* method : {"bdf", "generalized-alpha", "generalized-alpha-gl2", "hht"})
     EXPECT_EQ(Motion(hard::unmarked_pulses(0.1), stepping(GetParam(), method, 1, 1e-3)).end().state.t, 1)

@@ -32,16 +32,16 @@ class FehlbergControl {
   template <class F>
   odeint::controlled_step_result try_step(const F& f, StateVector<S>& y, const StateVector<S>& y_dot, S& t,
                                           S& h) {
-    using std::abs, std::pow, std::round;
+    using std::pow;
     const S begin = t, tried = h;
     before_ = y;
     on_sixths_[0] = y_dot;
-    // of two stages at a node the later one is the more accurate; at the start y_dot is exact
+    // Of two stages at a node the later one is the more accurate; at the start y_dot is exact. The order of
+    // the stages tells their nodes: times that are rounded to a part of a short step do not.
+    std::size_t stage = 0;
     const auto recorded = [&](const StateVector<S>& at, StateVector<S>& rate, const S& time) {
       f(at, rate, time);
-      const S sixths = 6 * (time - begin) / tried, nearest = round(sixths);
-      if (nearest > S(0) && abs(sixths - nearest) < S(0.01))
-        on_sixths_[static_cast<std::size_t>(nearest)] = rate;
+      if (const std::size_t sixth = sixth_of_stage[stage++]; sixth > 0) on_sixths_[sixth] = rate;
     };
     const auto result = controlled_.try_step(recorded, y, y_dot, t, h);
     if (result != odeint::success) return result;
@@ -57,6 +57,9 @@ class FehlbergControl {
 
  private:
   using Controlled = odeint::controlled_runge_kutta<Fehlberg78<S>>;
+
+  /// Of the second stage to the last: at which sixth of the step it is; 0 if at none, or at the start.
+  static constexpr std::array<std::size_t, 12> sixth_of_stage{0, 0, 1, 0, 3, 5, 1, 4, 2, 6, 0, 6};
 
   /// The second estimate for a step of length h, in units of the tolerances.
   S second_error(const S& h) const {
