@@ -52,6 +52,8 @@ void with_cause(AnySystem<S>& system, const S& t, const StateVector<S>& y, const
     try {
       cause = system.diagnose(t, y, step);
       if (cause.empty() && place.where.empty()) body = system.most_accelerated(t, y) + "; ";
+    } catch (const Error& at_state) {  // the state itself has no solution
+      if (place.where.empty() && !at_state.where().empty()) cause = at_state.what();
     } catch (const std::runtime_error&) {  // not even that is known at this state
     }
     if (cause.empty())

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scenes/testing/scene_builders.hpp"
+#include "validation/hard/known_motions.hpp"
 #include "validation/harness/trusted_numbers.hpp"
 #include "validation/testing/catalogue_motion.hpp"
 
@@ -79,6 +80,17 @@ TEST_P(InEveryFormulation, AMethodThatEndsAtASingularPositionNamesARowAndSaysWha
     // a revolute of the loop
     EXPECT_TRUE(what.find("row \"A") != what.npos || what.find("row \"B") != what.npos) << what;
     EXPECT_NE(what.find("try dopri5"), what.npos) << what;
+  }
+}
+
+// The steps of ida become too small some way before it.
+TEST_P(InEveryFormulation, ASingularPositionAheadIsTheReasonOfStepsThatBecomeTooSmall) {
+  try {
+    const Motion motion(hard::rod_on_crank(3), tight(GetParam(), "ida", 5, 1e-12));
+    FAIL() << "reached " << motion.report.reached;
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("near a singular position, where row \"B"), std::string::npos)
+        << error.what();
   }
 }
 

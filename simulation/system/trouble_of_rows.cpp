@@ -42,25 +42,39 @@ Eigen::Index nearest_to_dependent(const TangentSystem& now, int rank) {
   return row;
 }
 
+/// Whether a condition number of the rows goes on to grow, as 1 / (t* - t)^2 does before a singular position
+/// at t*, which is at most `horizon` ahead.
+bool grows(double kappa, double horizon, const std::function<double(double)>& kappa_after) {
+  const double dt = 1e-3 * horizon, growth = (kappa_after(dt) - kappa) / dt;
+  const double left = 2 * kappa / growth;  // until t*
+  return growth > 0 && left < horizon && kappa_after(0.9 * left) > 10 * kappa;
+}
+
 }  // namespace
 
 std::string trouble_of_rows(const std::vector<std::string>& row_names, const std::vector<int>& drivers,
-                            const TangentSystem& before, const TangentSystem& now, double t) {
+                            double start, const TangentSystem& at_start, double t,
+                            const std::function<TangentSystem(double)>& after) {
   // Each row is divided by its size, which depends on the position. So the condition number of three rows of
   // a spherical joint changes by 40 where the body is slender.
-  constexpr double much = 1000;
-  const RowAnalysis then = analyse_rows(before), here = analyse_rows(now);
-  if (here.rank >= then.rank && here.kappa <= much * then.kappa)
+  constexpr double much = 1000, some = 10;
+  const TangentSystem now = after(0);
+  const RowAnalysis then = analyse_rows(at_start), here = analyse_rows(now);
+  const bool is_near = here.rank < then.rank || here.kappa > much * then.kappa;
+  if (!is_near && !(here.kappa > some * then.kappa && grows(here.kappa, (t - start) / 50, [&](double dt) {
+                      return analyse_rows(after(dt)).kappa;
+                    })))
     return contradicting_drivers(row_names, here, drivers, t);
   return fmt::format(
       "near a singular position, where row \"{}\" comes to depend on others and the mechanism can go on in "
-      "more than one way: since the start {}. Take tighter tolerances or smaller steps, or try dopri5, "
-      "rkf78 or rattle, which pass most singular positions",
+      "more than one way: since the start {}{}. Try other tolerances or steps, or try dopri5, rkf78 or "
+      "rattle, which pass most singular positions",
       row_names[nearest_to_dependent(now, then.rank)],
       here.rank < then.rank
           ? fmt::format("the rank of the rows has fallen from {} to {}", then.rank, here.rank)
           : fmt::format("the condition number of the rows has grown from {:.1e} to {:.1e}", then.kappa,
-                        here.kappa));
+                        here.kappa),
+      is_near ? "" : ", and it goes on to grow");
 }
 
 }  // namespace trivium
