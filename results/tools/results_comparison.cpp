@@ -20,6 +20,8 @@ template <class... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;
 };
+template <class... Functions>  // clang++ 14 does not deduce it
+Overloaded(Functions...)->Overloaded<Functions...>;
 
 double value_of(const Quantity& quantity, const ResultsTable& table, std::size_t row) {
   return quantity.times * (quantity.column.empty() ? 1.0 : table.number(row, quantity.column));
