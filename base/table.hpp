@@ -10,13 +10,16 @@ namespace trivium {
 /// A table of text: the first column left-aligned, the others right-aligned.
 class Table {
  public:
-  explicit Table(std::vector<std::string> header) : rows_{std::move(header)} {}
+  /// The first column stands to the left, the others to the right, or the last to the left if it is `prose`.
+  explicit Table(std::vector<std::string> header, bool prose = false)
+      : rows_{std::move(header)}, prose_(prose) {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   /// The table as lines that end in '\n', with a rule under the header.
   std::string text() const;
 
  private:
   std::vector<std::vector<std::string>> rows_;
+  bool prose_;
 };
 
 }  // namespace trivium

@@ -42,6 +42,11 @@ struct Task {
   }
 };
 
+std::string text_of(const Accepted& accepted) {
+  return fmt::format("{}{:g} to {:g}", accepted.is_count ? "whole numbers from " : "", accepted.least,
+                     accepted.most);
+}
+
 /// The case and the difficulty that an option asks for as NAME=DIFFICULTY.
 Task read_task(const std::vector<Family>& all, const std::string& option, const std::string& text) {
   const std::size_t at = text.find('=');
@@ -52,8 +57,14 @@ Task read_task(const std::vector<Family>& all, const std::string& option, const 
   std::vector<std::string> names;
   for (const Family& family : all)
     for (const Case& one : family.cases) {
-      if (one.name == name) return {&family, &one, difficulty, false};
       names.push_back(one.name);
+      if (one.name != name) continue;
+      const Accepted& accepted = one.accepted;
+      if (!(difficulty >= accepted.least && difficulty <= accepted.most) ||
+          (accepted.is_count && difficulty != std::round(difficulty)))
+        throw Error(ErrorKind::input,
+                    fmt::format("{}: found {}; accepted for {}: {}", option, text, name, text_of(accepted)));
+      return {&family, &one, difficulty, false};
     }
   throw Error(ErrorKind::input,
               fmt::format("{}: found {}; accepted: {}", option, name, fmt::join(names, ", ")));
@@ -90,24 +101,40 @@ std::vector<Row> rows_of(const Task& task, const Choice& choice) {
 
 std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.1e}", x) : "none"; }
 
+/// A line for a terminal; --json and --csv have the whole text.
+std::string shortened(const std::string& why) {
+  constexpr std::size_t most = 100;
+  return why.size() <= most ? why : why.substr(0, why.rfind(' ', most)) + " ...";
+}
+
+std::string summary(const long (&count)[4]) {
+  return fmt::format("{} survive, {} announce themselves, {} are not judged, {} fail\n", count[0], count[1],
+                     count[2], count[3]);
+}
+
 std::string text(const std::vector<Row>& rows, const std::vector<Family>& all) {
   std::string out;
+  long sum[4] = {};
+  int blocks = 0;
   for (const Family& family : all) {
-    Table table({"case", "formulation", "method", "monitored", "value", "threshold", "verdict", "why"});
+    Table table({"case", "formulation", "method", "monitored", "value", "threshold", "verdict", "why"}, true);
     long count[4] = {};
     bool has_rows = false;
     for (const Row& row : rows) {
       if (row.family != family.name) continue;
       has_rows = true;
-      if (row.counts) ++count[static_cast<int>(row.verdict)];
+      if (row.counts) {
+        ++count[static_cast<int>(row.verdict)];
+        ++sum[static_cast<int>(row.verdict)];
+      }
       table.add({row.name, row.formulation, row.method, row.quantity, number(row.value),
-                 number(row.threshold), verdict_of(row), row.why});
+                 number(row.threshold), verdict_of(row), shortened(row.why)});
     }
     if (!has_rows) continue;
-    out += fmt::format("{}: {}\n{}{} survive, {} announce themselves, {} are not judged, {} fail\n\n",
-                       family.name, family.about, table.text(), count[0], count[1], count[2], count[3]);
+    ++blocks;
+    out += fmt::format("{}: {}\n{}{}\n", family.name, family.about, table.text(), summary(count));
   }
-  return out;
+  return blocks > 1 ? out + "all families: " + summary(sum) : out;
 }
 
 const std::vector<std::string> columns{"family",    "case",    "formulation", "method",
@@ -158,13 +185,16 @@ int list(const std::vector<Family>& all) {
   for (const Family& family : all) {
     fmt::print("{}: {}\n", family.name, family.about);
     for (const Case& one : family.cases)
-      fmt::print("  {:<24} {}; easy {:g}, quick {}, whole {}\n", one.name, one.difficulty, one.easy,
-                 fmt::join(one.quick, " "), fmt::join(one.whole, " "));
-    for (const MethodsOfFamily& methods : method_list())
-      if (methods.of == family.name || has_case(family, methods.of))
+      fmt::print("  {:<24} {}; easy {:g}, quick {}, whole {}, accepted {}\n", one.name, one.difficulty,
+                 one.easy, fmt::join(one.quick, " "), fmt::join(one.whole, " "), text_of(one.accepted));
+    for (const MethodsOfFamily& methods : method_list()) {
+      const bool is_part = methods.of.starts_with(family.name + "/");
+      const std::string part = is_part ? methods.of.substr(family.name.size() + 1) : methods.of;
+      if (is_part || part == family.name || has_case(family, part))
         fmt::print("  methods{} {}: {}\n",
-                   methods.of == family.name ? std::string(17, ' ') : fmt::format(" of {:<13}", methods.of),
+                   part == family.name ? std::string(17, ' ') : fmt::format(" of {:<13}", part),
                    fmt::join(methods.whole, ", "), methods.why);
+    }
   }
   return exit_done;
 }

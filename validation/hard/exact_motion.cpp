@@ -1,5 +1,7 @@
 #include "validation/hard/exact_motion.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -16,6 +18,8 @@ namespace {
 
 /// Far below the tolerances that are judged, and far above rounding.
 constexpr double reference_tolerance = 1e-13, neighbour_tolerance = 1e-12;
+/// Longer runs are given up: each would take minutes. Of neighbours, all runs together.
+constexpr long most_steps = 5'000'000, most_steps_in_quad = 300'000, most_steps_of_neighbours = 20'000'000;
 
 /// The states of a run after its start, up to its end or its trouble.
 struct Reference {
@@ -25,11 +29,13 @@ struct Reference {
 };
 
 template <class Scalar>
-Reference run(const Model<Scalar>& model, const SimulationOptions& options) {
+Reference run(const Model<Scalar>& model, const SimulationOptions& options, long most) {
   Reference found;
-  Samples samples;
+  LimitedSamples samples(most);
   try {
-    found.steps = simulate(model, options, samples).counters.steps;
+    const SimulationReport report = simulate(model, options, samples);
+    found.steps = report.counters.steps;
+    if (!report.complete) found.trouble = fmt::format("more than {} steps", most);
   } catch (const Error& error) {
     found.trouble = error.what();
   }
@@ -52,8 +58,9 @@ ExactMotion::ExactMotion(const HardMotion& motion)
   } else {
     const bool in_quad = motion.reference == ReferenceRun::in_quad;
     const double rtol = in_quad ? 1e-16 : reference_tolerance;
-    Reference found = in_quad ? run(make_model<Quad>(motion.scene, Quad(motion.start)), options(rtol))
-                              : run(model, options(rtol));
+    Reference found =
+        in_quad ? run(make_model<Quad>(motion.scene, Quad(motion.start)), options(rtol), most_steps_in_quad)
+                : run(model, options(rtol), most_steps);
     states_ = std::move(found.states);
     trouble_ = std::move(found.trouble);
     tolerance_ = static_cast<double>(found.steps) * HardMotion::of_a_step(rtol);
@@ -108,15 +115,26 @@ void ExactMotion::measure_amplification(const Model<double>& model) {
   amplification_.assign(states_.size(), 1);
   // steps err all along the motion: neighbours start at its start and after outputs
   const std::size_t every = hard_outputs / motion_.starts;
+  long steps_left = most_steps_of_neighbours;
+  const auto run_from = [&](const Model<double>& from) {
+    const Reference found = run(from, options(neighbour_tolerance), steps_left);
+    steps_left = std::max(1L, steps_left - found.steps);
+    return found.states;
+  };
   for (std::size_t first = 0; first < states_.size(); first += every) {
     Model<double> from = model;
     if (first > 0) from.state = states_[first - 1];
     // neighbours are compared with a run of their own kind, so that its errors cancel; a run that does not
     // get through says nothing about the exact motion
-    const std::vector<MechanismState<double>> itself = run(from, options(neighbour_tolerance)).states;
+    const std::vector<MechanismState<double>> itself = run_from(from);
     for (int d = 0; d < motion_.directions; ++d) {
       const int seed = 1 + static_cast<int>(first) * motion_.directions + d;
-      const NeighbouringStart start = neighbouring_start(from, neighbour_tolerance, seed, 1e4);
+      NeighbouringStart start;
+      try {
+        start = neighbouring_start(from, neighbour_tolerance, seed, 1e4);
+      } catch (const Error&) {  // no neighbour satisfies the constraints in double, or none can be found
+        continue;
+      }
       if (!(start.distance > 0)) {  // the constraints leave no neighbour
         has_neighbours_ = true;
         return;
@@ -126,7 +144,7 @@ void ExactMotion::measure_amplification(const Model<double>& model) {
       // its distance is relative to the whole mechanism
       const double whole = extent_of(from.mechanism, from.state).length,
                    apart = start.distance * std::max(1.0, whole / length_);
-      const std::vector<MechanismState<double>> states = run(near, options(neighbour_tolerance)).states;
+      const std::vector<MechanismState<double>> states = run_from(near);
       double largest = 1;
       for (std::size_t k = 0; k < std::min(states.size(), itself.size()); ++k) {
         raise(largest, difference(itself[k], states[k]) / apart);

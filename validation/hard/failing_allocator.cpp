@@ -24,8 +24,8 @@ namespace {
 using Main = int (*)(int, char**, char**);
 
 Main main_of_program = nullptr;
-std::atomic<bool> has_begun = false;
-std::atomic<unsigned long> count = 0;
+std::atomic<bool> has_begun{false};
+std::atomic<unsigned long> count{0};
 unsigned long first = 0, last = 0;  ///< numbers of the failing allocations, counted from 1; 0: none
 
 bool fails() {

@@ -11,10 +11,17 @@
 
 namespace trivium::hard {
 
+/// The difficulties that a case takes.
+struct Accepted {
+  double least, most;
+  bool is_count = false;  ///< whole numbers only
+};
+
 /// A kind of case.
 struct Case {
   std::string name;
-  std::string difficulty;            ///< what its argument is, with its unit
+  std::string difficulty;  ///< what its argument is, with its unit
+  Accepted accepted;
   double easy = 0;                   ///< difficulty of its twin, which must survive without a warning
   std::vector<double> quick, whole;  ///< difficulties of --quick, and of the whole suite
   std::function<void(Judge&, double)> judge;

@@ -19,6 +19,7 @@
 #include "validation/hard/child_run.hpp"
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
+#include "validation/hard/methods.hpp"
 
 namespace trivium::hard {
 
@@ -43,22 +44,23 @@ Row row_of(const Judge& judge, const std::string& what) {
 }
 
 /// Adds the row of runs of which `wrong` holds what is wrong with each; empty texts do not count.
-void settle(Judge& judge, Row row, std::vector<std::string> wrong, const std::string& why) {
+/// `announced`: whether one of them ended with a message.
+void settle(Judge& judge, Row row, bool announced, std::vector<std::string> wrong, const std::string& why) {
   std::erase(wrong, "");
   row.value = static_cast<double>(wrong.size());
   row.threshold = 0.5;
-  row.verdict = !row.is_met() ? Verdict::fails : row.is_twin ? Verdict::survives : Verdict::announces;
+  row.verdict = !row.is_met() ? Verdict::fails : announced ? Verdict::announces : Verdict::survives;
   row.why = (wrong.empty() ? "" : wrong.front() + (why.empty() ? "" : "; ")) + why;
   row.why = std::regex_replace(row.why, std::regex("incomplete-[0-9]+"), "incomplete-N");
   std::replace(row.why.begin(), row.why.end(), '\n', ' ');
   judge.add(row);
 }
 
-/// Calls visit(row, options) for every formulation and method: all methods, or some in a quick run.
+/// Calls visit(row, options) for every formulation and method of the family.
 template <class Visit>
-void for_every_method(Judge& judge, const Options& quick, bool also_given_steps, const Visit& visit) {
+void for_every_method(Judge& judge, bool also_given_steps, const Visit& visit) {
   for (const std::string& formulation : judge.formulations())
-    for (const std::string& method : judge.is_quick() ? quick : integrators::method_names()) {
+    for (const std::string& method : methods_of("faults", judge.is_quick())) {
       const integrators::MethodInfo& info = *integrators::find_method(method);
       if (!goes_with(info, formulation)) continue;
       const Options options{"--formulation", formulation, "--integrator", method};
@@ -90,17 +92,16 @@ Scene pushed_pendulum(double c) {
 void judge_push(Judge& judge, double c) {
   const Workplace pushed(judge.choice().program, pushed_pendulum(c)),
       left_alone(judge.choice().program, pushed_pendulum(0));
-  const Options quick{"dopri5", "generalized-alpha", "radau5", "rattle"};
-  for_every_method(judge, quick, true, [&](const Row& row, const Options& method) {
+  for_every_method(judge, true, [&](const Row& row, const Options& method) {
     const Options options = method + Options{"--t-end", "1", "--output-step", "0.01"};
     const Run run = pushed.simulate(options);
-    if (judge.is_twin()) return settle(judge, row, {wrong_unharmed(run, 1)}, "");
+    if (judge.is_twin()) return settle(judge, row, false, {wrong_unharmed(run, 1)}, "");
     const std::string free = Motion(left_alone.simulate(options)).text(),
                       before = free.substr(0, free.find(fmt::format("\n{:.17g},", onset)) + 1);
     std::string wrong = wrong_in_failure(run, pushed_pendulum(c), 1);
     if (wrong.empty() && !Motion(run).text().starts_with(before))
       wrong = "outputs before the push are missing";
-    settle(judge, row, {wrong}, first_line(run.ended.err));
+    settle(judge, row, true, {wrong}, first_line(run.ended.err));
   });
 }
 
@@ -127,24 +128,23 @@ Scene shaken_slider(double w) {
 /// A run must end at the position x, or with an announcement.
 void judge_slider(Judge& judge, const Scene& scene, double tolerance, double end, double x) {
   const Workplace place(judge.choice().program, scene);
-  const Options quick{"dopri5", "generalized-alpha", "radau5", "rkf78"};
-  for_every_method(judge, quick, false, [&](Row row, const Options& method) {
+  for_every_method(judge, false, [&](Row row, const Options& method) {
     const std::string limit = fmt::format("{}", tolerance);
     Run run = place.simulate(
         method + Options{"--json", "--rtol", limit, "--atol", limit, "--t-end", fmt::format("{}", end)});
     const std::string message = first_line(run.ended.err);
     if (!judge.is_twin() && run.ended.exit_code != exit_done)
-      return settle(judge, row, {wrong_in_failure(run, scene, end)}, message);
+      return settle(judge, row, true, {wrong_in_failure(run, scene, end)}, message);
     if (!judge.is_twin()) run.ended.err.clear();  // warnings are judged with the error
     if (const std::string wrong = wrong_unharmed(run, end); !wrong.empty())
-      return settle(judge, row, {wrong}, "");
+      return settle(judge, row, false, {wrong}, "");
     row.quantity = "position at the end [m]";
     row.value = std::abs(Motion(run).last()[1] - x);
     row.tolerance = number_after(run.ended.out, "\"steps\": ") * 2 * tolerance;
     row.amplification = 1;  // a wrong velocity acts for 1 s at most
     row.threshold = factors::law * row.tolerance * row.amplification;
     row.why = message;
-    judge.add(judge.judged(row, message.empty() ? 0 : 1));
+    judge.add(judge.judged(row));  // a message without a figure states no error
   });
 }
 
@@ -162,6 +162,7 @@ void judge_allocations(Judge& judge, double tries) {
   for (const bool is_once : {true, false}) {
     std::vector<std::string> wrong{all > 0 ? wrong_unharmed(whole, 0.02) : "allocations are not counted"};
     std::map<std::string, int> ends;
+    bool announced = false;
     for (double k = 0; k < tried; ++k) {
       const long first = 1 + static_cast<long>(k * all / tried),
                  last = is_once ? first : std::numeric_limits<long>::max();
@@ -170,12 +171,14 @@ void judge_allocations(Judge& judge, double tries) {
                              fmt::format("TRIVIUM_LAST_FAILING_ALLOCATION={}", last)};
       const Run run = place.simulate(options, failing);
       ++ends[run.ended.text()];
+      announced = announced || run.ended.exit_code != exit_done;
       if (const std::string lost = wrong_in_loss(run, whole); !lost.empty())
         wrong.push_back(fmt::format("allocation {}: {}", first, lost));
     }
     std::string why = fmt::format("{} of {} allocations", tried, all);
     for (const auto& [end, count] : ends) why += fmt::format(", {} times {}", count, end);
-    settle(judge, row_of(judge, is_once ? "one allocation fails" : "all fail from one on"), wrong, why);
+    settle(judge, row_of(judge, is_once ? "one allocation fails" : "all fail from one on"), announced, wrong,
+           why);
   }
 }
 
@@ -184,7 +187,7 @@ void judge_full_disk(Judge& judge, double bytes) {
   const Options options{"--t-end", "0.5", "--output-step", "0.01", "--save-end", place.file("end.json")};
   const Run whole = place.simulate(options);
   if (const std::string wrong = wrong_unharmed(whole, 0.5); !wrong.empty())
-    return settle(judge, row_of(judge, "an empty disk"), {wrong}, "");
+    return settle(judge, row_of(judge, "an empty disk"), false, {wrong}, "");
   for (const bool raises : {false, true}) {
     Command how;
     how.largest_file = static_cast<std::uint64_t>(bytes);
@@ -193,7 +196,8 @@ void judge_full_disk(Judge& judge, double bytes) {
     std::string wrong = judge.is_twin() ? wrong_unharmed(run, 0.5) : wrong_in_loss(run, whole);
     if (wrong.empty() && !Motion(run).text().empty() && Motion(run).text() != Motion(whole).text())
       wrong = "motion.csv is not whole";
-    settle(judge, row_of(judge, raises ? "limited files (SIGXFSZ)" : "full disk"), {wrong}, run.ended.err);
+    settle(judge, row_of(judge, raises ? "limited files (SIGXFSZ)" : "full disk"),
+           run.ended.exit_code != exit_done, {wrong}, run.ended.err);
   }
   if (judge.is_twin()) return;
   Command how;
@@ -202,7 +206,7 @@ void judge_full_disk(Judge& judge, double bytes) {
   std::string wrong =
       run.ended.exit_code == exit_done ? "exit code 0 without a report" : wrong_in_loss(run, whole);
   if (wrong.empty() && run.files != whole.files) wrong = "files are not whole";
-  settle(judge, row_of(judge, "full stdout"), {wrong}, run.ended.err);
+  settle(judge, row_of(judge, "full stdout"), true, {wrong}, run.ended.err);
 }
 
 /// `runs`: each would take hours, and gets the signal within a second.
@@ -224,7 +228,7 @@ void judge_signal(Judge& judge, double runs, int signal, const char* name) {
       wrong.push_back(fmt::format("after {:.3f} s: {}", how.kill->after, lost));
   }
   if (runs > 0 && interrupted == 0) wrong.emplace_back("no run was interrupted");
-  settle(judge, row_of(judge, name), wrong, fmt::format("{} runs", runs));
+  settle(judge, row_of(judge, name), interrupted > 0, wrong, fmt::format("{} runs", runs));
 }
 
 }  // namespace
@@ -235,6 +239,7 @@ Family faults() {
       "forces that overflow, steps that underflow, full memory and disks, signals",
       {{"non_finite_force",
         "c of the force (c t)^4 [N^(1/4)/s]",
+        {1, 1e150},
         1,
         {1e60, 1e80},
         {1e20, 1e40, 1e60, 1e80, 1e100},
@@ -242,25 +247,28 @@ Family faults() {
         pushed_pendulum},
        {"step_underflow",
         "angular frequency of the force [rad/s]",
+        {1, 1e150},
         10,
         {1e30},
         {1e30, 1e60, 1e90},
         [](Judge& judge, double w) { judge_slider(judge, shaken_slider(w), 1e-8, 1, 1 - std::sin(w) / w); },
         shaken_slider},
-       {"failing_allocation", "number of runs", 0, {40}, {4000}, judge_allocations},
+       {"failing_allocation", "number of runs", {0, 1e6, true}, 0, {40}, {4000}, judge_allocations},
        {"full_disk",
         "size to which a file can grow [bytes]",
+        {0, 1e12},
         1e9,
         {4096},
         {0, 1, 100, 4096, 8191, 8192, 16384},
         judge_full_disk},
        {"interrupt",
         "number of runs",
+        {0, 1000, true},
         0,
         {4},
         {30},
         [](Judge& judge, double runs) { judge_signal(judge, runs, SIGINT, "SIGINT"); }},
-       {"terminate", "number of runs", 0, {4}, {30}, [](Judge& judge, double runs) {
+       {"terminate", "number of runs", {0, 1000, true}, 0, {4}, {30}, [](Judge& judge, double runs) {
           judge_signal(judge, runs, SIGTERM, "SIGTERM");
         }}}};
 }

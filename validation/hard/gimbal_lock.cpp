@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "base/number_text.hpp"
@@ -47,9 +47,8 @@ int exponent_of(const std::string& formulation) {
 
 /// The worst of the twelve sequences, in each formulation by each solver.
 void judge_laws(Judge& judge, double distance) {
-  constexpr double law_holds_below = 0.1;
-  std::map<std::pair<std::string, std::string>, Row> worst;
   for (const std::string_view name : euler_sequence_names) {
+    judge.begin_part(fmt::format("sequence {}", name));
     const EulerSequence sequence = *parse_euler_sequence(name);
     const scenes::Scene scene = near_lock(sequence, distance);
     const SolvedStates solved = solve_state(scene, judge.formulations(), ChartOptions{sequence, false});
@@ -60,43 +59,52 @@ void judge_laws(Judge& judge, double distance) {
       row.value = state.lambda;
       row.tolerance = law;
       row.amplification = solved.kappa;
-      row.threshold = law < law_holds_below ? factors::law * law * solved.kappa : 0;
-      row.why = fmt::format("worst sequence {}; law u/theta^{}", name, exponent);
-      if (law >= law_holds_below)
+      row.threshold = law < factors::lost_law ? factors::law * law * solved.kappa : 0;
+      row.why = fmt::format("law u/theta^{}", exponent);
+      if (law >= factors::lost_law)
         row.why += fmt::format(", which is lost; stated error {:.1e}", state.announced);
-      row = state.refusal.empty() ? judge.judged(row, state.announced)
-                                  : judge.ended(row, state.refusal, 0.0, scene);
-      const auto [at, is_first] = worst.try_emplace({state.formulation, state.solver}, row);
-      if (!is_first && is_worse(row, at->second)) at->second = row;
+      judge.add(state.refusal.empty() ? judge.judged(row, state.announced)
+                                      : judge.ended(row, state.refusal, 0.0, scene));
     }
   }
-  for (const auto& [key, row] : worst) judge.add(row);
+  judge.keep_worst_part();
 }
 
-/// A pendulum whose body axis z passes the vertical, where the sequence 3-1-3 is singular, at about
-/// `distance` [rad].
-scenes::Scene flight(double distance) {
+/// A pendulum that passes the singularity of the sequence i-j-k at about `distance` [rad]. There body axis k
+/// is along axis i of the ground, which is the vertical.
+scenes::Scene flight_past(const EulerSequence& sequence, double distance) {
+  const auto [i, j, k] = sequence.axis;
   scenes::Scene scene;
-  scene.name = fmt::format("flight_{:g}", distance);
-  const double tilt = 0.7, rate = std::sqrt(9.81);
-  scenes::Body body = building::body("bob", 1, {0.1, 0.2, 0.15});
-  body.orientation = scenes::AxisAngle{{0, 1, 0}, tilt};
-  // about the body's x axis, so that it moves sideways
-  body.angular_velocity = {distance * rate, 0, 0};
-  pin_at_origin(body, {0, 0, 1});
+  scene.name = fmt::format("flight_{}_{:g}", sequence.name(), distance);
+  const double tilt = 0.7, g = 9.81;
+  const int other = 3 - j - k;
+  scenes::Vector3 inertia{}, pivot{}, down{};
+  inertia[other] = 0.1;
+  inertia[j] = 0.2;
+  inertia[k] = 0.15;
+  pivot[k] = 1;
+  // at the singularity axis k of the body is along axis i, or against it for i-j-k with i x j = -k
+  down[i] = sequence.is_symmetric() || j == (i + 1) % 3 ? -g : g;
+  scenes::Body body = building::body("bob", 1, inertia);
+  body.orientation =
+      scenes::EulerAngles{{0, sequence.is_symmetric() ? tilt : std::numbers::pi / 2 - tilt, 0}, sequence};
+  body.angular_velocity[other] = distance * std::sqrt(g);  // sideways
+  pin_at_origin(body, pivot);
   scene.bodies = {body};
   scene.constraints = {building::joint(JointType::spherical, "pivot",
                                        building::side(scenes::ground, scenes::Vector3{}),
-                                       building::side(0, scenes::Vector3{0, 0, 1}))};
-  scene.effects = {building::gravity()};
+                                       building::side(0, pivot))};
+  scene.effects = {Gravity<double>{"", {down[0], down[1], down[2]}}};
   return scene;
 }
+
+scenes::Scene flight(double distance) { return flight_past({}, distance); }
 
 /// The energy, with the tolerance of the motion. It counts v^2, so that twice the error of v enters.
 void judge_energy(Judge& judge, const RunOfCase& run) {
   Row row = judge.row(run.row.formulation, run.row.method, "energy [-]");
   row.value = run.report.unaccounted_energy / run.report.largest_kinetic;
-  row.tolerance = 2 * run.row.tolerance;
+  row.tolerance = factors::energy * run.row.tolerance;
   row.threshold = run.factor * row.tolerance;
   row.why = counted(run.report.reframings, "change of chart", "changes of chart");
   judge.add(judge.judged(std::move(row), run.figure));
@@ -113,15 +121,39 @@ void judge_flight(Judge& judge, double distance, bool reframe) {
   judge.motion(motion);
 }
 
+/// The worst of the twelve sequences, each past its own singularity.
+void judge_sequences(Judge& judge, double distance) {
+  for (const std::string_view name : euler_sequence_names) {
+    judge.begin_part(fmt::format("sequence {}", name));
+    HardMotion motion;
+    motion.charts.sequence = *parse_euler_sequence(name);
+    motion.scene = flight_past(motion.charts.sequence, distance);
+    motion.end = 2;
+    motion.step = 2e-3;
+    motion.methods = {"dopri5"};
+    motion.beside_simbody = false;
+    motion.also = judge_energy;
+    judge.motion(motion);
+  }
+  judge.keep_worst_part();
+}
+
 }  // namespace
 
 Family gimbal_lock() {
   const std::vector<double> distances{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
   return {"gimbal_lock",
           "near the singularity of Euler angles",
-          {{"near_lock", "distance from the singularity [rad]", 0.5, distances, distances, judge_laws},
+          {{"near_lock",
+            "distance from the singularity [rad]",
+            {1e-15, 0.7},
+            0.5,
+            distances,
+            distances,
+            judge_laws},
            {"flight",
             "closest approach [rad], charts are changed",
+            {0, 0.7},
             0.5,
             {1e-2, 1e-6},
             distances,
@@ -129,11 +161,19 @@ Family gimbal_lock() {
             flight},
            {"raw_flight",
             "closest approach [rad], charts are kept",
+            {0, 0.7},
             0.5,
             {1e-2, 1e-6},
             distances,
             [](Judge& judge, double distance) { judge_flight(judge, distance, false); },
-            flight}}};
+            flight},
+           {"sequences",
+            "closest approach [rad], each of the twelve sequences",
+            {0, 0.7},
+            0.5,
+            {1e-4},
+            distances,
+            judge_sequences}}};
 }
 
 }  // namespace trivium::hard

@@ -39,6 +39,16 @@ struct RunOfCase {
 /// The standard tolerance of a simulation.
 inline constexpr double standard_rtol = 1e-8;
 
+/// Keeps the outputs, and ends a run that takes more steps than `most`.
+class LimitedSamples : public Samples {
+ public:
+  explicit LimitedSamples(long most) : most_(most) {}
+  bool step(double) override { return ++steps_ < most_; }
+
+ private:
+  long most_, steps_ = 0;
+};
+
 /// At how many states, evenly spread, a motion is compared with the exact one.
 inline constexpr int hard_outputs = 20;
 
@@ -58,6 +68,7 @@ struct HardMotion {
   double rounding = 0;          ///< errors that the numbers of the state allow, relative to `length` [-]
   double rtol = standard_rtol;  ///< of chosen steps
   bool chooses_steps = true;    ///< false: given steps only
+  bool gives_steps = true;      ///< false: chosen steps only
   std::optional<double> max_step = {};    ///< the longest chosen step [s]
   int starts = hard_outputs;              ///< along the motion, where neighbours measure the amplification
   int directions = 1;                     ///< of the neighbours of each start

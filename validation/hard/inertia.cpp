@@ -132,6 +132,7 @@ template <Scene (*make)(double, bool)>
 Case of_masses(const std::string& name) {
   return {name,
           "ratio of masses",
+          {1e-16, 1e16},
           2,
           {1e9},
           {1e-12, 1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9, 1e12},
@@ -150,20 +151,34 @@ Family inertia() {
   const auto motion_of = [](Scene (*make)(double)) {
     return [make](Judge& judge, double moment) { judge_motion(judge, make(moment)); };
   };
-  return {
-      "inertia",
-      "thin rods, point masses, ratios of masses",
-      {{"held_rod", "axial moment of inertia [kg m^2]", 0.05, {0}, moments, motion_of(held_rod), held_rod},
-       {"free_rod",
-        "axial moment of inertia [kg m^2]",
-        0.05,
-        {1e-9, 0},
-        {1e-2, 1e-4, 1e-6, 1e-9, 0},
-        motion_of(free_rod),
-        free_rod},
-       {"point_mass", "moments of inertia [kg m^2]", 0.05, {0}, moments, motion_of(point_mass), point_mass},
-       of_masses<mass_chain>("mass_chain"),
-       of_masses<mass_loop>("mass_loop")}};
+  return {"inertia",
+          "thin rods, point masses, ratios of masses",
+          {{"held_rod",
+            "axial moment of inertia [kg m^2]",
+            {0, 0.2},
+            0.05,
+            {0},
+            moments,
+            motion_of(held_rod),
+            held_rod},
+           {"free_rod",
+            "axial moment of inertia [kg m^2]",
+            {0, 0.2},
+            0.05,
+            {1e-9, 0},
+            {1e-2, 1e-4, 1e-6, 1e-9, 0},
+            motion_of(free_rod),
+            free_rod},
+           {"point_mass",
+            "moments of inertia [kg m^2]",
+            {0, 10},
+            0.05,
+            {0},
+            moments,
+            motion_of(point_mass),
+            point_mass},
+           of_masses<mass_chain>("mass_chain"),
+           of_masses<mass_loop>("mass_loop")}};
 }
 
 }  // namespace trivium::hard

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "base/number_text.hpp"
@@ -24,26 +25,15 @@ namespace trivium::hard {
 
 namespace {
 
-/// What the local errors of given steps may add up to without a warning, relative to the size of the motion.
-constexpr double unwarned = 1e-3;
 /// Longer runs than of so many steps are given up.
 constexpr long most_steps = 5'000'000;
-
-/// Keeps the outputs, and ends a run that takes too many steps.
-class Outputs : public Samples {
- public:
-  bool step(double) override { return ++steps_ < most_steps; }
-
- private:
-  long steps_ = 0;
-};
 
 /// What a run with given steps claims of its local errors: the sum that it states, with the rounding of every
 /// step. Without a statement it claims that no warning is needed.
 double stated_by(const SimulationReport& report) {
-  if (!report.local_errors || report.local_errors->steps == 0) return unwarned;
+  if (!report.local_errors || report.local_errors->steps == 0) return factors::unwarned;
   const double rounding = unit_roundoff<double>() * static_cast<double>(report.counters.steps);
-  return std::min(report.local_errors->relative() + rounding, unwarned);
+  return std::min(report.local_errors->relative() + rounding, factors::unwarned);
 }
 
 }  // namespace
@@ -67,12 +57,31 @@ Row Judge::row(const std::string& formulation, const std::string& method, const 
   return row;
 }
 
+void Judge::keep_worst_part() {
+  part_.clear();
+  std::vector<Row> worst;
+  for (Row& row : rows_) {
+    row.why = fmt::format("worst:{}; {}", row.name.substr(name_.size()), row.why);
+    row.name = name_;
+    const auto same = std::find_if(worst.begin(), worst.end(), [&](const Row& other) {
+      return std::tie(row.formulation, row.method, row.quantity) ==
+             std::tie(other.formulation, other.method, other.quantity);
+    });
+    if (same == worst.end())
+      worst.push_back(std::move(row));
+    else if (is_worse(row, *same))
+      *same = std::move(row);
+  }
+  rows_ = std::move(worst);
+}
+
 Row Judge::judged(Row row, double figure) const {
   if (row.is_met()) {
     row.verdict = Verdict::survives;
   } else if (std::isnan(row.value)) {
     row.verdict = Verdict::not_judged;
-  } else if (figure >= std::min(row.value, 1.0) / 10) {  // 1: wholly wrong
+  } else if (figure >= std::min(row.value, 1.0) / 10) {
+    // an estimate is relative to what was computed, which is as large as its error where no digit is right
     row.verdict = Verdict::announces;
   } else {
     row.verdict = Verdict::fails;
@@ -114,7 +123,8 @@ ExactMotion Judge::motion(const HardMotion& motion) {
     for (const std::string& formulation : formulations_) {
       if (!goes_with(info, formulation)) continue;
       if (info.chooses_steps && motion.chooses_steps) run(motion, exact, formulation, method, {});
-      if (info.takes_given_steps) run(motion, exact, formulation, method, exact.output_step() / steps);
+      if (info.takes_given_steps && motion.gives_steps)
+        run(motion, exact, formulation, method, exact.output_step() / steps);
     }
   }
   if (motion.beside_simbody && choice_.formulations.empty())
@@ -135,17 +145,22 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
   options.charts = motion.charts;
   Row row = this->row(formulation, step ? fmt::format("{}, h = {:.3g}", method, *step) : method,
                       motion.monitor == Monitor::motion ? "motion [-]" : "positions [-]");
-  Outputs found;
+  LimitedSamples found(most_steps);
   SimulationReport report;
   try {
     report = simulate(make_model<double>(motion.scene, motion.start), options, found);
   } catch (const Error& error) {
-    return add(ended(std::move(row), error.what(), error.when(), motion.scene, motion.start, motion.end));
+    Row end = ended(row, error.what(), error.when(), motion.scene, motion.start, motion.end);
+    if (error.kind() == ErrorKind::input) {  // its exit code is 2
+      end.verdict = Verdict::fails;
+      end.why = "an error of the input: " + end.why;
+    }
+    return add(std::move(end));
   }
   if (!report.complete) {
     row.value = std::numeric_limits<double>::quiet_NaN();
-    row.why = fmt::format("more than {} steps up to t = {:g}", most_steps, report.reached);
-    row.verdict = Verdict::fails;
+    row.why = fmt::format("given up after {} steps at t = {:g}", most_steps, report.reached);
+    row.verdict = Verdict::not_judged;
     return add(std::move(row));
   }
   const double factor = step ? factors::given_steps : factors::chosen_steps;
@@ -157,8 +172,8 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
     row.why += ", though the exact motion ends: " + exact.trouble();
     return add(std::move(row));
   }
-  row.tolerance =
-      motion.rounding + (step ? unwarned : static_cast<double>(report.counters.steps) * motion.of_a_step());
+  row.tolerance = motion.rounding + (step ? factors::unwarned
+                                          : static_cast<double>(report.counters.steps) * motion.of_a_step());
   std::vector<MechanismState<double>> states;
   for (std::size_t k = 1; k < found.all.size(); ++k) states.push_back(found.all[k].state);
   judge_states(row, exact, states, factor);
@@ -166,14 +181,14 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
     row.tolerance = motion.rounding + stated_by(report);
     judge_states(row, exact, states, factor);
   }
+  const double allowed = factors::phi * motion.of_a_step() + factors::state * motion.rounding;
   if (const double off = report.phi / exact.length();
-      (row.is_met() || std::isnan(row.value)) &&
-      off > factors::phi * (motion.of_a_step() + motion.rounding)) {
+      (row.is_met() || std::isnan(row.value)) && off > allowed) {
     row.quantity = "Phi [-]";
     row.value = off;
     row.tolerance = motion.of_a_step();
     row.amplification = 1;
-    row.threshold = factors::phi * row.tolerance;
+    row.threshold = allowed;
   }
   double figure = 0;
   for (const MotionWarning& warning : motion_warnings(report)) {

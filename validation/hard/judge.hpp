@@ -32,6 +32,10 @@ class Judge {
   /// The name of the case gets this part, for a case of several scenes.
   void begin_part(const std::string& part) { part_ = " " + part; }
 
+  /// Ends the parts: of rows with the same formulation, method and quantity, only that of the worst part
+  /// stays.
+  void keep_worst_part();
+
   /// Runs a motion by all methods of the family in all formulations.
   ExactMotion motion(const HardMotion& motion);
 

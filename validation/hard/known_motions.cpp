@@ -205,6 +205,7 @@ Scene stone_on_spring(double stiffness, double damping, double free_length, doub
   scene.bodies = {body("stone", 1, {0.1, 0.1, 0.1}, {1, 0, 0})};
   scene.bodies[0].velocity = {0, velocity, 0};
   SpringDamper<double> spring;
+  spring.name = "spring";
   spring.i.body = scenes::ground;
   spring.j.body = 0;
   spring.stiffness = stiffness;

@@ -24,6 +24,7 @@
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
 #include "validation/hard/known_motions.hpp"
+#include "validation/hard/methods.hpp"
 #include "validation/hard/solved_state.hpp"
 
 namespace trivium::hard {
@@ -164,7 +165,7 @@ void judge_large(Judge& judge, const Scene& scene) {
   HardMotion motion;
   motion.scene = scene;
   motion.end = 0.02;
-  motion.methods = {"dopri5", "radau5", "rattle"};
+  motion.methods = methods_of("size_and_place/large_mechanisms", judge.is_quick());
   motion.beside_simbody = false;
   motion.starts = 2;  // of a thousand bodies each costs as much as a run
   judge.motion(motion);
@@ -173,6 +174,7 @@ void judge_large(Judge& judge, const Scene& scene) {
 Case generated(const char* name, Scene (*make)(int), int least) {
   return {name,
           "number of bodies",
+          {static_cast<double>(least), 10000, true},
           static_cast<double>(least),
           {some},
           {many},
@@ -181,10 +183,11 @@ Case generated(const char* name, Scene (*make)(int), int least) {
 }
 
 /// Many bodies in a position that a number chooses.
-Case placed(const char* name, const char* number, Scene (*make)(int, double), double easy,
+Case placed(const char* name, const char* number, Scene (*make)(int, double), Accepted accepted, double easy,
             std::vector<double> quick, std::vector<double> whole) {
   return {name,
           number,
+          accepted,
           easy,
           std::move(quick),
           std::move(whole),
@@ -195,33 +198,37 @@ Case placed(const char* name, const char* number, Scene (*make)(int, double), do
 }  // namespace
 
 std::vector<Case> large_mechanisms() {
-  return {
-      generated("chain", scenes::chain, 3),
-      generated("ring", scenes::ring, 5),
-      generated(
-          "random_tree", [](int n) { return scenes::tree(n); }, 3),
-      placed("zigzag", "inclination of each of a thousand bars [rad]", zigzag, 0.5, {0}, {0, 1, 1.5, 1.57}),
-      placed("random_chain", "seed of the angles of a thousand bars", random_chain, 1, {2}, {2, 3, 4}),
-      placed("star_ring", "share by which the corners of a ring of a thousand are in and out", star_ring, 0.1,
-             {0.9}, {0.5, 0.9, 0.99}),
-      placed("random_ring", "seed of the corners of a ring of a thousand", random_ring, 1, {2}, {2, 3, 4}),
-      // its motion is a case of the singular positions
-      {"ladder",
-       "number of bodies",
-       3,
-       {some},
-       {many},
-       [](Judge& judge, double n) { judge_lambda(judge, scenes::ladder(static_cast<int>(n) / 2)); },
-       [](double n) { return scenes::ladder(static_cast<int>(n) / 2); }},
-      {"folded_ladder",
-       "angle of the rods of a ladder of 500 loops [rad]",
-       1,
-       {1e-3},
-       {0.1, 1e-3, 1e-5},
-       [](Judge& judge, double angle) {
-         judge_lambda(judge, folded_ladder((judge.is_quick() ? some : many) / 2, angle), 1 / angle);
-       },
-       [](double angle) { return folded_ladder(many / 2, angle); }}};
+  return {generated("chain", scenes::chain, 3),
+          generated("ring", scenes::ring, 5),
+          generated(
+              "random_tree", [](int n) { return scenes::tree(n); }, 3),
+          placed("zigzag", "inclination of each of a thousand bars [rad]", zigzag, {-1.5707, 1.5707}, 0.5,
+                 {0}, {0, 1, 1.5, 1.57}),
+          placed("random_chain", "seed of the angles of a thousand bars", random_chain, {0, 1e9, true}, 1,
+                 {2}, {2, 3, 4}),
+          placed("star_ring", "share by which the corners of a ring of a thousand are in and out", star_ring,
+                 {0, 0.999}, 0.1, {0.9}, {0.5, 0.9, 0.99}),
+          placed("random_ring", "seed of the corners of a ring of a thousand", random_ring, {0, 1e9, true}, 1,
+                 {2}, {2, 3, 4}),
+          // its motion is a case of the singular positions
+          {"ladder",
+           "number of bodies",
+           {2, 10000, true},
+           3,
+           {some},
+           {many},
+           [](Judge& judge, double n) { judge_lambda(judge, scenes::ladder(static_cast<int>(n) / 2)); },
+           [](double n) { return scenes::ladder(static_cast<int>(n) / 2); }},
+          {"folded_ladder",
+           "angle of the rods of a ladder of 500 loops [rad]",
+           {1e-8, 1.5},
+           1,
+           {1e-3},
+           {0.1, 1e-3, 1e-5},
+           [](Judge& judge, double angle) {
+             judge_lambda(judge, folded_ladder((judge.is_quick() ? some : many) / 2, angle), 1 / angle);
+           },
+           [](double angle) { return folded_ladder(many / 2, angle); }}};
 }
 
 }  // namespace trivium::hard

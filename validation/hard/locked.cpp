@@ -65,6 +65,16 @@ void judge_rest(Judge& judge, const Scene& scene, double end, double step) {
   judge.motion(motion);
 }
 
+/// Below the rank tolerance the pins are on a line, about which the body swings.
+void judge_held_body(Judge& judge, double off) {
+  constexpr double in_line = 1e-8;
+  const Scene scene = held_body(off);
+  if (off >= in_line) return judge_rest(judge, scene, 1, 1e-2);
+  HardMotion motion;
+  motion.scene = scene;
+  judge.motion(motion);
+}
+
 void judge_beside(Judge& judge, double ratio) {
   HardMotion motion;
   motion.scene = beside_a_pendulum(ratio);
@@ -81,13 +91,15 @@ Family locked() {
           "bodies that cannot move, and equilibria",
           {{"held_body",
             "by how much a third pin misses a line [m]",
+            {0, 10},
             1,
             {1e-3, 1e-6},
-            {1e-1, 1e-3, 1e-5, 1e-6, 3e-7},
-            [](Judge& judge, double off) { judge_rest(judge, held_body(off), 1, 1e-2); },
+            {1e-1, 1e-3, 1e-5, 1e-6, 3e-7, 3e-8, 1e-9, 0},
+            judge_held_body,
             held_body},
            {"beside_a_pendulum",
             "size and mass of a pendulum beside it",
+            {1e-6, 1e6},
             1,
             {1e-3},
             {1e-3, 1e-2, 1e2, 1e3},
@@ -95,6 +107,7 @@ Family locked() {
             beside_a_pendulum},
            {"hanging_chain",
             "number of bars that hang at rest",
+            {1, 100, true},
             1,
             {},
             {3},

@@ -8,7 +8,7 @@
 namespace trivium::hard {
 
 struct MethodsOfFamily {
-  std::string of;  ///< a family, or a case that has methods of its own
+  std::string of;  ///< a family, a case that has methods of its own, or family/kind of its cases
   std::vector<std::string> quick, whole;
   std::string why;  ///< these and no others
 };

@@ -90,27 +90,27 @@ double relative(const VectorX<double>& x, const VectorX<double>& exact) {
   return off == 0 ? 0 : off / exact.lpNorm<Eigen::Infinity>();
 }
 
-/// Compares both solvers in all formulations with the model without the dependent rows. `expected`: the rank,
-/// if it is known.
+/// Compares both solvers in all formulations with the model without the rows that each calls dependent.
+/// `expected`: the rank, if it is known.
 void compare_with_reduced(Judge& judge, const Scene& scene, std::optional<int> expected) {
   const auto model = make_model<double>(scene);
   const auto higher = make_model<NextPrecisionT<double>>(scene);
-  const RowAnalysis rows = analyse_rows(model),
-                    reduced_rows = analyse_rows(with_rows(model, rows.independent));
-  const PhysicalSolution<double> exact =
-      solution_in_quad(with_rows(make_model<Quad>(scene), rows.independent), reduced_rows);
+  const RowAnalysis rows = analyse_rows(model);
   const MatrixX<double> Phi = tangent_system(model.mechanism, model.state).Phi;
-  VectorX<double> exact_lambda = VectorX<double>::Zero(static_cast<Eigen::Index>(rows.unique.size()));
-  for (std::size_t k = 0; k < rows.independent.size(); ++k)
-    exact_lambda[rows.independent[k]] = exact.lambda[k];
-  const std::vector<bool> unique = unique_components(Phi, expected.value_or(rows.rank));
-  const auto unique_part = [&](VectorX<double> lambda) {
-    for (std::size_t k = 0; k < unique.size(); ++k)
-      if (!unique[k]) lambda[k] = 0;
-    return lambda;
-  };
   const SolveOptions options{judge.formulations(), {}};
   const auto compare = [&](const SideBySide<double>& answer, const std::string& solver) {
+    const std::vector<int>& kept = answer.rows.independent;
+    const RowAnalysis reduced_rows = analyse_rows(with_rows(model, kept));
+    const PhysicalSolution<double> exact =
+        solution_in_quad(with_rows(make_model<Quad>(scene), kept), reduced_rows);
+    VectorX<double> exact_lambda = VectorX<double>::Zero(Phi.rows());
+    for (std::size_t k = 0; k < kept.size(); ++k) exact_lambda[kept[k]] = exact.lambda[k];
+    const std::vector<bool> unique = unique_components(Phi, expected.value_or(answer.rows.rank));
+    const auto unique_part = [&](VectorX<double> lambda) {
+      for (std::size_t k = 0; k < unique.size(); ++k)
+        if (!unique[k]) lambda[k] = 0;
+      return lambda;
+    };
     for (const FormulationResult<double>& found : answer.formulations) {
       Row row = judge.row(found.name, solver, "accelerations [-]");
       if (!found.error.empty()) {
@@ -130,7 +130,7 @@ void compare_with_reduced(Judge& judge, const Scene& scene, std::optional<int> e
       judge.add(judge.judged(row));
     }
     Row row = judge.row("all", solver, "rank and uniqueness [1]");
-    row.value = std::abs(answer.rows.rank - expected.value_or(rows.rank));
+    row.value = std::abs(answer.rows.rank - expected.value_or(answer.rows.rank));
     for (std::size_t k = 0; k < unique.size(); ++k) row.value += answer.rows.unique[k] != unique[k];
     row.threshold = 0;
     row.why = fmt::format("rank {} of {} rows, {} unique", answer.rows.rank, unique.size(),
@@ -190,7 +190,8 @@ void judge_misalignment(Judge& judge, double angle) {
   compare_with_reduced(judge, misaligned_door(angle), rank);
 }
 
-/// How often the rank changes between 1e-14 and 1e-4 rad, and whether both solvers change it together.
+/// How often the rank changes between 1e-14 and 1e-4 rad, and whether both solvers change it together. The
+/// rows are those of all formulations, so their ranks are.
 void judge_jump(Judge& judge, double angles_per_decade) {
   const int count = static_cast<int>(10 * angles_per_decade);
   std::vector<std::vector<int>> ranks(2);
@@ -208,7 +209,7 @@ void judge_jump(Judge& judge, double angles_per_decade) {
     Row row = judge.row("all", s == 0 ? "printed" : "structured", "jumps but one [1]");
     row.value = std::abs(static_cast<double>(ranks[s].size()) - 2) + (at[s] != at[0]);
     row.threshold = 0;
-    row.why = fmt::format("ranks {}, the last jump at {:.2e} rad", fmt::join(ranks[s], ", "), at[s]);
+    row.why = fmt::format("ranks {}, the last jump at {:.3g} rad", fmt::join(ranks[s], ", "), at[s]);
     judge.add(judge.judged(row));
   }
 }
@@ -218,16 +219,23 @@ void judge_jump(Judge& judge, double angles_per_decade) {
 Family redundancy() {
   return {"redundancy",
           "redundant rows, repeated, scaled, misaligned",
-          {{"copies", "how often each joint is repeated", 1, {2}, {2, 3}, judge_copies},
-           {"scaled_rows", "factor of every other row", 1, {1e3}, {1e3, 1e-3, 1e6, 1e-6}, judge_scaled_rows},
+          {{"copies", "how often each joint is repeated", {1, 10, true}, 1, {2}, {2, 3}, judge_copies},
+           {"scaled_rows",
+            "factor of every other row",
+            {1e-7, 1e7},
+            1,
+            {1e3},
+            {1e3, 1e-3, 1e6, 1e-6},
+            judge_scaled_rows},
            {"misaligned_door",
             "angle between the two axes [rad]",
+            {0, 1},
             0,
             {1e-12, 1e-5},
-            {1e-14, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4},
+            {1e-14, 1e-12, 1e-10, 1e-9, 1e-8, 1.1e-8, 1.3e-8, 1e-7, 1e-6, 1e-5, 1e-4},
             judge_misalignment,
             misaligned_door},
-           {"rank_jump", "angles per decade", 1, {2}, {10}, judge_jump}}};
+           {"rank_jump", "angles per decade", {1, 1000, true}, 1, {100}, {10, 1000}, judge_jump}}};
 }
 
 }  // namespace trivium::hard

@@ -7,11 +7,13 @@
 #include <numbers>
 #include <utility>
 
+#include "bodies/numbers/scalar.hpp"
 #include "scenes/building.hpp"
 #include "scenes/generators.hpp"
 #include "scenes/scene_state.hpp"
 #include "validation/hard/family.hpp"
 #include "validation/hard/known_motions.hpp"
+#include "validation/hard/methods.hpp"
 
 namespace trivium::hard {
 
@@ -48,24 +50,34 @@ Scene flat_parallelogram(double coupler) {
   return scene;
 }
 
-void judge_parallelogram(Judge& judge, double coupler) {
+HardMotion motion_of_parallelogram(double coupler) {
   HardMotion motion;
   motion.scene = flat_parallelogram(coupler);
-  // the easy twin ends before the flat position
-  motion.end = judge.is_twin() ? 0.5 : judge.is_quick() ? 5 : 20;
   motion.step = 2e-3;
   motion.exact = [coupler](MechanismState<double>& state) { set_parallelogram(state, coupler); };
+  return motion;
+}
+
+void judge_parallelogram(Judge& judge, double coupler) {
+  HardMotion motion = motion_of_parallelogram(coupler);
+  // the easy twin ends before the flat position
+  motion.end = judge.is_twin() ? 0.5 : judge.is_quick() ? 5 : 20;
   judge.motion(motion);
 }
 
-void judge_rod_on_crank(Judge& judge, double rate) {
+HardMotion motion_of_rod_on_crank(double rate) {
   HardMotion motion;
   motion.scene = rod_on_crank(rate);
+  motion.exact = [rate](MechanismState<double>& state) { set_rod_on_crank(state, rate); };
+  return motion;
+}
+
+void judge_rod_on_crank(Judge& judge, double rate) {
+  HardMotion motion = motion_of_rod_on_crank(rate);
   // the easy twin ends before the dead point; a fast crank turns as often as one of 3 rad/s
   const double faster = std::max(1.0, rate / 3);
   motion.end = judge.is_twin() ? 0.3 : (judge.is_quick() ? 5 : 20) / faster;
   motion.step = 2e-3 / faster;
-  motion.exact = [rate](MechanismState<double>& state) { set_rod_on_crank(state, rate); };
   judge.motion(motion);
 }
 
@@ -92,39 +104,80 @@ void set_four_bars(MechanismState<double>& state, int n) {
   set_ladder(state, n, theta, rate);
 }
 
-void judge_four_bars(Judge& judge, double loops) {
-  const int n = static_cast<int>(loops);
+HardMotion motion_of_four_bars(int n) {
   HardMotion motion;
   motion.scene = scenes::ladder(n);
-  motion.end = judge.is_twin() ? 0.4 : judge.is_quick() ? 3 : 20;
   motion.step = 2e-3;
   motion.exact = [n](MechanismState<double>& state) { set_four_bars(state, n); };
-  // 81 bodies for 20 s: methods of low order would take an hour
+  return motion;
+}
+
+void judge_four_bars(Judge& judge, double loops) {
+  const int n = static_cast<int>(loops);
+  HardMotion motion = motion_of_four_bars(n);
+  motion.end = judge.is_twin() ? 0.4 : judge.is_quick() ? 3 : 20;
   if (n > 10 && !judge.is_twin()) {
-    motion.methods = {"dopri5", "rkf78", "radau5", "radau9"};
+    motion.methods = methods_of("singular_positions/large_four_bars", judge.is_quick());
     motion.starts = 4;
     motion.beside_simbody = false;
   }
   judge.motion(motion);
 }
 
+/// All three with tight tolerances, by methods that have ended there.
+void judge_tight(Judge& judge, double rtol) {
+  for (const auto& [part, motion_of_part] : {std::pair("parallelogram", motion_of_parallelogram(2)),
+                                             std::pair("rod_on_crank", motion_of_rod_on_crank(3)),
+                                             std::pair("four_bars", motion_of_four_bars(2))}) {
+    judge.begin_part(part);
+    HardMotion motion = motion_of_part;
+    // the easy twin ends before the first singular position
+    motion.end = judge.is_twin() ? 0.4 : 5;
+    motion.rtol = rtol;
+    motion.gives_steps = false;
+    motion.rounding = std::sqrt(unit_roundoff<double>());  // rows of rank less by one fix no more digits
+    motion.methods = methods_of("tight_tolerances", judge.is_quick());
+    motion.beside_simbody = false;
+    judge.motion(motion);
+  }
+}
+
 }  // namespace
 
 Family singular_positions() {
-  return {
-      "singular_positions",
-      "positions where rows lose rank",
-      {{"flat_parallelogram",
-        "length of the coupler [m]",
-        2.5,
-        {2},
-        {0.1, 1, 2, 10},
-        judge_parallelogram,
-        flat_parallelogram},
-       {"rod_on_crank", "speed of the crank [rad/s]", 1, {3}, {0.3, 3, 30}, judge_rod_on_crank, rod_on_crank},
-       {"four_bars", "number of loops", 1, {1}, {1, 2, 40}, judge_four_bars, [](double n) {
-          return scenes::ladder(static_cast<int>(n));
-        }}}};
+  return {"singular_positions",
+          "positions where rows lose rank",
+          {{"flat_parallelogram",
+            "length of the coupler [m]",
+            {0.01, 100},
+            2.5,
+            {2},
+            {0.1, 1, 2, 10},
+            judge_parallelogram,
+            flat_parallelogram},
+           {"rod_on_crank",
+            "speed of the crank [rad/s]",
+            {0.01, 1000},
+            1,
+            {3},
+            {0.3, 3, 30},
+            judge_rod_on_crank,
+            rod_on_crank},
+           {"four_bars",
+            "number of loops",
+            {1, 100, true},
+            1,
+            {1},
+            {1, 2, 40},
+            judge_four_bars,
+            [](double n) { return scenes::ladder(static_cast<int>(n)); }},
+           {"tight_tolerances",
+            "rtol of methods that have ended at singular positions",
+            {1e-12, 1e-4},
+            1e-6,
+            {1e-10},
+            {1e-9, 1e-10, 1e-11, 1e-12},
+            judge_tight}}};
 }
 
 }  // namespace trivium::hard

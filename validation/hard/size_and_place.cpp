@@ -135,23 +135,26 @@ void judge_distant(Judge& judge, double distance) {
 Family size_and_place() {
   const double tiny = std::pow(4, -10), huge = std::pow(4, 5);  // powers of 4 scale without rounding
   std::vector<Case> cases = large_mechanisms();
-  cases.insert(cases.end(),
-               {{"length",
-                 "factor of all lengths",
-                 1,
-                 {tiny},
-                 {tiny, huge},
-                 [](Judge& judge, double length) { judge_scaled(judge, length, 1); },
-                 [](double length) { return scaled(scenes::two_bars(), length, 1); }},
-                {"gravity",
-                 "factor of gravity",
-                 1,
-                 {},
-                 {std::pow(4, -15), std::pow(4, 15)},
-                 [](Judge& judge, double gravity) { judge_scaled(judge, 1, gravity); },
-                 [](double gravity) { return scaled(scenes::two_bars(), 1, gravity); }},
-                {"late", "time of the start [s]", 0, {1e6}, {1e3, 1e6}, judge_late},
-                {"distant", "distance from the origin [m]", 0, {1e6}, {1e3, 1e6}, judge_distant, distant}});
+  cases.insert(
+      cases.end(),
+      {{"length",
+        "factor of all lengths",
+        {1e-6, 1e6},
+        1,
+        {tiny},
+        {tiny, huge},
+        [](Judge& judge, double length) { judge_scaled(judge, length, 1); },
+        [](double length) { return scaled(scenes::two_bars(), length, 1); }},
+       {"gravity",
+        "factor of gravity",
+        {1e-12, 1e12},
+        1,
+        {},
+        {std::pow(4, -15), std::pow(4, 15)},
+        [](Judge& judge, double gravity) { judge_scaled(judge, 1, gravity); },
+        [](double gravity) { return scaled(scenes::two_bars(), 1, gravity); }},
+       {"late", "time of the start [s]", {0, 1e9}, 0, {1e6}, {1e3, 1e6}, judge_late},
+       {"distant", "distance from the origin [m]", {0, 1e9}, 0, {1e6}, {1e3, 1e6}, judge_distant, distant}});
   return {"size_and_place", "large, tiny, huge, late and distant mechanisms", std::move(cases)};
 }
 

@@ -78,6 +78,7 @@ double linear_tilt(double ratio, double t) {
   const std::complex<double> half = i * ratio * std::sqrt(weight),
                              root = std::sqrt(std::complex(weight * (1 - ratio * ratio)));
   const std::complex<double> r_1 = half + root, r_2 = half - root;
+  if (r_1 == r_2) return std::abs(tilt * (1.0 - r_1 * t) * std::exp(r_1 * t));  // the limit itself
   return std::abs(tilt * (r_2 * std::exp(r_1 * t) - r_1 * std::exp(r_2 * t)) / (r_2 - r_1));
 }
 
@@ -144,16 +145,24 @@ void judge_printed_spin(Judge& judge, double spin) {
 Family spin() {
   return {"spin",
           "fast tops, a sleeping top, flips",
-          {{"fast_top", "spin [rad/s]", 20, {1000}, {150, 1000, 10000}, judge_fast_top, fast_top},
+          {{"fast_top", "spin [rad/s]", {1, 1e5}, 20, {1000}, {150, 1000, 10000}, judge_fast_top, fast_top},
            {"sleeping_top",
             "spin over the least stable one",
+            {0.1, 10},
             1.5,
             {0.95},
             {0.8, 0.95, 1.05, 1.2},
             judge_sleeping_top,
             sleeping_top},
-           {"flips", "number of flips", 1, {4}, {10, 100}, judge_flips},
-           {"printed_spin", "spin [rad/s]", 1, {1e4}, {1e2, 1e3, 1e4, 1e5}, judge_printed_spin, fast_top}}};
+           {"flips", "number of flips", {1, 1000, true}, 1, {4}, {10, 100}, judge_flips},
+           {"printed_spin",
+            "spin [rad/s]",
+            {1, 1e8},
+            1,
+            {1e4},
+            {1e2, 1e3, 1e4, 1e5},
+            judge_printed_spin,
+            fast_top}}};
 }
 
 }  // namespace trivium::hard
