@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <optional>
 
@@ -90,7 +91,7 @@ std::vector<Row> rows_of(const Task& task, const Choice& choice) {
   Judge judge(task.family->name, task.name(), task.is_twin, choice);
   try {
     task.of->judge(judge, task.difficulty);
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     Row row = judge.row("-", "-", "the case itself");
     row.verdict = Verdict::fails;
     row.why = error.what();

@@ -69,6 +69,7 @@ struct HardMotion {
   double rtol = standard_rtol;  ///< of chosen steps
   bool chooses_steps = true;    ///< false: given steps only
   bool gives_steps = true;      ///< false: chosen steps only
+  bool rests = false;           ///< nothing moves: given steps err no more than chosen ones
   std::optional<double> max_step = {};    ///< the longest chosen step [s]
   int starts = hard_outputs;              ///< along the motion, where neighbours measure the amplification
   int directions = 1;                     ///< of the neighbours of each start

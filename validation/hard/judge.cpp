@@ -172,8 +172,8 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
     row.why += ", though the exact motion ends: " + exact.trouble();
     return add(std::move(row));
   }
-  row.tolerance = motion.rounding + (step ? factors::unwarned
-                                          : static_cast<double>(report.counters.steps) * motion.of_a_step());
+  const double of_steps = static_cast<double>(report.counters.steps) * motion.of_a_step();
+  row.tolerance = motion.rounding + (step && !motion.rests ? factors::unwarned : of_steps);
   std::vector<MechanismState<double>> states;
   for (std::size_t k = 1; k < found.all.size(); ++k) states.push_back(found.all[k].state);
   judge_states(row, exact, states, factor);
