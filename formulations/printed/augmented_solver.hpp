@@ -33,6 +33,7 @@ class AugmentedEquations {
   const EquationsOfMotion<F>& equations() const { return eom_; }
   const std::vector<BodyState<F>>& states() const { return states_; }
   const RowAnalysis& rows() const { return rows_; }
+  const MechanismOf<F>& mechanism() const { return mechanism_; }
 
   MatrixX<S> reduced_matrix() const;
   VectorX<S> reduced_right_side() const;

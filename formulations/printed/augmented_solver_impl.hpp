@@ -3,6 +3,11 @@
 /// equations alone. Include this file for a Scalar without an instance, and for your own formulations,
 /// constraints or effects.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
 #include "base/error.hpp"
 #include "formulations/printed/augmented_solver.hpp"
 
@@ -92,9 +97,17 @@ auto AugmentedSolver<F>::solve() const -> VectorX<S> {
 template <EquationsAsPrinted F>
 auto AugmentedSolver<F>::solve_reduced() const -> VectorX<S> {
   VectorX<S> x = solver_.solve(this->reduced_right_side());
-  if (!x.allFinite())
+  if (x.allFinite()) return x;
+  const auto& narrow = this->rows().narrow;
+  const auto weakest = std::min_element(narrow.begin(), narrow.end(), [](const auto& a, const auto& b) {
+    return std::pair(!a.counts(), a.share) < std::pair(!b.counts(), b.share);
+  });
+  if (weakest == narrow.end() || !weakest->counts())
     throw ModelError("the augmented matrix is numerically singular at this state; a wider --scalar may help");
-  return x;
+  throw ModelError(
+      {fmt::format("row \"{}\"", this->mechanism().row_names[weakest->row])},
+      "this row nearly depends on others, and the augmented matrix is numerically singular at this state; "
+      "take a wider --scalar, or solve with the structured solver");
 }
 template <EquationsAsPrinted F>
 auto AugmentedSolver<F>::substitute(const VectorX<S>& b) const -> VectorX<S> {

@@ -25,6 +25,7 @@ constexpr long most_steps = 5'000'000, most_steps_in_quad = 300'000, most_steps_
 struct Reference {
   std::vector<MechanismState<double>> states;
   std::string trouble;  ///< why it ends early; empty if it does not
+  bool is_given_up = false;
   long steps = 0;
 };
 
@@ -35,7 +36,8 @@ Reference run(const Model<Scalar>& model, const SimulationOptions& options, long
   try {
     const SimulationReport report = simulate(model, options, samples);
     found.steps = report.counters.steps;
-    if (!report.complete) found.trouble = fmt::format("more than {} steps", most);
+    found.is_given_up = !report.complete;
+    if (found.is_given_up) found.trouble = fmt::format("given up after {} steps", most);
   } catch (const Error& error) {
     found.trouble = error.what();
   }
@@ -63,6 +65,7 @@ ExactMotion::ExactMotion(const HardMotion& motion)
                 : run(model, options(rtol), most_steps);
     states_ = std::move(found.states);
     trouble_ = std::move(found.trouble);
+    is_given_up_ = found.is_given_up;
     tolerance_ = static_cast<double>(found.steps) * HardMotion::of_a_step(rtol);
   }
   length_ = motion.length;
@@ -116,9 +119,11 @@ void ExactMotion::measure_amplification(const Model<double>& model) {
   // steps err all along the motion: neighbours start at its start and after outputs
   const std::size_t every = hard_outputs / motion_.starts;
   long steps_left = most_steps_of_neighbours;
+  bool is_whole = true;
   const auto run_from = [&](const Model<double>& from) {
     const Reference found = run(from, options(neighbour_tolerance), steps_left);
     steps_left = std::max(1L, steps_left - found.steps);
+    is_whole = is_whole && !found.is_given_up;
     return found.states;
   };
   for (std::size_t first = 0; first < states_.size(); first += every) {
@@ -153,6 +158,7 @@ void ExactMotion::measure_amplification(const Model<double>& model) {
       }
     }
   }
+  has_neighbours_ = has_neighbours_ && is_whole;
 }
 
 }  // namespace trivium::hard

@@ -18,11 +18,13 @@ class ExactMotion {
 
   /// Why the exact motion ends early; empty if it does not.
   const std::string& trouble() const { return trouble_; }
+  /// Whether its run was given up because of its many steps; this is its trouble then.
+  bool is_given_up() const { return is_given_up_; }
   /// The length to which differences are relative [m].
   double length() const { return length_; }
   /// The error that the tolerances of its own run allow, relative to the length; 0 if a formula is known [-].
   double tolerance() const { return tolerance_; }
-  /// Whether runs from neighbouring starts have measured the amplification; else it is taken as 1.
+  /// Whether runs from neighbouring starts have measured the amplification; else it is a lower bound.
   bool has_neighbours() const { return has_neighbours_; }
   double output_step() const { return output_step_; }
   const std::vector<MechanismState<double>>& states() const { return states_; }
@@ -40,6 +42,7 @@ class ExactMotion {
   HardMotion motion_;
   double output_step_;
   std::string trouble_;
+  bool is_given_up_ = false;
   double length_ = 0, speed_ = 0, rate_ = 0, tolerance_ = 0;
   bool has_neighbours_ = false;
   std::vector<MechanismState<double>> states_;

@@ -165,10 +165,10 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
   }
   const double factor = step ? factors::given_steps : factors::chosen_steps;
   row.why = counted(report.counters.steps, "step", "steps");
-  if (!exact.has_neighbours()) row.why += ", amplification unknown: no neighbouring run gets through";
+  if (!exact.has_neighbours()) row.why += ", amplification unknown: neighbouring runs do not get through";
   if (!exact.trouble().empty()) {
     row.value = std::numeric_limits<double>::quiet_NaN();
-    row.verdict = Verdict::fails;
+    row.verdict = exact.is_given_up() ? Verdict::not_judged : Verdict::fails;
     row.why += ", though the exact motion ends: " + exact.trouble();
     return add(std::move(row));
   }

@@ -89,54 +89,68 @@ LongRun run_over(const Recurrence& motion, const std::string& method, const std:
           motion.phase(samples.all.front().state, samples.all.back().state)};
 }
 
-/// One method in one formulation. The energy error of a symplectic method stays as it is, and its phase error
-/// grows in proportion to the time. The others lose energy in proportion to the time, and the phase error
-/// grows with its square. The phase is compared as long as it is small.
-void judge_periods(Judge& judge, const Recurrence& motion, double periods) {
-  struct Kept {
-    std::string method, formulation;
-    long steps, in_phase;
-    bool is_symplectic;
+/// A method in one formulation, with its steps in a period, and for how many periods its phase error is
+/// small.
+struct Kept {
+  std::string method, formulation;
+  long steps, in_phase;
+  bool is_symplectic;
+  std::string name() const { return fmt::format("{}, h = T/{}", method, steps); }
+};
+
+/// The energy error of a symplectic method stays as it is, and its phase error grows in proportion to the
+/// time. The others lose energy in proportion to the time, and the phase error grows with its square. The
+/// phase is compared as long as it is small.
+void judge_periods(Judge& judge, const Recurrence& motion, const Kept& kept, long all) {
+  const std::string &method = kept.method, &formulation = kept.formulation;
+  const long steps = kept.steps;
+  const bool is_symplectic = kept.is_symplectic;
+  const auto part_of = [](long count) { return std::max(1L, count / 100); };
+  const LongRun some = run_over(motion, method, formulation, part_of(all), steps),
+                whole = run_over(motion, method, formulation, all, steps);
+  const auto add = [&](const std::string& quantity, double value, double tolerance, double factor,
+                       const char* law) {
+    Row row = judge.row(formulation, kept.name(), quantity);
+    row.value = value;
+    row.tolerance = tolerance;
+    row.threshold = factor * tolerance;
+    row.why = law;
+    judge.add(judge.judged(row));
   };
+  const double longer = static_cast<double>(all) / static_cast<double>(part_of(all)),
+               rounding = unit_roundoff<double>() * static_cast<double>(all * steps);
+  // rounding errors of the steps add up at most in proportion to their number
+  add("energy [J]", whole.energy, some.energy * (is_symplectic ? 1 : longer) + rounding * motion.energies,
+      factors::growth, is_symplectic ? "as over a hundredth of the run" : "in proportion to the time");
+  add("Phi [m]", whole.phi, 1e-8 * motion.size, factors::phi, "the tolerance of chosen steps");
+  const long phased = std::min(all, kept.in_phase);
+  const double times = static_cast<double>(phased) / static_cast<double>(part_of(phased)),
+               ratio = is_symplectic ? times : times * times;
+  const auto phase_after = [&](long count) {
+    // most of these runs are there already
+    return count == all            ? whole.phase
+           : count == part_of(all) ? some.phase
+                                   : run_over(motion, method, formulation, count, steps).phase;
+  };
+  add(fmt::format("phase after {} periods [rad]", phased), phase_after(phased),
+      std::min(phase_after(part_of(phased)) * ratio + rounding, small_difference / factors::growth),
+      factors::growth, is_symplectic ? "in proportion to the time" : "with the square of the time");
+}
+
+/// All methods, each in one formulation.
+void judge_periods(Judge& judge, const Recurrence& motion, double periods) {
   const long all = std::lround(periods);
   for (const Kept& kept : {Kept{"rattle", "r-omega", 100, 10, true},
                            {"generalized-alpha", "r-p", 100, 10, false},
                            {"radau9", "r-epsilon", motion.steps, 10000, false}}) {
     const auto& wanted = judge.formulations();
     if (std::find(wanted.begin(), wanted.end(), kept.formulation) == wanted.end()) continue;
-    const std::string &method = kept.method, &formulation = kept.formulation;
-    const long steps = kept.steps;
-    const bool is_symplectic = kept.is_symplectic;
-    const auto part_of = [](long count) { return std::max(1L, count / 100); };
-    const LongRun some = run_over(motion, method, formulation, part_of(all), steps),
-                  whole = run_over(motion, method, formulation, all, steps);
-    const auto add = [&](const std::string& quantity, double value, double tolerance, double factor,
-                         const char* law) {
-      Row row = judge.row(formulation, fmt::format("{}, h = T/{}", method, steps), quantity);
-      row.value = value;
-      row.tolerance = tolerance;
-      row.threshold = factor * tolerance;
-      row.why = law;
-      judge.add(judge.judged(row));
-    };
-    const double longer = static_cast<double>(all) / static_cast<double>(part_of(all)),
-                 rounding = unit_roundoff<double>() * static_cast<double>(all * steps);
-    // rounding errors of the steps add up at most in proportion to their number
-    add("energy [J]", whole.energy, some.energy * (is_symplectic ? 1 : longer) + rounding * motion.energies,
-        factors::growth, is_symplectic ? "as over a hundredth of the run" : "in proportion to the time");
-    add("Phi [m]", whole.phi, 1e-8 * motion.size, factors::phi, "the tolerance of chosen steps");
-    const long phased = std::min(all, kept.in_phase);
-    const double times = static_cast<double>(phased) / static_cast<double>(part_of(phased)),
-                 ratio = is_symplectic ? times : times * times;
-    const auto phase_after = [&](long count) {
-      // most of these runs are there already
-      return count == all            ? whole.phase
-             : count == part_of(all) ? some.phase
-                                     : run_over(motion, method, formulation, count, steps).phase;
-    };
-    add(fmt::format("phase after {} periods [rad]", phased), phase_after(phased),
-        std::min(phase_after(part_of(phased)) * ratio + rounding, small_difference / factors::growth),
-        factors::growth, is_symplectic ? "in proportion to the time" : "with the square of the time");
+    try {
+      judge_periods(judge, motion, kept, all);
+    } catch (const Error& error) {
+      judge.add(judge.ended(judge.row(kept.formulation, kept.name(), "whole run"), error.what(), error.when(),
+                            motion.scene, 0, static_cast<double>(all) * motion.period));
+    }
   }
 }
 
