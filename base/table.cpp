@@ -23,7 +23,7 @@ std::string Table::text() const {
     std::string line;
     for (std::size_t c = 0; c < row.size(); ++c) {
       const std::string padding(width[c] - width_of(row[c]), ' ');
-      const bool is_left = c == 0 || (prose_ && c + 1 == row.size());
+      const bool is_left = c == 0 || (ends_in_prose_ && c + 1 == row.size());
       line += (c == 0 ? "" : "  ") + (is_left ? row[c] + padding : padding + row[c]);
     }
     line.erase(line.find_last_not_of(' ') + 1);

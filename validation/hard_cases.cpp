@@ -124,15 +124,13 @@ std::string text(const std::vector<Row>& rows, const std::vector<Family>& all) {
     for (const Row& row : rows) {
       if (row.family != family.name) continue;
       has_rows = true;
-      if (row.counts) {
-        ++count[static_cast<int>(row.verdict)];
-        ++sum[static_cast<int>(row.verdict)];
-      }
+      if (row.counts) ++count[static_cast<int>(row.verdict)];
       table.add({row.name, row.formulation, row.method, row.quantity, number(row.value),
                  number(row.threshold), verdict_of(row), shortened(row.why)});
     }
     if (!has_rows) continue;
     ++blocks;
+    for (int verdict = 0; verdict < 4; ++verdict) sum[verdict] += count[verdict];
     out += fmt::format("{}: {}\n{}{}\n", family.name, family.about, table.text(), summary(count));
   }
   return blocks > 1 ? out + "all families: " + summary(sum) : out;

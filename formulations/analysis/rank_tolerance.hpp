@@ -55,11 +55,6 @@ S dependent_pivot() {
   return larger(S(1000 * unit_roundoff<S>()), S(1e-8));
 }
 
-/// A row of a closing also becomes a candidate if it has cancelled to a sine of this many times
-/// direction_tolerance. Its pivot is weighted by inertia and has lost digits, so that it cannot decide. The
-/// value is a safety factor: masses of a ratio up to its square do not hide a row.
-inline constexpr double cancelled_candidate = 100;
-
 /// The same for DependentRows::detect_near_singular, relative to the magnitude of the terms of the pivot.
 /// Where a motion passes a singular position, the rows whose sine is below the square root of this value are
 /// left out. The relative rounding error of the smallest pivot in use is then u^0.4 (4e-7 in double). The
@@ -69,6 +64,11 @@ template <class S>
 S near_singular_pivot() {
   return static_cast<S>(std::pow(largest_lane(unit_roundoff<S>()), 0.6));
 }
+
+/// A row of a closing also becomes a candidate if it has cancelled to a sine of this many times
+/// direction_tolerance. Its pivot is weighted by inertia and has lost digits, so that it cannot decide. The
+/// value is a safety factor: masses of a ratio up to its square do not hide a row.
+inline constexpr double cancelled_candidate = 100;
 
 /// Rows of closings with a relative pivot below this make the balance of forces inaccurate and the iterations
 /// of implicit methods slow. Under detect_near_singular they are exchanged for other rows, if there are. The

@@ -39,7 +39,7 @@ struct RowAnalysis : RowNorms {
   /// Dependent rows whose right side contradicts the rows that they are a combination of: no acceleration
   /// satisfies them all.
   std::vector<int> contradictory;
-  std::vector<NarrowRow> narrow;      ///< not known from the structured solver
+  std::vector<NarrowRow> narrow;      ///< by falling shares; not known from the structured solver
   std::vector<std::string> warnings;  ///< one sentence per narrow row, if the names of the rows are known
   double kappa = 1;  ///< condition number of E^-1 S E^-1 over its nonzero singular values [-]
 };

@@ -5,9 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <utility>
-
 #include "base/error.hpp"
 #include "formulations/printed/augmented_solver.hpp"
 
@@ -98,11 +95,10 @@ template <EquationsAsPrinted F>
 auto AugmentedSolver<F>::solve_reduced() const -> VectorX<S> {
   VectorX<S> x = solver_.solve(this->reduced_right_side());
   if (x.allFinite()) return x;
-  const auto& narrow = this->rows().narrow;
-  const auto weakest = std::min_element(narrow.begin(), narrow.end(), [](const auto& a, const auto& b) {
-    return std::pair(!a.counts(), a.share) < std::pair(!b.counts(), b.share);
-  });
-  if (weakest == narrow.end() || !weakest->counts())
+  const NarrowRow* weakest = nullptr;
+  for (const NarrowRow& row : this->rows().narrow)  // by falling shares
+    if (row.counts()) weakest = &row;
+  if (!weakest)
     throw ModelError("the augmented matrix is numerically singular at this state; a wider --scalar may help");
   throw ModelError(
       {fmt::format("row \"{}\"", this->mechanism().row_names[weakest->row])},

@@ -7,6 +7,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "bodies/rotations/so3.hpp"
 #include "formulations/analysis/row_analysis.hpp"
 
 namespace trivium {
@@ -51,6 +52,16 @@ bool grows(double kappa, double horizon, const std::function<double(double)>& ka
 }
 
 }  // namespace
+
+MechanismState<double> coasted(MechanismState<double> state, double dt) {
+  for (std::size_t b = 0; b < state.pose.size(); ++b) {
+    const Twist<double>& twist = state.twist[b];
+    state.pose[b].r += dt * twist.r_dot;
+    state.pose[b].p =
+        multiply_parameters(state.pose[b].p, exponential_parameters(Vector3<double>(dt * twist.omega_bar)));
+  }
+  return state;
+}
 
 std::string trouble_of_rows(const std::vector<std::string>& row_names, const std::vector<int>& drivers,
                             double start, const TangentSystem& at_start, double t,

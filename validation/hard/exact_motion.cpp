@@ -18,8 +18,8 @@ namespace {
 
 /// Far below the tolerances that are judged, and far above rounding.
 constexpr double reference_tolerance = 1e-13, neighbour_tolerance = 1e-12;
-/// Longer runs are given up: each would take minutes. Of neighbours, all runs together.
-constexpr long most_steps = 5'000'000, most_steps_in_quad = 300'000, most_steps_of_neighbours = 20'000'000;
+/// Runs in quad take longer. Of neighbours, all runs together.
+constexpr long most_steps_in_quad = 300'000, most_steps_of_neighbours = 20'000'000;
 
 /// The states of a run after its start, up to its end or its trouble.
 struct Reference {

@@ -98,8 +98,6 @@ scenes::Scene flight_past(const EulerSequence& sequence, double distance) {
   return scene;
 }
 
-scenes::Scene flight(double distance) { return flight_past({}, distance); }
-
 /// The energy, with the tolerance of the motion. It counts v^2, so that twice the error of v enters.
 void judge_energy(Judge& judge, const RunOfCase& run) {
   Row row = judge.row(run.row.formulation, run.row.method, "energy [-]");
@@ -110,14 +108,22 @@ void judge_energy(Judge& judge, const RunOfCase& run) {
   judge.add(judge.judged(std::move(row), run.figure));
 }
 
-void judge_flight(Judge& judge, double distance, bool reframe) {
+HardMotion motion_past(const EulerSequence& sequence, double distance) {
   HardMotion motion;
-  motion.scene = flight(distance);
+  motion.scene = flight_past(sequence, distance);
+  motion.charts.sequence = sequence;
   motion.end = 2;
   motion.step = 2e-3;
+  motion.also = judge_energy;
+  return motion;
+}
+
+scenes::Scene flight(double distance) { return flight_past({}, distance); }
+
+void judge_flight(Judge& judge, double distance, bool reframe) {
+  HardMotion motion = motion_past({}, distance);
   motion.reference = ReferenceRun::in_quad;
   motion.charts.reframe = reframe;
-  motion.also = judge_energy;
   judge.motion(motion);
 }
 
@@ -125,14 +131,9 @@ void judge_flight(Judge& judge, double distance, bool reframe) {
 void judge_sequences(Judge& judge, double distance) {
   for (const std::string_view name : euler_sequence_names) {
     judge.begin_part(fmt::format("sequence {}", name));
-    HardMotion motion;
-    motion.charts.sequence = *parse_euler_sequence(name);
-    motion.scene = flight_past(motion.charts.sequence, distance);
-    motion.end = 2;
-    motion.step = 2e-3;
+    HardMotion motion = motion_past(*parse_euler_sequence(name), distance);
     motion.methods = {"dopri5"};
     motion.beside_simbody = false;
-    motion.also = judge_energy;
     judge.motion(motion);
   }
   judge.keep_worst_part();

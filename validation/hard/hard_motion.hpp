@@ -39,6 +39,9 @@ struct RunOfCase {
 /// The standard tolerance of a simulation.
 inline constexpr double standard_rtol = 1e-8;
 
+/// A run of more steps is given up.
+inline constexpr long most_steps = 5'000'000;
+
 /// Keeps the outputs, and ends a run that takes more steps than `most`.
 class LimitedSamples : public Samples {
  public:

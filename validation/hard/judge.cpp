@@ -25,9 +25,6 @@ namespace trivium::hard {
 
 namespace {
 
-/// Longer runs than of so many steps are given up.
-constexpr long most_steps = 5'000'000;
-
 /// What a run with given steps claims of its local errors: the sum that it states, with the rounding of every
 /// step. Without a statement it claims that no warning is needed.
 double stated_by(const SimulationReport& report) {

@@ -71,24 +71,6 @@ Recurrence turning() {
           }};
 }
 
-/// The errors of a run over whole periods.
-struct LongRun {
-  double energy = 0, phi = 0, phase = 0;  ///< [J, m, rad]
-};
-
-LongRun run_over(const Recurrence& motion, const std::string& method, const std::string& formulation,
-                 long periods, long steps_per_period) {
-  SimulationOptions options;
-  options.integrator = method;
-  options.formulation = formulation;
-  options.end = static_cast<double>(periods) * motion.period;
-  options.step = options.end / static_cast<double>(periods * steps_per_period);
-  Samples samples;
-  const SimulationReport report = simulate(make_model<double>(motion.scene), options, samples);
-  return {report.unaccounted_energy, report.phi,
-          motion.phase(samples.all.front().state, samples.all.back().state)};
-}
-
 /// A method in one formulation, with its steps in a period, and for how many periods its phase error is
 /// small.
 struct Kept {
@@ -98,19 +80,33 @@ struct Kept {
   std::string name() const { return fmt::format("{}, h = T/{}", method, steps); }
 };
 
+/// The errors of a run over whole periods.
+struct LongRun {
+  double energy = 0, phi = 0, phase = 0;  ///< [J, m, rad]
+};
+
+LongRun run_over(const Recurrence& motion, const Kept& kept, long periods) {
+  SimulationOptions options;
+  options.integrator = kept.method;
+  options.formulation = kept.formulation;
+  options.end = static_cast<double>(periods) * motion.period;
+  options.step = options.end / static_cast<double>(periods * kept.steps);
+  Samples samples;
+  const SimulationReport report = simulate(make_model<double>(motion.scene), options, samples);
+  return {report.unaccounted_energy, report.phi,
+          motion.phase(samples.all.front().state, samples.all.back().state)};
+}
+
 /// The energy error of a symplectic method stays as it is, and its phase error grows in proportion to the
 /// time. The others lose energy in proportion to the time, and the phase error grows with its square. The
 /// phase is compared as long as it is small.
 void judge_periods(Judge& judge, const Recurrence& motion, const Kept& kept, long all) {
-  const std::string &method = kept.method, &formulation = kept.formulation;
-  const long steps = kept.steps;
   const bool is_symplectic = kept.is_symplectic;
   const auto part_of = [](long count) { return std::max(1L, count / 100); };
-  const LongRun some = run_over(motion, method, formulation, part_of(all), steps),
-                whole = run_over(motion, method, formulation, all, steps);
+  const LongRun some = run_over(motion, kept, part_of(all)), whole = run_over(motion, kept, all);
   const auto add = [&](const std::string& quantity, double value, double tolerance, double factor,
                        const char* law) {
-    Row row = judge.row(formulation, kept.name(), quantity);
+    Row row = judge.row(kept.formulation, kept.name(), quantity);
     row.value = value;
     row.tolerance = tolerance;
     row.threshold = factor * tolerance;
@@ -118,7 +114,7 @@ void judge_periods(Judge& judge, const Recurrence& motion, const Kept& kept, lon
     judge.add(judge.judged(row));
   };
   const double longer = static_cast<double>(all) / static_cast<double>(part_of(all)),
-               rounding = unit_roundoff<double>() * static_cast<double>(all * steps);
+               rounding = unit_roundoff<double>() * static_cast<double>(all * kept.steps);
   // rounding errors of the steps add up at most in proportion to their number
   add("energy [J]", whole.energy, some.energy * (is_symplectic ? 1 : longer) + rounding * motion.energies,
       factors::growth, is_symplectic ? "as over a hundredth of the run" : "in proportion to the time");
@@ -130,7 +126,7 @@ void judge_periods(Judge& judge, const Recurrence& motion, const Kept& kept, lon
     // most of these runs are there already
     return count == all            ? whole.phase
            : count == part_of(all) ? some.phase
-                                   : run_over(motion, method, formulation, count, steps).phase;
+                                   : run_over(motion, kept, count).phase;
   };
   add(fmt::format("phase after {} periods [rad]", phased), phase_after(phased),
       std::min(phase_after(part_of(phased)) * ratio + rounding, small_difference / factors::growth),
