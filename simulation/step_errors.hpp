@@ -43,14 +43,15 @@ class StepErrors {
     has_begun_ = true;
     const S before = std::exchange(t_, t);
     const long restarts = method_.counters().restarts - std::exchange(restarts_, method_.counters().restarts);
-    const bool has_reframed = equations_.reframings() != std::exchange(charts_, equations_.reframings());
+    const long rewritten =
+        equations_.rewritten_states() - std::exchange(rewritten_, equations_.rewritten_states());
     if (by_halves_) {
       bodies_at(equations_, t, y, reached_);
       by_halves_->step(before, t, y, restarts > 0, reached_);
       return;
     }
-    // a change of chart restarts the method too, but the motion goes on smoothly
-    if (restarts > (has_reframed ? 1 : 0)) by_formula_->restart();
+    // other coordinates restart the method too, but the motion goes on smoothly
+    if (restarts > rewritten) by_formula_->restart();
     if (!by_formula_->leaves_out()) add_state(t, y, S(t - before), off);
   }
 
@@ -90,7 +91,7 @@ class StepErrors {
   StateVector met_;  ///< the state with projected velocities
   S t_{0};
   long restarts_ = 0;
-  int charts_ = 0;
+  long rewritten_ = 0;
   bool has_begun_ = false;
 };
 

@@ -1,16 +1,23 @@
 #pragma once
-/// Changes of chart (re-framing) along a motion. Formulations without charts (NoChart) do nothing here.
+/// Changes of chart (re-framing) along a motion, and the removal of full turns from angles that grow with
+/// every turn. Formulations without charts (NoChart) do nothing here.
 
 #include <fmt/format.h>
 
 #include <concepts>
+#include <numbers>
 #include <string>
 #include <vector>
 
+#include "bodies/rotations/euler_angles.hpp"
 #include "formulations/euler_chart_choice.hpp"
 #include "simulation/system/state_layout.hpp"
 
 namespace trivium {
+
+/// Angles with more turns than this lose them. The last digit of an angle of 100 turns is 1e-13 rad. It moves
+/// points of the body by so much per metre, which iterations onto the constraints still take for rounding.
+inline constexpr double most_turns = 100;
 
 /// Gives a body whose Euler angles come nearer to their singularity than reframing_distance another chart,
 /// chosen as at the start (formulations/euler_chart_choice.hpp), in which its orientation and rates in y are
@@ -23,34 +30,43 @@ class ChartSwitching {
 
   explicit ChartSwitching(const ChartOptions& options) : options_(options) {}
 
-  bool is_on() const { return options_.reframe; }
-  /// The number of changes so far.
+  /// The number of changes of chart so far.
   int changes() const { return changes_; }
+  /// The number of states so far in which coordinates changed by charts or full turns.
+  long rewritten_states() const { return rewritten_states_; }
 
-  /// Changes the charts of bodies that are near their singularity, in `state`, which must be the state of y,
-  /// and in y. Returns whether any coordinates of y changed. Throws a ModelError that names the body if no
-  /// chart is far enough from its singularity.
+  /// Changes the charts of bodies that are near their singularity, unless the user keeps the charts, and
+  /// removes full turns; in `state`, which must be the state of y, and in y. Returns whether any coordinates
+  /// of y changed. Throws a ModelError that names the body if no chart is far enough from its singularity.
   bool change(const MechanismOf<F>& mechanism, const S& t, const StateLayout<F>& layout,
               std::vector<BodyState<F>>& state, StateVector& y) {
-    if constexpr (std::same_as<typename F::Chart, NoChart>) return false;
     bool changed = false;
-    for (int b = 0; b < layout.nb(); ++b) {
-      BodyState<F>& body = state[b];
-      if (!(F::chart_distance(body.chart, body.q) < S(reframing_distance))) continue;
-      const Vector4<S> p = F::to_euler_parameters(body.chart, body.q);
-      const Vector3<S> omega_bar = kinematics_of(body).omega_bar;
-      try {
-        body.chart = F::choose_chart(options_, p);
-      } catch (const ModelError& error) {
-        throw ModelError({fmt::format("body \"{}\"", mechanism.body_names[b]), static_cast<double>(t)},
-                         error);
+    if constexpr (!std::same_as<typename F::Chart, NoChart>) {
+      for (int b = 0; b < layout.nb(); ++b) {
+        BodyState<F>& body = state[b];
+        Vector3<S>& epsilon = body.q.epsilon;
+        if (epsilon.template lpNorm<Eigen::Infinity>() > S(most_turns * 2 * std::numbers::pi)) {
+          turn_near<S>(Vector3<S>::Zero(), epsilon);
+          layout.place(y, b).tail(F::orientation_size) = epsilon;
+          changed = true;
+        }
+        if (!options_.reframe || !(F::chart_distance(body.chart, body.q) < S(reframing_distance))) continue;
+        const Vector4<S> p = F::to_euler_parameters(body.chart, body.q);
+        const Vector3<S> omega_bar = kinematics_of(body).omega_bar;
+        try {
+          body.chart = F::choose_chart(options_, p);
+        } catch (const ModelError& error) {
+          throw ModelError({fmt::format("body \"{}\"", mechanism.body_names[b]), static_cast<double>(t)},
+                           error);
+        }
+        body.q = F::from_pose(body.chart, p, omega_bar);
+        layout.place(y, b).tail(F::orientation_size) = F::orientation_of(body.chart, p);
+        layout.rate(y, b).tail(F::rotational_unknowns) = F::velocity_of(body.chart, body.q);
+        changed = true;
+        ++changes_;
       }
-      body.q = F::from_pose(body.chart, p, omega_bar);
-      layout.place(y, b).tail(F::orientation_size) = F::orientation_of(body.chart, p);
-      layout.rate(y, b).tail(F::rotational_unknowns) = F::velocity_of(body.chart, body.q);
-      changed = true;
-      ++changes_;
     }
+    if (changed) ++rewritten_states_;
     return changed;
   }
 
@@ -73,6 +89,7 @@ class ChartSwitching {
  private:
   ChartOptions options_;
   int changes_ = 0;
+  long rewritten_states_ = 0;
 };
 
 }  // namespace trivium

@@ -171,12 +171,12 @@ class FirstOrderEquations {
     }
   }
 
-  /// Accepts a state: changes the charts of bodies near their singularity, detects the dependent rows, and
-  /// lets effects count turns. Returns whether a chart changed; y is then in the new chart. Throws a
-  /// ModelError, also at a dead point (dead_points.hpp).
+  /// Accepts a state: changes the charts of bodies near their singularity, removes full turns from angles,
+  /// detects the dependent rows, and lets effects count turns. Returns whether coordinates of y changed by
+  /// charts or turns. Throws a ModelError, also at a dead point (dead_points.hpp).
   bool accept_state(const S& t, StateVector& y) {
     solved_t_.reset();
-    const bool reframed = charts_.is_on() && reframe(t, y);
+    const bool reframed = reframe(t, y);
     solve_as(t, y, Refinement::as_needed, detection_);
     log_.note_dependent_rows(t, solver_.factors().dependent_row_count());
     refines_ = !(solver_.corrections().acceleration <= small_correction);
@@ -303,6 +303,8 @@ class FirstOrderEquations {
   const std::vector<BodyState<F>>& state() const { return state_; }
   long factorisations() const { return factorisations_ + projection_.factorisations(); }
   int reframings() const { return charts_.changes(); }
+  /// The states so far in which accept_state changed coordinates.
+  long rewritten_states() const { return charts_.rewritten_states(); }
   const MotionLog<S>& log() const { return log_; }
 
   // saved runs

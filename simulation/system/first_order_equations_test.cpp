@@ -3,6 +3,7 @@
 #include "simulation/system/first_order_equations.hpp"
 
 #include <Eigen/LU>
+#include <numbers>
 
 #include "base/raise.hpp"
 #include "bodies/rotations/so3.hpp"
@@ -235,6 +236,23 @@ TYPED_TEST(FirstOrder, AReframedBodyIsWhereItWas) {
     }
     EXPECT_LE(distance(form.solved(0, y).lambda(), lambda), 1e-9 * (1 + lambda.norm()));
     EXPECT_FALSE(form.accept_state(0, y));
+  }
+}
+
+TYPED_TEST(FirstOrder, ABodyWhoseAnglesLoseFullTurnsIsWhereItWas) {
+  constexpr bool has_angles = TypeParam::orientation_size == 3;
+  for (const bool reframes : {true, false}) {
+    const scenes::Scene scene = test::random_scene(5, {.bodies = 3});
+    auto form = form_of<TypeParam>(scene, {{{}, reframes}, {}});
+    StateVector y = form.start();
+    EXPECT_FALSE(form.accept_state(0, y));
+    const StateVector start = y;
+    for (const int turns : {101, -1000}) {
+      if (has_angles) y[StateLayout<TypeParam>::positions + 3] += turns * 2 * std::numbers::pi;
+      EXPECT_EQ(form.accept_state(0, y), has_angles);
+      EXPECT_LE(distance(y, start), 1e-12);
+      EXPECT_EQ(form.reframings(), 0);
+    }
   }
 }
 
