@@ -8,6 +8,7 @@
 #include "base/raise.hpp"
 #include "bodies/numbers/quad.hpp"
 #include "formulations/analysis/consistency.hpp"
+#include "mechanism/reach.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "simulation/neighbouring_start.hpp"
 #include "simulation/simulate.hpp"
@@ -16,8 +17,8 @@ namespace trivium::hard {
 
 namespace {
 
-/// Far below the tolerances that are judged, and far above rounding.
-constexpr double reference_tolerance = 1e-13, neighbour_tolerance = 1e-12;
+/// Far above the errors of the runs themselves, and far below the size of the motion.
+constexpr double neighbour_tolerance = 1e-12;
 /// Runs in quad take longer. Of neighbours, all runs together.
 constexpr long most_steps_in_quad = 300'000, most_steps_of_neighbours = 20'000'000;
 
@@ -59,7 +60,7 @@ ExactMotion::ExactMotion(const HardMotion& motion)
     }
   } else {
     const bool in_quad = motion.reference == ReferenceRun::in_quad;
-    const double rtol = in_quad ? 1e-16 : reference_tolerance;
+    const double rtol = in_quad ? 1e-16 : reference_rtol;
     Reference found =
         in_quad ? run(make_model<Quad>(motion.scene, Quad(motion.start)), options(rtol), most_steps_in_quad)
                 : run(model, options(rtol), most_steps);
@@ -68,6 +69,7 @@ ExactMotion::ExactMotion(const HardMotion& motion)
     is_given_up_ = found.is_given_up;
     tolerance_ = static_cast<double>(found.steps) * HardMotion::of_a_step(rtol);
   }
+  reach_ = reaches(model.mechanism);
   length_ = motion.length;
   if (!(length_ > 0)) {
     length_ = extent_of(model.mechanism, model.state).length;
@@ -112,6 +114,17 @@ double ExactMotion::difference(const MechanismState<double>& a, const MechanismS
 
 double ExactMotion::difference(const MechanismState<double>& state, std::size_t k) const {
   return difference(state, states_[k]);
+}
+
+double ExactMotion::difference(const LocalErrorSums& errors) const {
+  double largest = std::max(errors.relative(), errors.position / length_);
+  if (motion_.monitor == Monitor::positions) return largest;
+  raise(largest, errors.velocity / speed_);
+  if (const double reach = reach_[errors.body]; reach > 0) {
+    raise(largest, errors.position / reach);
+    raise(largest, errors.velocity / (reach * rate_));
+  }
+  return largest;
 }
 
 void ExactMotion::measure_amplification(const Model<double>& model) {

@@ -33,6 +33,9 @@ class ExactMotion {
   /// The difference of a state from that at output k: distances relative to the mechanism's extent, angles
   /// [rad], velocities relative to the largest ones of the motion.
   double difference(const MechanismState<double>& state, std::size_t k) const;
+  /// The difference that a run's sums of local errors allow, in the same measure; a lower bound of it, as of
+  /// angles only those of the body that errs most count.
+  double difference(const LocalErrorSums& errors) const;
 
  private:
   double difference(const MechanismState<double>& a, const MechanismState<double>& b) const;
@@ -47,6 +50,7 @@ class ExactMotion {
   bool has_neighbours_ = false;
   std::vector<MechanismState<double>> states_;
   std::vector<double> amplification_;
+  std::vector<double> reach_;  ///< of each body [m]
 };
 
 }  // namespace trivium::hard

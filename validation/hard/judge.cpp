@@ -25,12 +25,13 @@ namespace trivium::hard {
 
 namespace {
 
-/// What a run with given steps claims of its local errors: the sum that it states, with the rounding of every
-/// step. Without a statement it claims that no warning is needed.
-double stated_by(const SimulationReport& report) {
-  if (!report.local_errors || report.local_errors->steps == 0) return factors::unwarned;
-  const double rounding = unit_roundoff<double>() * static_cast<double>(report.counters.steps);
-  return std::min(report.local_errors->relative() + rounding, factors::unwarned);
+/// What a run with given steps claims of its errors: the sum of local errors that it states, in units of the
+/// exact motion, and the rounding of every step. Without a statement it claims that no warning is needed.
+double stated_by(const SimulationReport& report, const ExactMotion& exact) {
+  const auto& errors = report.local_errors;
+  if (!errors || errors->steps == 0) return factors::unwarned;
+  const double rounding = static_cast<double>(report.counters.steps) * HardMotion::of_a_step(reference_rtol);
+  return std::min(exact.difference(*errors) + rounding, factors::unwarned);
 }
 
 }  // namespace
@@ -170,14 +171,10 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
     return add(std::move(row));
   }
   const double of_steps = static_cast<double>(report.counters.steps) * motion.of_a_step();
-  row.tolerance = motion.rounding + (step && !motion.rests ? factors::unwarned : of_steps);
+  row.tolerance = motion.rounding + (step ? stated_by(report, exact) : of_steps);
   std::vector<MechanismState<double>> states;
   for (std::size_t k = 1; k < found.all.size(); ++k) states.push_back(found.all[k].state);
   judge_states(row, exact, states, factor);
-  if (step && std::isnan(row.value)) {  // a thousandth promises nothing there; the run's own statement may
-    row.tolerance = motion.rounding + stated_by(report);
-    judge_states(row, exact, states, factor);
-  }
   const double allowed = factors::phi * motion.of_a_step() + factors::state * motion.rounding;
   if (const double off = report.phi / exact.length();
       (row.is_met() || std::isnan(row.value)) && off > allowed) {

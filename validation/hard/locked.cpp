@@ -61,7 +61,6 @@ void judge_rest(Judge& judge, const Scene& scene, double end, double step) {
   motion.end = end;
   motion.step = step;
   motion.exact = [](MechanismState<double>&) {};
-  motion.rests = true;
   motion.monitor = Monitor::positions;  // there is no speed to which velocities could be relative
   judge.motion(motion);
 }

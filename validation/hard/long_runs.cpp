@@ -118,7 +118,8 @@ void judge_periods(Judge& judge, const Recurrence& motion, const Kept& kept, lon
   // rounding errors of the steps add up at most in proportion to their number
   add("energy [J]", whole.energy, some.energy * (is_symplectic ? 1 : longer) + rounding * motion.energies,
       factors::growth, is_symplectic ? "as over a hundredth of the run" : "in proportion to the time");
-  add("Phi [m]", whole.phi, 1e-8 * motion.size, factors::phi, "the tolerance of chosen steps");
+  add("Phi [m]", whole.phi, HardMotion::of_a_step(standard_rtol) * motion.size, factors::phi,
+      "the tolerance of chosen steps");
   const long phased = std::min(all, kept.in_phase);
   const double times = static_cast<double>(phased) / static_cast<double>(part_of(phased)),
                ratio = is_symplectic ? times : times * times;
