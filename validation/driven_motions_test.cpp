@@ -78,5 +78,21 @@ TEST_P(InEveryFormulation, ADriverAtRestWithoutGripIsNamed) {
   }
 }
 
+// Both roots of the driven distance satisfy a step from 1e-7 m to 1.1e-6 m; rattle takes the wrong one.
+TEST_P(InEveryFormulation, AStepToTheWrongSideOfADeadPointIsNamed) {
+  for (const char* method : {"rattle", "rattle4"}) {
+    if (!goes_with(*integrators::find_method(method), GetParam())) continue;
+    for (const double least : {1e-7, 3e-8, 1e-8}) {
+      try {
+        const Motion motion(hard::closing_distance(least), stepping(GetParam(), method, 2, 1e-3));
+        EXPECT_NEAR(motion.end().state.pose[0].r[0], 1, 1e-6) << method << " " << least;
+      } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("driver \"drive\""), std::string::npos) << error.what();
+        EXPECT_NEAR(error.when().value_or(0), 1, 5e-3);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace trivium

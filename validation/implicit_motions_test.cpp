@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "scenes/generators.hpp"
 #include "scenes/testing/scene_builders.hpp"
 #include "validation/testing/catalogue_motion.hpp"
 
@@ -138,6 +139,22 @@ TEST_P(Implicit, FullNewtonFindsTheSameMotion) {
     const Motion full(catalogue_scene("stewart_platform"), options);
     EXPECT_LE(apart(full, modified), 1e-9) << method;
     EXPECT_GE(full.report.factorisations, modified.report.factorisations) << method;
+  }
+}
+
+// The rounding of positions at 1e9 m is 1e-7 m.
+TEST_P(Implicit, AFailingStepFarFromTheOriginNamesTheDistance) {
+  scenes::Scene scene = scenes::two_bars();
+  for (scenes::Body& one : scene.bodies) one.position[0] += 1e9;
+  for (scenes::Constraint& one : scene.constraints)
+    for (auto* of : {&one.i, &one.j})
+      if (of->body == scenes::ground) of->point = scenes::Vector3{1e9, 0, 0};
+  try {
+    const Motion motion(scene, stepping(GetParam(), "radau9", 1, 1e-3));
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("1.0e+09 m from the global origin"), std::string::npos)
+        << error.what();
   }
 }
 

@@ -25,6 +25,7 @@
 #include "simulation/system/constraint_projection.hpp"
 #include "simulation/system/dead_points.hpp"
 #include "simulation/system/discontinuities.hpp"
+#include "simulation/system/far_from_origin.hpp"
 #include "simulation/system/driver_grip.hpp"
 #include "simulation/system/energy_account.hpp"
 #include "simulation/system/excessive_load.hpp"
@@ -246,8 +247,8 @@ class FirstOrderEquations {
     return twice / 2;
   }
 
-  /// A message if a load, a singular chart, a driver, a singular position or contradicting drivers near (t,
-  /// y) may have made a step from there fail; empty if not.
+  /// A message if a load, a singular chart, a driver, a singular position, contradicting drivers or a far
+  /// position near (t, y) may have made a step from there fail; empty if not.
   std::string diagnose(const S& t, const StateVector& y, const S& step) {
     std::string message = excessive_load(t, y);
     if (message.empty()) message = near_singular_chart(t, y);
@@ -257,6 +258,7 @@ class FirstOrderEquations {
       const MechanismState<double> now = to_mechanism_state(t, y);
       if (message.empty()) message = lost_grip(mechanism_, account_.drivers(), start_state_, now, step);
       if (message.empty()) message = trouble_of_rows(mechanism_, account_.drivers(), start_state_, now);
+      if (message.empty()) message = far_from_origin(mechanism_, now);
     }
     return message;
   }
