@@ -118,7 +118,9 @@ std::string text(const std::vector<Row>& rows, const std::vector<Family>& all) {
   long sum[4] = {};
   int blocks = 0;
   for (const Family& family : all) {
-    Table table({"case", "formulation", "method", "monitored", "value", "threshold", "verdict", "why"}, true);
+    Table table({"case", "formulation", "method", "monitored", "value", "amplification", "threshold",
+                 "verdict", "why"},
+                true);
     long count[4] = {};
     bool has_rows = false;
     for (const Row& row : rows) {
@@ -126,7 +128,7 @@ std::string text(const std::vector<Row>& rows, const std::vector<Family>& all) {
       has_rows = true;
       if (row.counts) ++count[static_cast<int>(row.verdict)];
       table.add({row.name, row.formulation, row.method, row.quantity, number(row.value),
-                 number(row.threshold), verdict_of(row), shortened(row.why)});
+                 number(row.amplification), number(row.threshold), verdict_of(row), shortened(row.why)});
     }
     if (!has_rows) continue;
     ++blocks;

@@ -17,8 +17,8 @@ namespace trivium::hard {
 
 namespace {
 
-/// Far above the errors of the runs themselves, and far below the size of the motion.
-constexpr double neighbour_tolerance = 1e-12;
+/// Far below the tolerances that are judged, and far above rounding.
+constexpr double reference_tolerance = 1e-13, neighbour_tolerance = 1e-12;
 /// Runs in quad take longer. Of neighbours, all runs together.
 constexpr long most_steps_in_quad = 300'000, most_steps_of_neighbours = 20'000'000;
 
@@ -60,7 +60,7 @@ ExactMotion::ExactMotion(const HardMotion& motion)
     }
   } else {
     const bool in_quad = motion.reference == ReferenceRun::in_quad;
-    const double rtol = in_quad ? 1e-16 : reference_rtol;
+    const double rtol = in_quad ? 1e-16 : reference_tolerance;
     Reference found =
         in_quad ? run(make_model<Quad>(motion.scene, Quad(motion.start)), options(rtol), most_steps_in_quad)
                 : run(model, options(rtol), most_steps);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -10,6 +11,7 @@
 #include "base/number_text.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "scenes/building.hpp"
+#include "simulation/neighbouring_start.hpp"
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
 #include "validation/hard/placing.hpp"
@@ -59,7 +61,8 @@ void judge_laws(Judge& judge, double distance) {
       row.value = state.lambda;
       row.tolerance = law;
       row.amplification = solved.kappa;
-      row.threshold = law < factors::lost_law ? factors::law * law * solved.kappa : 0;
+      row.threshold =
+          law < factors::lost_law ? std::min(factors::law * law * solved.kappa, small_difference) : 0;
       row.why = fmt::format("law u/theta^{}", exponent);
       if (law >= factors::lost_law)
         row.why += fmt::format(", which is lost; stated error {:.1e}", state.announced);

@@ -39,10 +39,6 @@ struct RunOfCase {
 /// The standard tolerance of a simulation.
 inline constexpr double standard_rtol = 1e-8;
 
-/// Tolerance of the run that serves as exact motion: far below those that are judged, and far above the
-/// rounding of a step.
-inline constexpr double reference_rtol = 1e-13;
-
 /// A run of more steps is given up.
 inline constexpr long most_steps = 5'000'000;
 
@@ -76,6 +72,9 @@ struct HardMotion {
   double rtol = standard_rtol;  ///< of chosen steps
   bool chooses_steps = true;    ///< false: given steps only
   bool gives_steps = true;      ///< false: chosen steps only
+  /// False: sums of local errors are far too small, as for steps over singular positions (docs/limits.md).
+  /// Then what they may add up to without a warning counts.
+  bool sums_hold = true;
   std::optional<double> max_step = {};    ///< the longest chosen step [s]
   int starts = hard_outputs;              ///< along the motion, where neighbours measure the amplification
   int directions = 1;                     ///< of the neighbours of each start

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bodies/numbers/scalar.hpp"
 #include "scenes/building.hpp"
 #include "scenes/catalogue.hpp"
+#include "simulation/neighbouring_start.hpp"
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
 #include "validation/hard/placing.hpp"
@@ -112,7 +114,7 @@ void judge_state(Judge& judge, const Scene& scene, const std::string& at) {
     row.value = state.lambda;
     row.tolerance = unit_roundoff<double>();
     row.amplification = solved.kappa;
-    row.threshold = factors::state * row.tolerance * row.amplification;
+    row.threshold = std::min(factors::state * row.tolerance * row.amplification, small_difference);
     judge.add(state.refusal.empty() ? judge.judged(row, state.announced)
                                     : judge.ended(row, state.refusal, 0.0, scene));
   }
@@ -132,7 +134,7 @@ template <Scene (*make)(double, bool)>
 Case of_masses(const std::string& name) {
   return {name,
           "ratio of masses",
-          {1e-16, 1e16},
+          {1e-14, 1e14},
           2,
           {1e9},
           {1e-12, 1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9, 1e12},

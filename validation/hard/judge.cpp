@@ -26,11 +26,13 @@ namespace trivium::hard {
 namespace {
 
 /// What a run with given steps claims of its errors: the sum of local errors that it states, in units of the
-/// exact motion, and the rounding of every step. Without a statement it claims that no warning is needed.
+/// exact motion, and the rounding of every body in every step. Without a statement it claims that no warning
+/// is needed.
 double stated_by(const SimulationReport& report, const ExactMotion& exact) {
   const auto& errors = report.local_errors;
   if (!errors || errors->steps == 0) return factors::unwarned;
-  const double rounding = static_cast<double>(report.counters.steps) * HardMotion::of_a_step(reference_rtol);
+  const double rounding = unit_roundoff<double>() * static_cast<double>(report.counters.steps) *
+                          static_cast<double>(exact.states().front().pose.size());
   return std::min(exact.difference(*errors) + rounding, factors::unwarned);
 }
 
@@ -171,7 +173,11 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
     return add(std::move(row));
   }
   const double of_steps = static_cast<double>(report.counters.steps) * motion.of_a_step();
-  row.tolerance = motion.rounding + (step ? stated_by(report, exact) : of_steps);
+  // roundings of the state are of either sign: they add up with the root of their number
+  const double rounding = motion.rounding * std::sqrt(static_cast<double>(report.counters.steps));
+  row.tolerance = rounding + (!step              ? of_steps
+                              : motion.sums_hold ? stated_by(report, exact)
+                                                 : factors::unwarned);
   std::vector<MechanismState<double>> states;
   for (std::size_t k = 1; k < found.all.size(); ++k) states.push_back(found.all[k].state);
   judge_states(row, exact, states, factor);

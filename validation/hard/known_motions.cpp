@@ -141,7 +141,7 @@ void set_rod_on_crank(MechanismState<double>& state, double rate) {
   double theta = 0.3;
   const double momentum = std::sqrt(inertia_at(theta)) * rate;
   const auto speed = [&](double angle) { return momentum / std::sqrt(inertia_at(angle)); };
-  const int steps = 1 + static_cast<int>(4000 * state.t);
+  const int steps = 1 + static_cast<int>(4000 * state.t * std::max(1.0, rate));
   const double h = state.t / steps;
   for (int n = 0; n < steps; ++n) {
     const double k1 = speed(theta), k2 = speed(theta + h / 2 * k1), k3 = speed(theta + h / 2 * k2),

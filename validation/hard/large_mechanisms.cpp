@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -21,6 +22,7 @@
 #include "scenes/make_mechanism.hpp"
 #include "scenes/random_draw.hpp"
 #include "scenes/scene_state.hpp"
+#include "simulation/neighbouring_start.hpp"
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
 #include "validation/hard/known_motions.hpp"
@@ -135,6 +137,26 @@ Scene folded_ladder(int n, double angle) {
   return scene;
 }
 
+/// A ladder whose couplers are of random length, its rods at 1 rad to their base.
+Scene random_ladder(int n, double seed) {
+  scenes::RandomDraw random = random_from(seed);
+  Scene scene = folded_ladder(n, 1);
+  scene.name = fmt::format("random_ladder_{:g}", seed);
+  std::vector<double> base{0};  // where the rods stand [m]
+  for (int k = 1; k <= n; ++k) base.push_back(base.back() + random.uniform(0.2, 2));
+  for (int k = 0; k <= n; ++k) scene.bodies[k].position[0] += base[k] - k;
+  for (int k = 1; k <= n; ++k) scene.bodies[n + k].position[0] += (base[k - 1] + base[k]) / 2 - (k - 0.5);
+  for (scenes::Constraint& one : scene.constraints)
+    for (auto* at : {&one.i, &one.j}) {
+      double& x = (*at->point)[0];
+      if (at->body == scenes::ground)
+        x = base[std::lround(x)];
+      else if (at->body > n)
+        x *= base[at->body - n] - base[at->body - n - 1];
+    }
+  return scene;
+}
+
 /// lambda of the linear-time solver against the same solver in quad. `worse`: by how much the position is
 /// worse than a straight chain.
 void judge_lambda(Judge& judge, const Scene& scene, double worse = 1) {
@@ -149,7 +171,7 @@ void judge_lambda(Judge& judge, const Scene& scene, double worse = 1) {
     row.tolerance = unit_roundoff<double>();
     // the condition number of a chain grows with the square of its length
     row.amplification = std::pow(static_cast<double>(scene.bodies.size()), 2) * worse;
-    row.threshold = factors::state * row.tolerance * row.amplification;
+    row.threshold = std::min(factors::state * row.tolerance * row.amplification, small_difference);
     if (!found.error.empty()) {
       judge.add(judge.ended(row, found.error, 0.0, scene));
       continue;
@@ -165,6 +187,7 @@ void judge_large(Judge& judge, const Scene& scene) {
   HardMotion motion;
   motion.scene = scene;
   motion.end = 0.02;
+  motion.step = 1e-4;  // bars of a large ring turn fast
   motion.methods = methods_of("size_and_place/large_mechanisms", judge.is_quick());
   motion.beside_simbody = false;
   motion.starts = 2;  // of a thousand bodies each costs as much as a run
@@ -228,7 +251,17 @@ std::vector<Case> large_mechanisms() {
            [](Judge& judge, double angle) {
              judge_lambda(judge, folded_ladder((judge.is_quick() ? some : many) / 2, angle), 1 / angle);
            },
-           [](double angle) { return folded_ladder(many / 2, angle); }}};
+           [](double angle) { return folded_ladder(many / 2, angle); }},
+          {"random_ladder",
+           "seed of the lengths of the couplers of 500 loops",
+           {0, 1e9, true},
+           1,
+           {2},
+           {2, 3, 4},
+           [](Judge& judge, double seed) {
+             judge_lambda(judge, random_ladder((judge.is_quick() ? some : many) / 2, seed));
+           },
+           [](double seed) { return random_ladder(many / 2, seed); }}};
 }
 
 }  // namespace trivium::hard

@@ -3,15 +3,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "base/raise.hpp"
 #include "bodies/numbers/scalar.hpp"
+#include "formulations/structured_side_by_side.hpp"
+#include "integrators/implicit/newton.hpp"
 #include "integrators/methods.hpp"
 #include "scenes/generators.hpp"
 #include "scenes/make_mechanism.hpp"
+#include "simulation/neighbouring_start.hpp"
 #include "simulation/simulate.hpp"
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
@@ -63,6 +67,50 @@ double apart_after_equal_steps(const Scene& one, const Scene& other, double leng
   return largest;
 }
 
+/// One state of bars of 1 m: the largest differences of accelerations and joint reactions from those of
+/// another scene, whose lengths are `length` and whose gravity is `gravity` times as large, relative to the
+/// largest of each.
+double apart(const FormulationResult<double>& one, const FormulationResult<double>& other, double length,
+             double gravity) {
+  double largest = 0;
+  // the size to which differences are relative; `least`: of it
+  const auto compare = [&](const auto& a, const auto& b, double scale, double least, const auto& part) {
+    double off = 0, size = least;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      raise(off, (part(a[k]) - part(b[k]) / scale).norm());
+      raise(size, part(a[k]).norm());
+    }
+    raise(largest, off / size);
+    return size;
+  };
+  const auto itself = [](const auto& x) { return x; };
+  const double fastest = compare(one.solution.r_ddot, other.solution.r_ddot, gravity, 0, itself);
+  compare(one.solution.omega_bar_dot, other.solution.omega_bar_dot, gravity / length, fastest, itself);
+  const double force =
+      compare(one.reactions, other.reactions, gravity, 0, [](const auto& x) { return x.force; });
+  compare(one.reactions, other.reactions, gravity * length, force, [](const auto& x) { return x.torque; });
+  return largest;
+}
+
+/// `rounding`: of the lengths of the other scene [-].
+void judge_state(Judge& judge, const Scene& other, double length, double gravity, double rounding) {
+  const auto model = make_model<double>(scenes::two_bars()), moved = make_model<double>(other);
+  const SolveOptions options{judge.formulations(), {}};
+  const RowAnalysis rows = analyse_rows(model);
+  const auto compare = [&](const SideBySide<double>& a, const SideBySide<double>& b, const char* solver) {
+    for (std::size_t f = 0; f < a.formulations.size(); ++f) {
+      Row row = judge.row(a.formulations[f].name, solver, "accelerations and reactions [-]");
+      row.value = apart(a.formulations[f], b.formulations[f], length, gravity);
+      row.tolerance = unit_roundoff<double>() + rounding;
+      row.amplification = rows.kappa;
+      row.threshold = std::min(factors::state * row.tolerance * row.amplification, small_difference);
+      judge.add(judge.judged(row));
+    }
+  };
+  compare(side_by_side(model, rows, options), side_by_side(moved, analyse_rows(moved), options), "printed");
+  compare(structured_side_by_side(model, options), structured_side_by_side(moved, options), "structured");
+}
+
 /// A motion of the scaled scene with chosen steps, and with given steps beside that of the unscaled scene.
 void judge_scaled(Judge& judge, double length, double gravity) {
   const Scene scene = scenes::two_bars(), other = scaled(scene, length, gravity);
@@ -74,14 +122,19 @@ void judge_scaled(Judge& judge, double length, double gravity) {
   motion.length = length;
   motion.speed = length / time;
   judge.motion(motion);
+  judge_state(judge, other, length, gravity, 0);
   constexpr int steps = 1024;
+  // Powers of 4 scale without rounding. Others round the lengths, and the same step of Newton's method may
+  // end with another iterate within its tolerance.
+  const double log_4 = std::log2(length / gravity) / 2;
+  const double within = log_4 == std::round(log_4) ? 0 : integrators::NewtonOptions{}.tolerance;
   for (const std::string& method : methods_of("size_and_place", judge.is_quick())) {
     const integrators::MethodInfo& info = *integrators::find_method(method);
     if (!info.takes_given_steps) continue;
     for (const std::string& formulation : judge.formulations()) {
       if (!goes_with(info, formulation)) continue;
       Row row = judge.row(formulation, method, "equal steps, scaled [-]");
-      row.tolerance = unit_roundoff<double>() * steps;
+      row.tolerance = unit_roundoff<double>() * steps + within;
       row.threshold = factors::state * row.tolerance;
       try {
         row.value = apart_after_equal_steps(scene, other, length, time, method, formulation, steps);
@@ -91,23 +144,6 @@ void judge_scaled(Judge& judge, double length, double gravity) {
       }
     }
   }
-}
-
-/// The two bars from a late time on. The exact motion is that from time 0.
-void judge_late(Judge& judge, double start) {
-  HardMotion early;
-  early.scene = scenes::two_bars();
-  const ExactMotion exact(early);
-  HardMotion motion = early;
-  motion.start = start;
-  motion.end = start + 1;
-  motion.rounding = unit_roundoff<double>() * start;  // of the times, in seconds of a motion that lasts one
-  motion.exact = [&](MechanismState<double>& state) {
-    const auto k = static_cast<std::size_t>(std::lround((state.t - start) / exact.output_step())) - 1;
-    state.pose = exact.states()[k].pose;
-    state.twist = exact.states()[k].twist;
-  };
-  judge.motion(motion);
 }
 
 /// The two bars at a distance from the origin.
@@ -121,13 +157,27 @@ Scene distant(double distance) {
   return scene;
 }
 
-void judge_distant(Judge& judge, double distance) {
-  HardMotion motion;
+/// The two bars from a late time on, or at a distance. The exact motion is that from time 0 at the origin.
+void judge_moved(Judge& judge, double start, double distance) {
+  HardMotion here;
+  here.scene = scenes::two_bars();
+  here.length = 1;
+  const ExactMotion exact(here);
+  HardMotion motion = here;
   motion.scene = distant(distance);
-  motion.length = 1;
-  motion.chooses_steps = false;  // rtol is a share of the distance
-  motion.rounding = unit_roundoff<double>() * distance;
+  motion.start = start;
+  motion.end = start + 1;
+  motion.chooses_steps = distance == 0;  // rtol is a share of the distance
+  // of the times, in seconds of a motion that lasts one, or of the positions
+  motion.rounding = unit_roundoff<double>() * std::max(start, distance);
+  motion.exact = [&](MechanismState<double>& state) {
+    const auto k = static_cast<std::size_t>(std::lround((state.t - start) / exact.output_step())) - 1;
+    state.pose = exact.states()[k].pose;
+    state.twist = exact.states()[k].twist;
+    for (Pose<double>& pose : state.pose) pose.r[0] += distance;
+  };
   judge.motion(motion);
+  if (distance > 0) judge_state(judge, motion.scene, 1, 1, motion.rounding);
 }
 
 }  // namespace
@@ -135,26 +185,37 @@ void judge_distant(Judge& judge, double distance) {
 Family size_and_place() {
   const double tiny = std::pow(4, -10), huge = std::pow(4, 5);  // powers of 4 scale without rounding
   std::vector<Case> cases = large_mechanisms();
-  cases.insert(
-      cases.end(),
-      {{"length",
-        "factor of all lengths",
-        {1e-6, 1e6},
-        1,
-        {tiny},
-        {tiny, huge},
-        [](Judge& judge, double length) { judge_scaled(judge, length, 1); },
-        [](double length) { return scaled(scenes::two_bars(), length, 1); }},
-       {"gravity",
-        "factor of gravity",
-        {1e-12, 1e12},
-        1,
-        {},
-        {std::pow(4, -15), std::pow(4, 15)},
-        [](Judge& judge, double gravity) { judge_scaled(judge, 1, gravity); },
-        [](double gravity) { return scaled(scenes::two_bars(), 1, gravity); }},
-       {"late", "time of the start [s]", {0, 1e9}, 0, {1e6}, {1e3, 1e6}, judge_late},
-       {"distant", "distance from the origin [m]", {0, 1e9}, 0, {1e6}, {1e3, 1e6}, judge_distant, distant}});
+  cases.insert(cases.end(), {{"length",
+                              "factor of all lengths",
+                              {1e-6, 1e6},
+                              1,
+                              {tiny},
+                              {tiny, huge},
+                              [](Judge& judge, double length) { judge_scaled(judge, length, 1); },
+                              [](double length) { return scaled(scenes::two_bars(), length, 1); }},
+                             {"gravity",
+                              "factor of gravity",
+                              {1e-12, 1e12},
+                              1,
+                              {},
+                              {std::pow(4, -15), std::pow(4, 15)},
+                              [](Judge& judge, double gravity) { judge_scaled(judge, 1, gravity); },
+                              [](double gravity) { return scaled(scenes::two_bars(), 1, gravity); }},
+                             {"late",
+                              "time of the start [s]",
+                              {0, 1e9},
+                              0,
+                              {1e6},
+                              {1e3, 1e6},
+                              [](Judge& judge, double start) { judge_moved(judge, start, 0); }},
+                             {"distant",
+                              "distance from the origin [m]",
+                              {0, 1e9},
+                              0,
+                              {1e6},
+                              {1e3, 1e6},
+                              [](Judge& judge, double away) { judge_moved(judge, 0, away); },
+                              distant}});
   return {"size_and_place", "large, tiny, huge, late and distant mechanisms", std::move(cases)};
 }
 

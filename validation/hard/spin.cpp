@@ -112,7 +112,8 @@ void judge_flips(Judge& judge, double flips) {
   const double between =
       flips < hard_outputs ? (flips + 0.3) / hard_outputs : std::floor(flips / hard_outputs) + 0.618;
   motion.end = between * hard_outputs * time_of_a_flip(body);
-  motion.step = flips > 5 ? 0.01 : 0.02;
+  motion.step = flips > 20 ? 0.01 : flips > 5 ? 0.005 : 0.02;
+  if (flips > 20) motion.methods = methods_of("many_flips", judge.is_quick());
   motion.directions = 8;                            // few of all directions delay or hasten flips
   motion.rtol = flips > 5 ? 1e-12 : standard_rtol;  // each flip enlarges errors
   motion.also = judge_normalisation;
@@ -145,7 +146,7 @@ void judge_printed_spin(Judge& judge, double spin) {
 Family spin() {
   return {"spin",
           "fast tops, a sleeping top, flips",
-          {{"fast_top", "spin [rad/s]", {1, 1e5}, 20, {1000}, {150, 1000, 10000}, judge_fast_top, fast_top},
+          {{"fast_top", "spin [rad/s]", {1, 2e4}, 20, {1000}, {150, 1000, 10000}, judge_fast_top, fast_top},
            {"sleeping_top",
             "spin over the least stable one",
             {0.1, 10},
@@ -154,7 +155,7 @@ Family spin() {
             {0.8, 0.95, 1.05, 1.2},
             judge_sleeping_top,
             sleeping_top},
-           {"flips", "number of flips", {1, 1000, true}, 1, {4}, {10, 100}, judge_flips},
+           {"flips", "number of flips", {1, 100, true}, 1, {4}, {10, 100}, judge_flips},
            {"printed_spin",
             "spin [rad/s]",
             {1, 1e8},

@@ -32,20 +32,27 @@ void judge_orbit(Judge& judge, Scene (*make)(double), double stiffness) {
 }
 
 constexpr double amplitude = 0.05;  // [m]: large enough to be missed if it is damped away
+constexpr double damping_ratio = 0.02;
 
-/// The stone vibrates along x.
+/// The stone, of 1 kg, vibrates along x.
 Scene vibration(double stiffness) { return stone_on_spring(stiffness, 0, 1 - amplitude, 0); }
+Scene damped_vibration(double stiffness) {
+  return stone_on_spring(stiffness, 2 * damping_ratio * std::sqrt(stiffness), 1 - amplitude, 0);
+}
 
-void judge_vibration(Judge& judge, double stiffness) {
+/// `ratio`: of damping.
+void judge_vibration(Judge& judge, const Scene& scene, double stiffness, double ratio) {
   HardMotion motion;
-  motion.scene = vibration(stiffness);
+  motion.scene = scene;
   const bool is_short = judge.is_quick() || judge.is_twin();
   motion.end = (is_short ? 50 : 200) / std::sqrt(stiffness);  // about 8 or 32 periods
   motion.step = 2 / std::sqrt(stiffness);                     // three steps a period
-  motion.exact = [stiffness](MechanismState<double>& state) {
-    const double omega = std::sqrt(stiffness);
-    state.pose[0].r = {1 + amplitude * (std::cos(omega * state.t) - 1), 0, 0};
-    state.twist[0].r_dot = {-amplitude * omega * std::sin(omega * state.t), 0, 0};
+  motion.exact = [stiffness, ratio](MechanismState<double>& state) {
+    const double omega = std::sqrt(stiffness), damped = omega * std::sqrt(1 - ratio * ratio),
+                 c = std::cos(damped * state.t), s = std::sin(damped * state.t),
+                 now = amplitude * std::exp(-ratio * omega * state.t);
+    state.pose[0].r = {1 - amplitude + now * (c + ratio * omega / damped * s), 0, 0};
+    state.twist[0].r_dot = {-now * omega * omega / damped * s, 0, 0};
   };
   // the easy twin has steps that follow the vibration
   if (judge.is_twin()) motion.step = motion.end / 10000;
@@ -76,34 +83,48 @@ void judge_governor(Judge& judge, double factor) {
 }  // namespace
 
 Family stiff() {
-  return {
-      "stiff",
-      "stiff springs and dampers",
-      {{"orbit",
-        "stiffness [N/m]",
-        {200, 1e14},
-        1e3,
-        {1e10},
-        {1e6, 1e8, 1e10},
-        [](Judge& judge, double k) { judge_orbit(judge, orbit, k); },
-        orbit},
-       {"damped_orbit",
-        "stiffness [N/m]",
-        {200, 1e14},
-        1e3,
-        {},
-        {1e6, 1e8, 1e10},
-        [](Judge& judge, double k) { judge_orbit(judge, damped_orbit, k); },
-        damped_orbit},
-       {"vibration", "stiffness [N/m]", {1, 1e14}, 1e2, {1e6}, {1e6, 1e8, 1e10}, judge_vibration, vibration},
-       {"governor",
-        "factor of its stiffness and damping",
-        {1e-6, 1e4},
-        1e-3,
-        {1},
-        {1, 100},
-        judge_governor,
-        governor}}};
+  return {"stiff",
+          "stiff springs and dampers",
+          {{"orbit",
+            "stiffness [N/m]",
+            {200, 1e12},
+            1e3,
+            {1e10},
+            {1e6, 1e8, 1e10},
+            [](Judge& judge, double k) { judge_orbit(judge, orbit, k); },
+            orbit},
+           {"damped_orbit",
+            "stiffness [N/m]",
+            {200, 1e12},
+            1e3,
+            {},
+            {1e6, 1e8, 1e10},
+            [](Judge& judge, double k) { judge_orbit(judge, damped_orbit, k); },
+            damped_orbit},
+           {"vibration",
+            "stiffness [N/m]",
+            {1, 1e12},
+            1e2,
+            {1e6},
+            {1e6, 1e8, 1e10},
+            [](Judge& judge, double k) { judge_vibration(judge, vibration(k), k, 0); },
+            vibration},
+           {"damped_vibration",
+            "stiffness [N/m]",
+            {1, 1e12},
+            1e2,
+            {1e6},
+            {1e6, 1e8, 1e10},
+            [](Judge& judge, double k) { judge_vibration(judge, damped_vibration(k), k, damping_ratio); },
+            damped_vibration},
+           {"governor",
+            "factor of its stiffness and damping",
+            {1e-6, 1e4},
+            1e-3,
+            {1},
+            {1, 100},
+            judge_governor,
+            governor}}};
 }
 
 }  // namespace trivium::hard
