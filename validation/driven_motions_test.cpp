@@ -78,6 +78,19 @@ TEST_P(InEveryFormulation, ADriverAtRestWithoutGripIsNamed) {
   }
 }
 
+// The cosine of 1e-7 rad changes by 1e-7 per rad.
+TEST_P(InEveryFormulation, ADriverThatStartsWithoutGripIsNamed) {
+  for (const char* method : {"radau9", "bdf", "ida"}) {
+    try {
+      const auto options = std::string(method) == "ida" ? tight(GetParam(), method, 1, 1e-8)
+                                                        : stepping(GetParam(), method, 1, 1e-3);
+      const Motion motion(hard::near_parallel(1e-7), options);
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("driver \"drive\""), std::string::npos) << error.what();
+    }
+  }
+}
+
 // Both roots of the driven distance satisfy a step from 1e-7 m to 1.1e-6 m; rattle takes the wrong one.
 TEST_P(InEveryFormulation, AStepToTheWrongSideOfADeadPointIsNamed) {
   for (const char* method : {"rattle", "rattle4"}) {

@@ -47,21 +47,15 @@ Vector3<Scalar> euler_angles(const EulerSequence& s, const Matrix3<Scalar>& A) {
   return angles;
 }
 
-/// Adds full turns to the first and the third angle such that they are as near as possible to those of
-/// `near`.
-template <class Scalar>
-void turn_near(const Vector3<Scalar>& near, Vector3<Scalar>& angles) {
-  using std::atan, std::round;
-  const Scalar two_pi = 8 * atan(Scalar(1));
-  for (int k = 0; k < 3; ++k) angles[k] += two_pi * round((near[k] - angles[k]) / two_pi);
-}
-
-/// The angles of a rotation that are nearest to `near`. Along a motion they have no jumps.
+/// The same angles, with full turns added to the first and the third such that they are as near as possible
+/// to those of `near`. Along a motion they then have no jumps.
 template <class Scalar>
 Vector3<Scalar> euler_angles_near(const Vector3<Scalar>& near, const EulerSequence& s,
                                   const Matrix3<Scalar>& A) {
+  using std::atan, std::round;
   Vector3<Scalar> angles = euler_angles(s, A);
-  turn_near(near, angles);
+  const Scalar two_pi = 8 * atan(Scalar(1));
+  for (const int k : {0, 2}) angles[k] += two_pi * round((near[k] - angles[k]) / two_pi);
   return angles;
 }
 

@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "bodies/rotations/euler_angles.hpp"
 #include "formulations/euler_chart_choice.hpp"
 #include "simulation/system/state_layout.hpp"
 
 namespace trivium {
 
-/// Angles with more turns than this lose them. The last digit of an angle of 100 turns is 1e-13 rad. It moves
-/// points of the body by so much per metre, which iterations onto the constraints still take for rounding.
+/// Angles with more turns than this lose them: the body gets coordinates afresh. The last digit of an angle
+/// of 100 turns is 1e-13 rad. It moves points of the body by so much per metre, which iterations onto the
+/// constraints still take for rounding.
 inline constexpr double most_turns = 100;
 
 /// Gives a body whose Euler angles come nearer to their singularity than reframing_distance another chart,
@@ -44,17 +44,15 @@ class ChartSwitching {
     if constexpr (!std::same_as<typename F::Chart, NoChart>) {
       for (int b = 0; b < layout.nb(); ++b) {
         BodyState<F>& body = state[b];
-        Vector3<S>& epsilon = body.q.epsilon;
-        if (epsilon.template lpNorm<Eigen::Infinity>() > S(most_turns * 2 * std::numbers::pi)) {
-          turn_near<S>(Vector3<S>::Zero(), epsilon);
-          layout.place(y, b).tail(F::orientation_size) = epsilon;
-          changed = true;
-        }
-        if (!options_.reframe || !(F::chart_distance(body.chart, body.q) < S(reframing_distance))) continue;
+        const bool is_near =
+            options_.reframe && (F::chart_distance(body.chart, body.q) < S(reframing_distance));
+        const S angle = layout.orientation(y, b).template lpNorm<Eigen::Infinity>();
+        const bool is_wound = angle > S(most_turns * 2 * std::numbers::pi);
+        if (!is_near && !is_wound) continue;
         const Vector4<S> p = F::to_euler_parameters(body.chart, body.q);
         const Vector3<S> omega_bar = kinematics_of(body).omega_bar;
         try {
-          body.chart = F::choose_chart(options_, p);
+          if (is_near) body.chart = F::choose_chart(options_, p);
         } catch (const ModelError& error) {
           throw ModelError({fmt::format("body \"{}\"", mechanism.body_names[b]), static_cast<double>(t)},
                            error);
@@ -63,7 +61,7 @@ class ChartSwitching {
         layout.place(y, b).tail(F::orientation_size) = F::orientation_of(body.chart, p);
         layout.rate(y, b).tail(F::rotational_unknowns) = F::velocity_of(body.chart, body.q);
         changed = true;
-        ++changes_;
+        if (is_near) ++changes_;
       }
     }
     if (changed) ++rewritten_states_;
