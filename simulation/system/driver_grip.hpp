@@ -60,22 +60,19 @@ inline std::optional<double> time_to(const TimeFunction& f, double t, double far
 }
 
 /// A message about the driver that comes to the end of its reach first, within a step of length `step` [s]
-/// after `now` or a hundredth of the time since the start, or that stands within 1e-4 of its value from
-/// there; empty if none does. `drivers` are rows.
+/// after `now` or a hundredth of the time since the start; empty if none does. `drivers` are rows.
 template <class Types>
 std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vector<int>& drivers,
                       const MechanismState<double>& start, const MechanismState<double>& now, double step) {
   // of the grip at the start; above `lost` `farther` says little
-  constexpr double lost = 0.5, at_end = 1e-3, close = 1e-4;
+  constexpr double lost = 0.5, at_end = 1e-3;
   if (drivers.empty()) return {};
   const TangentSystem before = tangent_system(mechanism, start), after = tangent_system(mechanism, now);
   double first = std::max(step, (now.t - start.t) / 100), share = 0;
-  int worst = -1, closest = -1;
+  int worst = -1;
   RowReach reach;
   for (const int row : drivers) {
     const RowReach of_row = reach_of(mechanism, now, after, row);
-    const double value = function_of(mechanism.rows[row])(now.t).f;
-    if (std::abs(of_row.farther) < close * std::abs(value)) closest = row;
     const double at_start = free_motion(before, row).gradient;
     if (!(of_row.grip < lost * at_start) || !std::isfinite(of_row.farther)) continue;
     // with so little grip the driver is at the end, also if its function has just turned back
@@ -88,11 +85,6 @@ std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vect
     reach = of_row;
     share = of_row.grip / at_start;
   }
-  if (worst < 0 && closest >= 0)
-    return fmt::format(
-        "driver \"{}\" is near the end of its reach, where it loses its grip: what it demands there hardly "
-        "changes with the positions. Start farther from this dead point, or drive another joint",
-        mechanism.row_names[closest]);
   if (worst < 0) return {};
   const Jet<double> f = function_of(mechanism.rows[worst])(now.t);
   return fmt::format(
@@ -102,6 +94,24 @@ std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vect
       "rank of the rows falls by 1. Give it another function of time, or drive another joint",
       mechanism.row_names[worst], f.f, now.t, f.f_t, reach.farther >= 0 ? "up to" : "down to",
       f.f + reach.farther, share);
+}
+
+/// A message about a driver that is within 1e-4 of its value from the end of its reach; empty if none is.
+template <class Types>
+std::string poor_grip(const Mechanism<double, Types>& mechanism, const std::vector<int>& drivers,
+                      const MechanismState<double>& now) {
+  if (drivers.empty()) return {};
+  const TangentSystem here = tangent_system(mechanism, now);
+  for (const int row : drivers) {
+    const double value = function_of(mechanism.rows[row])(now.t).f;
+    const RowReach reach = reach_of(mechanism, now, here, row);
+    if (reach.grip > 0 && std::abs(reach.farther) < 1e-4 * std::abs(value))
+      return fmt::format(
+          "driver \"{}\" is near the end of its reach, where it loses its grip: what it demands there hardly "
+          "changes with the positions. Start farther from this dead point, or drive another joint",
+          mechanism.row_names[row]);
+  }
+  return {};
 }
 
 }  // namespace trivium

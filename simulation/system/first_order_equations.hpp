@@ -258,6 +258,7 @@ class FirstOrderEquations {
       const MechanismState<double> now = to_mechanism_state(t, y);
       if (message.empty()) message = lost_grip(mechanism_, account_.drivers(), start_state_, now, step);
       if (message.empty()) message = trouble_of_rows(mechanism_, account_.drivers(), start_state_, now);
+      if (message.empty()) message = poor_grip(mechanism_, account_.drivers(), now);
       if (message.empty()) message = far_from_origin(mechanism_, now);
     }
     return message;
