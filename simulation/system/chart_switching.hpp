@@ -40,29 +40,28 @@ class ChartSwitching {
   /// of y changed. Throws a ModelError that names the body if no chart is far enough from its singularity.
   bool change(const MechanismOf<F>& mechanism, const S& t, const StateLayout<F>& layout,
               std::vector<BodyState<F>>& state, StateVector& y) {
+    if constexpr (std::same_as<typename F::Chart, NoChart>) return false;
     bool changed = false;
-    if constexpr (!std::same_as<typename F::Chart, NoChart>) {
-      for (int b = 0; b < layout.nb(); ++b) {
-        BodyState<F>& body = state[b];
-        const bool is_near =
-            options_.reframe && (F::chart_distance(body.chart, body.q) < S(reframing_distance));
-        const S angle = layout.orientation(y, b).template lpNorm<Eigen::Infinity>();
-        const bool is_wound = angle > S(most_turns * 2 * std::numbers::pi);
-        if (!is_near && !is_wound) continue;
-        const Vector4<S> p = F::to_euler_parameters(body.chart, body.q);
-        const Vector3<S> omega_bar = kinematics_of(body).omega_bar;
-        try {
-          if (is_near) body.chart = F::choose_chart(options_, p);
-        } catch (const ModelError& error) {
-          throw ModelError({fmt::format("body \"{}\"", mechanism.body_names[b]), static_cast<double>(t)},
-                           error);
-        }
-        body.q = F::from_pose(body.chart, p, omega_bar);
-        layout.place(y, b).tail(F::orientation_size) = F::orientation_of(body.chart, p);
-        layout.rate(y, b).tail(F::rotational_unknowns) = F::velocity_of(body.chart, body.q);
-        changed = true;
-        if (is_near) ++changes_;
+    for (int b = 0; b < layout.nb(); ++b) {
+      BodyState<F>& body = state[b];
+      const bool is_near =
+          options_.reframe && (F::chart_distance(body.chart, body.q) < S(reframing_distance));
+      const S angle = layout.orientation(y, b).template lpNorm<Eigen::Infinity>();
+      const bool is_wound = angle > S(most_turns * 2 * std::numbers::pi);
+      if (!is_near && !is_wound) continue;
+      const Vector4<S> p = F::to_euler_parameters(body.chart, body.q);
+      const Vector3<S> omega_bar = kinematics_of(body).omega_bar;
+      try {
+        if (is_near) body.chart = F::choose_chart(options_, p);
+      } catch (const ModelError& error) {
+        throw ModelError({fmt::format("body \"{}\"", mechanism.body_names[b]), static_cast<double>(t)},
+                         error);
       }
+      body.q = F::from_pose(body.chart, p, omega_bar);
+      layout.place(y, b).tail(F::orientation_size) = F::orientation_of(body.chart, p);
+      layout.rate(y, b).tail(F::rotational_unknowns) = F::velocity_of(body.chart, body.q);
+      changed = true;
+      if (is_near) ++changes_;
     }
     if (changed) ++rewritten_states_;
     return changed;

@@ -31,8 +31,7 @@ std::string far_from_origin(const Mechanism<double, Types>& mechanism, const Mec
   if (!(rounding > 1e-12 * size)) return {};
   return fmt::format(
       "body \"{}\" is {:.1e} m from the global origin, where positions are rounded by {:.1e} m, too coarse "
-      "for "
-      "a mechanism of {:.1e} m; move the origin nearer to it, or take another method",
+      "for a mechanism of {:.1e} m; move the origin nearer to it, or take another method",
       mechanism.body_names[body], farthest, rounding, size);
 }
 

@@ -11,7 +11,6 @@
 #include "base/number_text.hpp"
 #include "bodies/numbers/scalar.hpp"
 #include "scenes/building.hpp"
-#include "simulation/neighbouring_start.hpp"
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
 #include "validation/hard/placing.hpp"

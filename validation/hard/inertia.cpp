@@ -3,14 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "bodies/numbers/scalar.hpp"
 #include "scenes/building.hpp"
 #include "scenes/catalogue.hpp"
-#include "simulation/neighbouring_start.hpp"
-#include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
 #include "validation/hard/placing.hpp"
 #include "validation/hard/solved_state.hpp"
@@ -112,9 +108,7 @@ void judge_state(Judge& judge, const Scene& scene, const std::string& at) {
   for (const SolvedState& state : solved.all) {
     Row row = judge.row(state.formulation, state.solver, fmt::format("lambda {} [-]", at));
     row.value = state.lambda;
-    row.tolerance = unit_roundoff<double>();
-    row.amplification = solved.kappa;
-    row.threshold = std::min(factors::state * row.tolerance * row.amplification, small_difference);
+    promise(row, solved.kappa);
     judge.add(state.refusal.empty() ? judge.judged(row, state.announced)
                                     : judge.ended(row, state.refusal, 0.0, scene));
   }

@@ -9,12 +9,10 @@
 #include <utility>
 
 #include "base/number_text.hpp"
-#include "bodies/numbers/scalar.hpp"
 #include "formulations/formulation_list.hpp"
 #include "integrators/methods.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "simulation/motion_warnings.hpp"
-#include "simulation/neighbouring_start.hpp"
 #include "simulation/simulate.hpp"
 #include "validation/hard/announcement.hpp"
 #include "validation/hard/factors.hpp"
@@ -198,6 +196,12 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
   row = judged(std::move(row), figure);
   add(row);
   if (motion.also) motion.also(*this, {row, factor, report, figure});
+}
+
+void promise(Row& row, double kappa, double tolerance, double largest) {
+  row.tolerance = tolerance;
+  row.amplification = kappa;
+  row.threshold = std::min(factors::state * tolerance * kappa, largest);
 }
 
 void judge_states(Row& row, const ExactMotion& exact, const std::vector<MechanismState<double>>& states,

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "bodies/numbers/scalar.hpp"
+#include "simulation/neighbouring_start.hpp"
 #include "validation/hard/exact_motion.hpp"
 #include "validation/hard/row.hpp"
 
@@ -63,6 +65,11 @@ class Judge {
   std::vector<std::string> formulations_;
   std::vector<Row> rows_;
 };
+
+/// Enters into the row of one state what is promised of it: a tolerance, amplified by kappa; the threshold is
+/// at most `largest`.
+void promise(Row& row, double kappa, double tolerance = unit_roundoff<double>(),
+             double largest = small_difference);
 
 /// Enters into the row the largest difference of the states from the exact ones, relative to its threshold
 /// factor . row.tolerance . amplification. States whose threshold exceeds small_difference are not judged:

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -13,7 +12,6 @@
 #include <vector>
 
 #include "bodies/numbers/quad.hpp"
-#include "bodies/numbers/scalar.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/structured/acceleration_solver.hpp"
 #include "formulations/structured_side_by_side.hpp"
@@ -22,8 +20,6 @@
 #include "scenes/make_mechanism.hpp"
 #include "scenes/random_draw.hpp"
 #include "scenes/scene_state.hpp"
-#include "simulation/neighbouring_start.hpp"
-#include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
 #include "validation/hard/known_motions.hpp"
 #include "validation/hard/methods.hpp"
@@ -168,10 +164,8 @@ void judge_lambda(Judge& judge, const Scene& scene, double worse = 1) {
   const SideBySide<double> answer = structured_side_by_side(model, SolveOptions{judge.formulations(), {}});
   for (const FormulationResult<double>& found : answer.formulations) {
     Row row = judge.row(found.name, "structured", "lambda [-]");
-    row.tolerance = unit_roundoff<double>();
     // the condition number of a chain grows with the square of its length
-    row.amplification = std::pow(static_cast<double>(scene.bodies.size()), 2) * worse;
-    row.threshold = std::min(factors::state * row.tolerance * row.amplification, small_difference);
+    promise(row, std::pow(static_cast<double>(scene.bodies.size()), 2) * worse);
     if (!found.error.empty()) {
       judge.add(judge.ended(row, found.error, 0.0, scene));
       continue;

@@ -19,7 +19,6 @@
 #include "scenes/building.hpp"
 #include "scenes/catalogue.hpp"
 #include "scenes/make_mechanism.hpp"
-#include "simulation/neighbouring_start.hpp"
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
 #include "validation/hard/solved_state.hpp"
@@ -118,9 +117,7 @@ void compare_with_reduced(Judge& judge, const Scene& scene, std::optional<int> e
         judge.add(judge.ended(row, found.error, 0.0, scene));
         continue;
       }
-      row.tolerance = unit_roundoff<double>();
-      row.amplification = reduced_rows.kappa;
-      row.threshold = std::min(factors::state * row.tolerance * row.amplification, largest);
+      promise(row, reduced_rows.kappa, unit_roundoff<double>(), largest);
       row.value = compare_accelerations(reduced_rows, found.solution, exact).all.error();
       const double announced = stated_error(found);
       judge.add(judge.judged(row, announced));

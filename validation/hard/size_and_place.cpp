@@ -15,7 +15,6 @@
 #include "integrators/methods.hpp"
 #include "scenes/generators.hpp"
 #include "scenes/make_mechanism.hpp"
-#include "simulation/neighbouring_start.hpp"
 #include "simulation/simulate.hpp"
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
@@ -101,9 +100,7 @@ void judge_state(Judge& judge, const Scene& other, double length, double gravity
     for (std::size_t f = 0; f < a.formulations.size(); ++f) {
       Row row = judge.row(a.formulations[f].name, solver, "accelerations and reactions [-]");
       row.value = apart(a.formulations[f], b.formulations[f], length, gravity);
-      row.tolerance = unit_roundoff<double>() + rounding;
-      row.amplification = rows.kappa;
-      row.threshold = std::min(factors::state * row.tolerance * row.amplification, small_difference);
+      promise(row, rows.kappa, unit_roundoff<double>() + rounding);
       judge.add(judge.judged(row));
     }
   };

@@ -34,16 +34,16 @@ void judge_orbit(Judge& judge, Scene (*make)(double), double stiffness) {
 constexpr double amplitude = 0.05;  // [m]: large enough to be missed if it is damped away
 constexpr double damping_ratio = 0.02;
 
-/// The stone, of 1 kg, vibrates along x.
-Scene vibration(double stiffness) { return stone_on_spring(stiffness, 0, 1 - amplitude, 0); }
-Scene damped_vibration(double stiffness) {
-  return stone_on_spring(stiffness, 2 * damping_ratio * std::sqrt(stiffness), 1 - amplitude, 0);
+/// The stone, of 1 kg, vibrates along x; `ratio`: of damping.
+Scene vibration_with(double stiffness, double ratio) {
+  return stone_on_spring(stiffness, 2 * ratio * std::sqrt(stiffness), 1 - amplitude, 0);
 }
+Scene vibration(double stiffness) { return vibration_with(stiffness, 0); }
+Scene damped_vibration(double stiffness) { return vibration_with(stiffness, damping_ratio); }
 
-/// `ratio`: of damping.
-void judge_vibration(Judge& judge, const Scene& scene, double stiffness, double ratio) {
+void judge_vibration(Judge& judge, double stiffness, double ratio) {
   HardMotion motion;
-  motion.scene = scene;
+  motion.scene = vibration_with(stiffness, ratio);
   const bool is_short = judge.is_quick() || judge.is_twin();
   motion.end = (is_short ? 50 : 200) / std::sqrt(stiffness);  // about 8 or 32 periods
   motion.step = 2 / std::sqrt(stiffness);                     // three steps a period
@@ -107,7 +107,7 @@ Family stiff() {
             1e2,
             {1e6},
             {1e6, 1e8, 1e10},
-            [](Judge& judge, double k) { judge_vibration(judge, vibration(k), k, 0); },
+            [](Judge& judge, double k) { judge_vibration(judge, k, 0); },
             vibration},
            {"damped_vibration",
             "stiffness [N/m]",
@@ -115,7 +115,7 @@ Family stiff() {
             1e2,
             {1e6},
             {1e6, 1e8, 1e10},
-            [](Judge& judge, double k) { judge_vibration(judge, damped_vibration(k), k, damping_ratio); },
+            [](Judge& judge, double k) { judge_vibration(judge, k, damping_ratio); },
             damped_vibration},
            {"governor",
             "factor of its stiffness and damping",
