@@ -127,6 +127,16 @@ double ExactMotion::difference(const LocalErrorSums& errors) const {
   return largest;
 }
 
+std::string ExactMotion::branch_of(const std::vector<MechanismState<double>>& states) const {
+  const Branch& branch = motion_.branch;
+  if (branch.name.empty()) return {};
+  const auto left =
+      std::find_if(states.begin(), states.end(), [&](const auto& state) { return !branch.holds(state); });
+  return left == states.end() ? fmt::format("; keeps its branch: {}", branch.name)
+                              : fmt::format("; on another branch at t = {:.3g}, not: {}",
+                                            states_[left - states.begin()].t, branch.name);
+}
+
 void ExactMotion::measure_amplification(const Model<double>& model) {
   amplification_.assign(states_.size(), 1);
   // steps err all along the motion: neighbours start at its start and after outputs

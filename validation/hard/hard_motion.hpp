@@ -24,6 +24,13 @@ enum class Monitor {
   positions,  ///< of the centres of mass
 };
 
+/// The branch of its motions on which a mechanism starts, and from which it may go over to another one at a
+/// singular position.
+struct Branch {
+  std::string name;  ///< what holds on it; empty: no branch is said
+  std::function<bool(const MechanismState<double>&)> holds = {};
+};
+
 /// The run that serves as exact motion: in double by a method of high order, for stiff scenes an implicit
 /// one, or in quad.
 enum class ReferenceRun { in_double, stiff, in_quad };
@@ -75,6 +82,7 @@ struct HardMotion {
   /// False: sums of local errors are far too small, as for steps over singular positions (docs/limits.md).
   /// Then what they may add up to without a warning counts.
   bool sums_hold = true;
+  Branch branch = {};
   std::optional<double> max_step = {};    ///< the longest chosen step [s]
   int starts = hard_outputs;              ///< along the motion, where neighbours measure the amplification
   int directions = 1;                     ///< of the neighbours of each start

@@ -222,6 +222,7 @@ void judge_states(Row& row, const ExactMotion& exact, const std::vector<Mechanis
     row.threshold = threshold;
     row.amplification = amplification;
   }
+  row.why += exact.branch_of(states);
 }
 
 }  // namespace trivium::hard

@@ -32,6 +32,25 @@ void set_parallelogram(MechanismState<double>& state, double coupler) {
   set_in_plane(state, 2, coupler / 2 + c, s, 0, -rate * s, rate * c, 0);
 }
 
+/// The angle [rad] of a body that moves in the plane z = 0, but for full turns.
+double angle_in_plane(const MechanismState<double>& state, int body) {
+  const auto& p = state.pose[body].p;
+  return 2 * std::atan2(p[3], p[0]);
+}
+
+bool are_equal_angles(double a, double b) {
+  return std::abs(std::remainder(a - b, 2 * std::numbers::pi)) <= small_difference;
+}
+
+/// The branch of parallelograms: no coupler turns. Bodies from `first` on are couplers.
+Branch branch_without_turns(int first) {
+  return {"couplers do not turn", [first](const MechanismState<double>& state) {
+            for (int k = first; k < static_cast<int>(state.pose.size()); ++k)
+              if (!are_equal_angles(angle_in_plane(state, k), 0)) return false;
+            return true;
+          }};
+}
+
 Scene flat_parallelogram(double coupler) {
   Scene scene;
   scene.name = fmt::format("flat_parallelogram_{:g}", coupler);
@@ -55,6 +74,7 @@ HardMotion motion_of_parallelogram(double coupler) {
   motion.scene = flat_parallelogram(coupler);
   motion.step = 2e-3;
   motion.exact = [coupler](MechanismState<double>& state) { set_parallelogram(state, coupler); };
+  motion.branch = branch_without_turns(2);
   return motion;
 }
 
@@ -70,6 +90,9 @@ HardMotion motion_of_rod_on_crank(double rate) {
   HardMotion motion;
   motion.scene = rod_on_crank(rate);
   motion.exact = [rate](MechanismState<double>& state) { set_rod_on_crank(state, rate); };
+  motion.branch = {"the rod turns against the crank", [](const MechanismState<double>& state) {
+                     return are_equal_angles(angle_in_plane(state, 1), -angle_in_plane(state, 0));
+                   }};
   return motion;
 }
 
@@ -111,6 +134,7 @@ HardMotion motion_of_four_bars(int n) {
   motion.scene = scenes::ladder(n);
   motion.step = 2e-3;
   motion.exact = [n](MechanismState<double>& state) { set_four_bars(state, n); };
+  motion.branch = branch_without_turns(n + 1);
   return motion;
 }
 
