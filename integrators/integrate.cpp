@@ -188,8 +188,10 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
       bool goes_on = true;  // if it is false after an output within the step, the run ends at the step's end
       for (; goes_on && due && due->t < t; due = following.next()) {
         StateVector<S> between;
-        method.interpolate(due->t, between);
-        if (projects) project(system, due->t, between, report);
+        with_cause(system, begin, before, given, [&] {
+          method.interpolate(due->t, between);
+          if (projects) project(system, due->t, between, report);
+        });
         goes_on = at_output(due->t, between) == Continue::yes;
       }
       if (looks_back) {  // the method's lambda() is that of the step's end again

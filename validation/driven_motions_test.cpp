@@ -91,6 +91,19 @@ TEST_P(InEveryFormulation, ADriverThatStartsWithoutGripIsNamed) {
   }
 }
 
+// The step that ends there meets the constraints, its interpolated output does not.
+TEST(ADriverOutOfReach, IsNamedAtAnOutputWithinAStep) {
+  SimulationOptions options = tight("r-omega", "rattle", 1, 1e-8);
+  options.output_step = 0.05;
+  try {
+    const Motion motion(hard::infeasible(0.5), options);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("driver \"pull\""), std::string::npos) << error.what();
+    EXPECT_NEAR(error.when().value_or(0), 0.5, 1e-6);
+  }
+}
+
 // Both roots of the driven distance satisfy a step from 1e-7 m to 1.1e-6 m; rattle takes the wrong one.
 TEST_P(InEveryFormulation, AStepToTheWrongSideOfADeadPointIsNamed) {
   for (const char* method : {"rattle", "rattle4"}) {
