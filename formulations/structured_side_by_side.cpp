@@ -8,8 +8,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "bodies/inertia.hpp"
+#include "formulations/euler_chart_choice.hpp"
+#include "formulations/near_singular_chart.hpp"
 #include "formulations/r_omega.hpp"
 #include "formulations/side_by_side_impl.hpp"
 #include "formulations/structured/acceleration_solver.hpp"
@@ -84,7 +87,14 @@ FormulationResult<double> solve_one(const Model<double>& model, const RowAnalysi
   const Mechanism<double>& mechanism = model.mechanism;
   const auto state = to_coordinates<F>(mechanism, model.state, charts);
   AccelerationSolver<F> solver(mechanism);
-  solver.solve(state, model.state.t);
+  try {
+    solver.solve(state, model.state.t);
+  } catch (const ModelError& error) {
+    // r-omega has a solution here (structured_row_analysis), so that the coordinates are at fault
+    const std::string cause = near_singular_chart<F>(mechanism, state, model.state.t, reframing_distance);
+    if (cause.empty()) throw;
+    throw ModelError(cause + "; the solver ended with: " + error.what());
+  }
   const auto eom = equations_of_motion<F>(mechanism, state, model.state.t);
   FormulationResult<double> result;
   Unknowns<F> found;

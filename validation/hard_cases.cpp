@@ -210,6 +210,9 @@ int run(const Program& program, const Arguments& arguments) {
     fmt::print("{}", scenes::write_scene(task.of->scene(task.difficulty)));
     return exit_done;
   }
+  if (!arguments.cases.empty() && !arguments.families.empty())
+    throw Error(ErrorKind::input,
+                "--family: found beside --case, which names its family; accepted: one of them");
   const std::vector<Task> tasks = tasks_of(all, arguments);
   Choice choice{arguments.is_quick, arguments.formulations, arguments.program};
   if (choice.program.empty())

@@ -6,7 +6,6 @@
 
 #include <concepts>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "formulations/euler_chart_choice.hpp"
@@ -21,7 +20,7 @@ inline constexpr double most_turns = 100;
 
 /// Gives a body whose Euler angles come nearer to their singularity than reframing_distance another chart,
 /// chosen as at the start (formulations/euler_chart_choice.hpp), in which its orientation and rates in y are
-/// rewritten. If the user keeps the charts, `near_singularity` reports such a body.
+/// rewritten. If the user keeps the charts, near_singular_chart names such a body.
 template <Formulation F>
 class ChartSwitching {
  public:
@@ -65,22 +64,6 @@ class ChartSwitching {
     }
     if (changed) ++rewritten_states_;
     return changed;
-  }
-
-  /// A message about the first body that is near the singularity of its chart; empty if there is none.
-  static std::string near_singularity(const MechanismOf<F>& mechanism, const std::vector<BodyState<F>>& state,
-                                      const S& t) {
-    if constexpr (!std::same_as<typename F::Chart, NoChart>)
-      for (int b = 0; b < mechanism.nb(); ++b) {
-        const S distance = F::chart_distance(state[b].chart, state[b].q);
-        if (distance < S(reframing_distance))
-          return fmt::format(
-              "body \"{}\" at t = {}: the coordinates of {} are at a distance of {:.1e} from their "
-              "singularity; leave re-framing on, or start in another chart (for Euler angles: another "
-              "sequence)",
-              mechanism.body_names[b], static_cast<double>(t), F::name, static_cast<double>(distance));
-      }
-    return {};
   }
 
  private:

@@ -59,26 +59,29 @@ inline std::optional<double> time_to(const TimeFunction& f, double t, double far
   return {};
 }
 
-/// A message about the driver that comes to the end of its reach first, within a step of length `step` [s]
-/// after `now` or a hundredth of the time since the start; empty if none does. `drivers` are rows.
+/// A message about the driver that comes to the end of its reach first, within two steps of length `step` [s]
+/// after `now`, as one that ends close to it may fail, or within a hundredth of the time since the start;
+/// empty if none does. `drivers` are rows.
 template <class Types>
 std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vector<int>& drivers,
                       const MechanismState<double>& start, const MechanismState<double>& now, double step) {
-  // of the grip at the start; above `lost` `farther` says little
-  constexpr double lost = 0.5, at_end = 1e-3;
+  // of the grip at the start; above `lost` `farther` says little, unless it is a small part of the value, as
+  // where the start is close to the end
+  constexpr double lost = 0.5, at_end = 1e-3, small = 0.05;
   if (drivers.empty()) return {};
   const TangentSystem before = tangent_system(mechanism, start), after = tangent_system(mechanism, now);
-  double first = std::max(step, (now.t - start.t) / 100), share = 0;
+  double first = std::max(2 * step, (now.t - start.t) / 100), share = 0;
   int worst = -1;
   RowReach reach;
   for (const int row : drivers) {
     const RowReach of_row = reach_of(mechanism, now, after, row);
     const double at_start = free_motion(before, row).gradient;
-    if (!(of_row.grip < lost * at_start) || !std::isfinite(of_row.farther)) continue;
+    const TimeFunction& f = function_of(mechanism.rows[row]);
+    const bool is_close = std::abs(of_row.farther) < small * std::abs(f(now.t).f);
+    if (!(of_row.grip < lost * at_start || is_close) || !std::isfinite(of_row.farther)) continue;
     // with so little grip the driver is at the end, also if its function has just turned back
-    const auto time = of_row.grip < at_end * at_start
-                          ? std::optional<double>(0)
-                          : time_to(function_of(mechanism.rows[row]), now.t, of_row.farther, first);
+    const auto time =
+        of_row.grip < at_end * at_start ? std::optional<double>(0) : time_to(f, now.t, of_row.farther, first);
     if (!time) continue;
     first = *time;
     worst = row;

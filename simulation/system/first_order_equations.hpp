@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "base/raise.hpp"
+#include "formulations/near_singular_chart.hpp"
 #include "simulation/system/branch_check.hpp"
 #include "simulation/system/chart_switching.hpp"
 #include "simulation/system/constraint_projection.hpp"
@@ -298,7 +299,7 @@ class FirstOrderEquations {
   /// A message about a body near the singularity of its chart; empty if there is none.
   std::string near_singular_chart(const S& t, const StateVector& y) {
     load(y);
-    return charts_.near_singularity(mechanism_, state_, t);
+    return trivium::near_singular_chart<F>(mechanism_, state_, t, S(reframing_distance));
   }
 
   const MechanismOf<F>& mechanism() const { return mechanism_; }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "bodies/numbers/scalar.hpp"
 #include "validation/hard/driven_scenes.hpp"
@@ -14,11 +15,12 @@ namespace {
 
 using scenes::Scene;
 
-void judge_crank(Judge& judge, const Scene& scene, double end = 1) {
+void judge_crank(Judge& judge, const Scene& scene, double end = 1, const std::string& reason = {}) {
   HardMotion motion;
   motion.scene = scene;
   motion.end = end;
   motion.step = end / 10000;
+  motion.reason = reason;
   judge.motion(motion);
 }
 
@@ -42,6 +44,7 @@ void judge_near_parallel(Judge& judge, double start) {
     const double half = (start + state.t) / 2;
     state.pose[0].p = {std::cos(half), 0, 0, std::sin(half)};
   };
+  motion.reason = "driver \"drive\"";
   judge.motion(motion);
 }
 
@@ -54,6 +57,7 @@ void judge_closing_distance(Judge& judge, double least) {
     state.pose[0].r = {1 - 2 * way * t + way * t * t, 0, 0};
     state.twist[0].r_dot = {-2 * way + 2 * way * t, 0, 0};
   };
+  motion.reason = "driver \"drive\"";
   judge.motion(motion);
 }
 
@@ -138,7 +142,8 @@ Family drivers() {
             {0.5},
             {0.1, 0.5, 0.9},
             [](Judge& judge, double t) {
-              judge_crank(judge, infeasible(t), judge.is_twin() ? 1 : std::max(1.0, 1.5 * t));
+              judge_crank(judge, infeasible(t), judge.is_twin() ? 1 : std::max(1.0, 1.5 * t),
+                          "driver \"pull\"");
             },
             infeasible}}};
 }

@@ -127,14 +127,9 @@ double ExactMotion::difference(const LocalErrorSums& errors) const {
   return largest;
 }
 
-std::string ExactMotion::branch_of(const std::vector<MechanismState<double>>& states) const {
-  const Branch& branch = motion_.branch;
-  if (branch.name.empty()) return {};
-  const auto left =
-      std::find_if(states.begin(), states.end(), [&](const auto& state) { return !branch.holds(state); });
-  return left == states.end() ? fmt::format("; keeps its branch: {}", branch.name)
-                              : fmt::format("; on another branch at t = {:.3g}, not: {}",
-                                            states_[left - states.begin()].t, branch.name);
+double ExactMotion::of_velocities(double positions, double step) const {
+  if (motion_.monitor == Monitor::positions) return 0;
+  return positions * std::max(length_ / speed_, 1 / rate_) / step;
 }
 
 void ExactMotion::measure_amplification(const Model<double>& model) {

@@ -36,9 +36,10 @@ class ExactMotion {
   /// The difference that a run's sums of local errors allow, in the same measure; a lower bound of it, as of
   /// angles only those of the body that errs most count.
   double difference(const LocalErrorSums& errors) const;
-  /// Whether the states at the outputs keep the motion's branch, or from when on not, in words; empty if the
-  /// motion names no branch.
-  std::string branch_of(const std::vector<MechanismState<double>>& states) const;
+  /// The branch of the motion; its name is empty if there is only one.
+  const Branch& branch() const { return motion_.branch; }
+  /// The difference of velocities within a step of length `step` [s] by an error of positions [-].
+  double of_velocities(double positions, double step) const;
 
  private:
   double difference(const MechanismState<double>& a, const MechanismState<double>& b) const;

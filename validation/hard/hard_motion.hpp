@@ -83,6 +83,7 @@ struct HardMotion {
   /// Then what they may add up to without a warning counts.
   bool sums_hold = true;
   Branch branch = {};
+  std::string reason = {};  ///< words that an error has to contain, if its reason is known; empty: any
   std::optional<double> max_step = {};    ///< the longest chosen step [s]
   int starts = hard_outputs;              ///< along the motion, where neighbours measure the amplification
   int directions = 1;                     ///< of the neighbours of each start

@@ -10,6 +10,7 @@
 
 #include "base/number_text.hpp"
 #include "formulations/formulation_list.hpp"
+#include "integrators/contract/tolerances.hpp"
 #include "integrators/methods.hpp"
 #include "scenes/make_mechanism.hpp"
 #include "simulation/motion_warnings.hpp"
@@ -24,14 +25,32 @@ namespace trivium::hard {
 namespace {
 
 /// What a run with given steps claims of its errors: the sum of local errors that it states, in units of the
-/// exact motion, and the rounding of every body in every step. Without a statement it claims that no warning
-/// is needed.
-double stated_by(const SimulationReport& report, const ExactMotion& exact) {
+/// exact motion, and the rounding of every body in every step. A method that meets the constraints knows
+/// positions to the level at which its iterations end, and takes its velocities from them. Without a
+/// statement it claims that no warning is needed.
+double stated_by(const SimulationReport& report, const ExactMotion& exact, double step) {
   const auto& errors = report.local_errors;
   if (!errors || errors->steps == 0) return factors::unwarned;
-  const double rounding = unit_roundoff<double>() * static_cast<double>(report.counters.steps) *
-                          static_cast<double>(exact.states().front().pose.size());
+  double rounding = unit_roundoff<double>() * static_cast<double>(report.counters.steps) *
+                    static_cast<double>(exact.states().front().pose.size());
+  if (report.is_implicit) rounding += exact.of_velocities(integrators::rounding<double>(), step);
   return std::min(exact.difference(*errors) + rounding, factors::unwarned);
+}
+
+/// Says which branch the states are on. One that leaves its branch errs as much as can be, whenever it does.
+void judge_branch(Row& row, const ExactMotion& exact, const std::vector<MechanismState<double>>& states) {
+  const Branch& branch = exact.branch();
+  if (branch.name.empty()) return;
+  const auto left =
+      std::find_if(states.begin(), states.end(), [&](const auto& state) { return !branch.holds(state); });
+  if (left == states.end()) {
+    row.why += fmt::format("; keeps its branch: {}", branch.name);
+    return;
+  }
+  row.why += fmt::format("; on another branch at t = {:.3g}, not: {}",
+                         exact.states()[left - states.begin()].t, branch.name);
+  row.value = 1;
+  if (!(row.threshold <= small_difference)) row.threshold = small_difference;
 }
 
 }  // namespace
@@ -148,7 +167,12 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
   try {
     report = simulate(make_model<double>(motion.scene, motion.start), options, found);
   } catch (const Error& error) {
-    Row end = ended(row, error.what(), error.when(), motion.scene, motion.start, motion.end);
+    const std::string message = error.what();
+    Row end = ended(row, message, error.when(), motion.scene, motion.start, motion.end);
+    if (message.find(motion.reason) == std::string::npos) {
+      end.verdict = Verdict::fails;
+      end.why = fmt::format("does not say why, which is: {}; {}", motion.reason, end.why);
+    }
     if (error.kind() == ErrorKind::input) {  // its exit code is 2
       end.verdict = Verdict::fails;
       end.why = "an error of the input: " + end.why;
@@ -174,7 +198,7 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
   // roundings of the state are of either sign: they add up with the root of their number
   const double rounding = motion.rounding * std::sqrt(static_cast<double>(report.counters.steps));
   row.tolerance = rounding + (!step              ? of_steps
-                              : motion.sums_hold ? stated_by(report, exact)
+                              : motion.sums_hold ? stated_by(report, exact, *step)
                                                  : factors::unwarned);
   std::vector<MechanismState<double>> states;
   for (std::size_t k = 1; k < found.all.size(); ++k) states.push_back(found.all[k].state);
@@ -222,7 +246,7 @@ void judge_states(Row& row, const ExactMotion& exact, const std::vector<Mechanis
     row.threshold = threshold;
     row.amplification = amplification;
   }
-  row.why += exact.branch_of(states);
+  judge_branch(row, exact, states);
 }
 
 }  // namespace trivium::hard

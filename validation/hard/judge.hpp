@@ -74,7 +74,7 @@ void promise(Row& row, double kappa, double tolerance = unit_roundoff<double>(),
 /// Enters into the row the largest difference of the states from the exact ones, relative to its threshold
 /// factor . row.tolerance . amplification. States whose threshold exceeds small_difference are not judged:
 /// nothing is promised there. If this holds from the first state on, value and threshold are NaN. Says which
-/// branch the states are on.
+/// branch the states are on; if not on their own, the difference is 1.
 void judge_states(Row& row, const ExactMotion& exact, const std::vector<MechanismState<double>>& states,
                   double factor);
 

@@ -42,11 +42,11 @@ bool are_equal_angles(double a, double b) {
   return std::abs(std::remainder(a - b, 2 * std::numbers::pi)) <= small_difference;
 }
 
-/// The branch of parallelograms: no coupler turns. Bodies from `first` on are couplers.
-Branch branch_without_turns(int first) {
-  return {"couplers do not turn", [first](const MechanismState<double>& state) {
-            for (int k = first; k < static_cast<int>(state.pose.size()); ++k)
-              if (!are_equal_angles(angle_in_plane(state, k), 0)) return false;
+/// The branch of parallelograms, whose first bodies are the cranks.
+Branch parallel_cranks(int cranks) {
+  return {"all cranks are parallel", [cranks](const MechanismState<double>& state) {
+            for (int k = 1; k < cranks; ++k)
+              if (!are_equal_angles(angle_in_plane(state, k), angle_in_plane(state, 0))) return false;
             return true;
           }};
 }
@@ -72,9 +72,10 @@ Scene flat_parallelogram(double coupler) {
 HardMotion motion_of_parallelogram(double coupler) {
   HardMotion motion;
   motion.scene = flat_parallelogram(coupler);
+  motion.reason = "singular position";
   motion.step = 2e-3;
   motion.exact = [coupler](MechanismState<double>& state) { set_parallelogram(state, coupler); };
-  motion.branch = branch_without_turns(2);
+  motion.branch = parallel_cranks(2);
   return motion;
 }
 
@@ -89,6 +90,7 @@ void judge_parallelogram(Judge& judge, double coupler) {
 HardMotion motion_of_rod_on_crank(double rate) {
   HardMotion motion;
   motion.scene = rod_on_crank(rate);
+  motion.reason = "singular position";
   motion.exact = [rate](MechanismState<double>& state) { set_rod_on_crank(state, rate); };
   motion.branch = {"the rod turns against the crank", [](const MechanismState<double>& state) {
                      return are_equal_angles(angle_in_plane(state, 1), -angle_in_plane(state, 0));
@@ -132,9 +134,10 @@ void set_four_bars(MechanismState<double>& state, int n) {
 HardMotion motion_of_four_bars(int n) {
   HardMotion motion;
   motion.scene = scenes::ladder(n);
+  motion.reason = "singular position";
   motion.step = 2e-3;
   motion.exact = [n](MechanismState<double>& state) { set_four_bars(state, n); };
-  motion.branch = branch_without_turns(n + 1);
+  motion.branch = parallel_cranks(n + 1);
   return motion;
 }
 

@@ -200,7 +200,7 @@ Family size_and_place() {
                               [](double gravity) { return scaled(scenes::two_bars(), 1, gravity); }},
                              {"late",
                               "time of the start [s]",
-                              {0, 1e9},
+                              {0, 1e8},
                               0,
                               {1e6},
                               {1e3, 1e6},

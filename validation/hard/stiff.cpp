@@ -119,7 +119,7 @@ Family stiff() {
             damped_vibration},
            {"governor",
             "factor of its stiffness and damping",
-            {1e-6, 1e4},
+            {1e-6, 1e3},
             1e-3,
             {1},
             {1, 100},
