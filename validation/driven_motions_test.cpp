@@ -104,6 +104,19 @@ TEST(ADriverOutOfReach, IsNamedAtAnOutputWithinAStep) {
   }
 }
 
+// A start close to the end of the reach has little grip itself.
+TEST_P(InEveryFormulation, ADriverThatStartsCloseToTheEndOfItsReachIsNamed) {
+  for (const char* method : {"dopri5", "generalized-alpha"}) {
+    try {
+      const Motion motion(hard::infeasible(0.01), stepping(GetParam(), method, 1, 1e-4));
+      ADD_FAILURE();
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("driver \"pull\""), std::string::npos) << error.what();
+      EXPECT_NEAR(error.when().value_or(0), 0.01, 2e-4);
+    }
+  }
+}
+
 // Both roots of the driven distance satisfy a step from 1e-7 m to 1.1e-6 m; rattle takes the wrong one.
 TEST_P(InEveryFormulation, AStepToTheWrongSideOfADeadPointIsNamed) {
   for (const char* method : {"rattle", "rattle4"}) {

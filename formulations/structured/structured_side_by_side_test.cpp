@@ -3,6 +3,7 @@
 #include "formulations/structured_side_by_side.hpp"
 
 #include "formulations/testing/printed_and_structured.hpp"
+#include "scenes/building.hpp"
 
 namespace trivium {
 namespace {
@@ -62,6 +63,27 @@ TEST(StructuredSideBySide, SolvesInTheFormulationsThatAreNamed) {
   const SideBySide<double> one = structured_side_by_side(model, {{"r-p"}, {}});
   ASSERT_EQ(one.formulations.size(), 1u);
   EXPECT_EQ(one.formulations.front().name, "r-p");
+}
+
+TEST(StructuredSideBySide, NamesTheChartIfRomegaHasASolution) {
+  scenes::Scene scene;
+  scenes::Body top = building::body("top", 2, {0.4, 0.5, 0.3});
+  top.orientation = scenes::EulerAngles{{0.4, 1e-8, 0.3}, {}};
+  scene.bodies = {top};
+  scene.constraints = {building::joint(JointType::spherical, "pin",
+                                       building::side(scenes::ground, scenes::Vector3{}),
+                                       building::side(0, scenes::Vector3{}))};
+  const ChartOptions kept{{}, false};
+  for (const auto& found : structured_side_by_side(make_model<double>(scene), {{}, kept}).formulations) {
+    if (found.name != "r-epsilon") {
+      EXPECT_EQ(found.error, "") << found.name;
+      continue;
+    }
+    EXPECT_EQ(
+        found.error.find("body \"top\" at t = 0: the coordinates of r-epsilon are at a distance of 1.0e-08"),
+        0u)
+        << found.error;
+  }
 }
 
 }  // namespace
