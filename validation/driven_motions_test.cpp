@@ -10,6 +10,18 @@ namespace {
 
 using test::catalogue_scene, test::InEveryFormulation, test::Motion, test::stepping, test::tight;
 
+/// A motion that must end near `time` [s] with an error that names this driver.
+void expect_end_by(const std::string& driver, const scenes::Scene& scene, const SimulationOptions& options,
+                   double time, double within) {
+  try {
+    const Motion motion(scene, options);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("driver \"" + driver + '"'), std::string::npos) << error.what();
+    EXPECT_NEAR(error.when().value_or(0), time, within);
+  }
+}
+
 // Positions of a rounding become accelerations of 1e-6 rad/s^2, beside which the forces vanish.
 TEST_P(InEveryFormulation, AWheelWithoutALoadTurnsSteadilyAtAnyStep) {
   for (const char* method : {"bdf", "generalized-alpha", "generalized-alpha-gl2", "hht"})
@@ -69,13 +81,7 @@ TEST_P(InEveryFormulation, ADriverAtRestWithoutGripIsNamed) {
   SimulationOptions options = tight(GetParam(), "radau9", 2, 1e-8);
   options.output_step = 0.5;
   EXPECT_EQ(Motion(hard::closing_distance(1e-6), options).end().state.t, 2);
-  try {
-    const Motion motion(hard::closing_distance(0), options);
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("driver \"drive\""), std::string::npos) << error.what();
-    EXPECT_NEAR(error.when().value_or(0), 1, 1e-3);
-  }
+  expect_end_by("drive", hard::closing_distance(0), options, 1, 1e-3);
 }
 
 // The cosine of 1e-7 rad changes by 1e-7 per rad.
@@ -95,26 +101,13 @@ TEST_P(InEveryFormulation, ADriverThatStartsWithoutGripIsNamed) {
 TEST(ADriverOutOfReach, IsNamedAtAnOutputWithinAStep) {
   SimulationOptions options = tight("r-omega", "rattle", 1, 1e-8);
   options.output_step = 0.05;
-  try {
-    const Motion motion(hard::infeasible(0.5), options);
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("driver \"pull\""), std::string::npos) << error.what();
-    EXPECT_NEAR(error.when().value_or(0), 0.5, 1e-6);
-  }
+  expect_end_by("pull", hard::infeasible(0.5), options, 0.5, 1e-6);
 }
 
 // A start close to the end of the reach has little grip itself.
 TEST_P(InEveryFormulation, ADriverThatStartsCloseToTheEndOfItsReachIsNamed) {
-  for (const char* method : {"dopri5", "generalized-alpha"}) {
-    try {
-      const Motion motion(hard::infeasible(0.01), stepping(GetParam(), method, 1, 1e-4));
-      ADD_FAILURE();
-    } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()).find("driver \"pull\""), std::string::npos) << error.what();
-      EXPECT_NEAR(error.when().value_or(0), 0.01, 2e-4);
-    }
-  }
+  for (const char* method : {"dopri5", "generalized-alpha"})
+    expect_end_by("pull", hard::infeasible(0.01), stepping(GetParam(), method, 1, 1e-4), 0.01, 2e-4);
 }
 
 // Both roots of the driven distance satisfy a step from 1e-7 m to 1.1e-6 m; rattle takes the wrong one.

@@ -45,10 +45,12 @@ bool names_a_part(const std::string& message, const scenes::Scene& scene) {
 }  // namespace
 
 std::string missing_in_announcement(const std::string& message, std::optional<double> when,
-                                    const scenes::Scene& scene, double start, double end) {
+                                    const scenes::Scene& scene, double start, double end,
+                                    const std::string& reason) {
   if (!when) return "does not say when";
   if (!(*when >= start && *when <= end)) return "says when, but this is no time of the run";
   if (!names_a_part(message, scene)) return "does not say where";
+  if (message.find(reason) == message.npos) return "does not say why, which is: " + reason;
   if (!advises(message)) return "does not say what to try";
   return {};
 }

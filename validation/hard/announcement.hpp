@@ -8,9 +8,10 @@
 
 namespace trivium::hard {
 
-/// What a message lacks of a place (the name of a part of the scene, in quotes), a time within the run, and
-/// advice; empty if nothing.
+/// What a message lacks of a place (the name of a part of the scene, in quotes), a time within the run, its
+/// reason and advice; empty if nothing. `reason`: words that it has to contain; empty: any reason.
 std::string missing_in_announcement(const std::string& message, std::optional<double> when,
-                                    const scenes::Scene& scene, double start, double end);
+                                    const scenes::Scene& scene, double start, double end,
+                                    const std::string& reason = {});
 
 }  // namespace trivium::hard

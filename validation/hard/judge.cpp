@@ -113,9 +113,9 @@ Row Judge::judged(Row row, double figure) const {
 }
 
 Row Judge::ended(Row row, const std::string& message, std::optional<double> when, const scenes::Scene& scene,
-                 double start, double end) const {
+                 double start, double end, const std::string& reason) const {
   row.value = row.threshold = std::numeric_limits<double>::quiet_NaN();
-  const std::string missing = missing_in_announcement(message, when, scene, start, end);
+  const std::string missing = missing_in_announcement(message, when, scene, start, end, reason);
   row.verdict = missing.empty() && !is_twin_ ? Verdict::announces : Verdict::fails;
   row.why = missing.empty() ? message : fmt::format("{}: {}", missing, message);
   return row;
@@ -167,12 +167,7 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
   try {
     report = simulate(make_model<double>(motion.scene, motion.start), options, found);
   } catch (const Error& error) {
-    const std::string message = error.what();
-    Row end = ended(row, message, error.when(), motion.scene, motion.start, motion.end);
-    if (message.find(motion.reason) == std::string::npos) {
-      end.verdict = Verdict::fails;
-      end.why = fmt::format("does not say why, which is: {}; {}", motion.reason, end.why);
-    }
+    Row end = ended(row, error.what(), error.when(), motion.scene, motion.start, motion.end, motion.reason);
     if (error.kind() == ErrorKind::input) {  // its exit code is 2
       end.verdict = Verdict::fails;
       end.why = "an error of the input: " + end.why;

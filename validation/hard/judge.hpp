@@ -46,9 +46,10 @@ class Judge {
   /// The row with its verdict. If its value exceeds the threshold, `figure` decides: the relative error that
   /// the program states by itself, which must be at least a tenth of the true one.
   Row judged(Row row, double figure = 0) const;
-  /// The row of a case whose run from `start` to `end`, or solution at `start`, ended with this error.
+  /// The row of a case whose run from `start` to `end`, or solution at `start`, ended with this error, which
+  /// has to contain the words of `reason`.
   Row ended(Row row, const std::string& message, std::optional<double> when, const scenes::Scene& scene,
-            double start = 0, double end = 0) const;
+            double start = 0, double end = 0, const std::string& reason = {}) const;
   /// The row for the exact motion itself: its difference from a law, `off`.
   Row exact_row(const std::string& law, double off, const ExactMotion& exact) const;
   void add(Row row) { rows_.push_back(std::move(row)); }
