@@ -74,8 +74,9 @@ std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vect
   int worst = -1;
   RowReach reach;
   for (const int row : drivers) {
-    const RowReach of_row = reach_of(mechanism, now, after, row);
     const double at_start = free_motion(before, row).gradient;
+    if (!(at_start > 0)) continue;  // redundant or contradicted from the start: there is no grip to lose
+    const RowReach of_row = reach_of(mechanism, now, after, row);
     const TimeFunction& f = function_of(mechanism.rows[row]);
     const bool is_close = std::abs(of_row.farther) < small * std::abs(f(now.t).f);
     if (!(of_row.grip < lost * at_start || is_close) || !std::isfinite(of_row.farther)) continue;
