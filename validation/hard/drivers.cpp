@@ -92,7 +92,7 @@ Family drivers() {
             {1000},
             {100, 1000, 10000},
             [](Judge& judge, double speed) {
-              judge_crank(judge, fast_driver(speed), std::min(1.0, 100 / speed));
+              judge_crank(judge, fast_driver(speed), std::min(1.0, 30 / speed));
             },
             fast_driver},
            {"rectangular_pulse",
@@ -115,7 +115,7 @@ Family drivers() {
             "width [s]; no step is longer than a half of it",
             {1e-4, 0.1},
             0.1,
-            {1e-3},
+            {1e-2},
             {1e-3, 1e-4},
             [](Judge& judge, double width) { judge_pulse(judge, unmarked_pulses(width), width, width / 2); },
             unmarked_pulses},

@@ -161,7 +161,7 @@ Family inertia() {
             "axial moment of inertia [kg m^2]",
             {0, 0.2},
             0.05,
-            {1e-9, 0},
+            {1e-6, 0},
             {1e-2, 1e-4, 1e-6, 1e-9, 0},
             motion_of(free_rod),
             free_rod},

@@ -146,7 +146,7 @@ void judge_printed_spin(Judge& judge, double spin) {
 Family spin() {
   return {"spin",
           "fast tops, a sleeping top, flips",
-          {{"fast_top", "spin [rad/s]", {1, 2e4}, 20, {1000}, {150, 1000, 10000}, judge_fast_top, fast_top},
+          {{"fast_top", "spin [rad/s]", {1, 2e4}, 20, {150}, {150, 1000, 10000}, judge_fast_top, fast_top},
            {"sleeping_top",
             "spin over the least stable one",
             {0.1, 10},

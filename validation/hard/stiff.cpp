@@ -89,7 +89,7 @@ Family stiff() {
             "stiffness [N/m]",
             {200, 1e12},
             1e3,
-            {1e10},
+            {1e8},
             {1e6, 1e8, 1e10},
             [](Judge& judge, double k) { judge_orbit(judge, orbit, k); },
             orbit},
