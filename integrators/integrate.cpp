@@ -28,10 +28,10 @@ std::string advice_for(const std::string& message, const S& step) {
   return "; the step may be too long, since its start could be evaluated: take smaller steps";
 }
 
-/// The message with a clause about a body, which ends with "; ", in front of its last clause, the advice.
+/// The message with a clause about a body, if there is one, in front of its last clause, the advice.
 std::string with_body(std::string message, const std::string& clause) {
   const std::size_t advice = message.rfind("; ");
-  return advice == std::string::npos ? message : message.insert(advice + 2, clause);
+  return clause.empty() || advice == std::string::npos ? message : message.insert(advice, "; " + clause);
 }
 
 /// Calls `advance`, which moves (t, y) on. If it fails, the error gets the time of (t, y) unless it has one,
@@ -51,7 +51,7 @@ void with_cause(AnySystem<S>& system, const S& t, const StateVector<S>& y, const
     std::string cause, body;
     try {
       cause = system.diagnose(t, y, step);
-      if (cause.empty() && place.where.empty()) body = system.most_accelerated(t, y) + "; ";
+      if (cause.empty() && place.where.empty()) body = system.most_accelerated(t, y);
     } catch (const Error& at_state) {  // the state itself has no solution
       if (place.where.empty() && !at_state.where().empty()) cause = at_state.what();
     } catch (const std::runtime_error&) {  // not even that is known at this state

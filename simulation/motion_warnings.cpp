@@ -67,8 +67,10 @@ std::vector<MotionWarning> motion_warnings(const SimulationReport& report) {
   constexpr double warn_above = 1e-6;  // [m, rad, m/s, rad/s]
   const auto drifts = [](double left) { return left > warn_above; };
   if (drifts(report.phi) || (!report.is_implicit && drifts(report.phi_dot)))
-    warn(fmt::format("constraints are violated by up to {:.1e} (positions) and {:.1e} (velocities)",
-                     report.phi, report.phi_dot));
+    warn(
+        fmt::format("constraints are violated by up to {:.1e} (positions) and {:.1e} (velocities); take "
+                    "smaller steps or tighter tolerances, and project each step",
+                    report.phi, report.phi_dot));
   return out;
 }
 

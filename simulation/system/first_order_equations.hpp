@@ -277,11 +277,12 @@ class FirstOrderEquations {
                                 "smaller numbers or another function of time",
                                 effect);
   }
-  /// The body with the largest acceleration at (t, y) or a moment later, as a clause for messages.
+  /// The body with the largest acceleration at (t, y) or a moment later, as a clause for messages; empty if
+  /// none accelerates.
   std::string most_accelerated(const S& t, const StateVector& y) {
     using std::abs;
     std::string clause;
-    S largest(-1);
+    S largest(0);
     // a load that changes within any step may vanish at t
     for (const S& at : {t, S(t + S(1e-12) * std::max(S(1), S(abs(t))))}) {
       solve(at, y);

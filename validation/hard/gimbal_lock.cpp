@@ -62,9 +62,10 @@ void judge_laws(Judge& judge, double distance) {
       row.amplification = solved.kappa;
       row.threshold =
           law < factors::lost_law ? std::min(factors::law * law * solved.kappa, small_difference) : 0;
-      row.why = fmt::format("law u/theta^{}", exponent);
-      if (law >= factors::lost_law)
-        row.why += fmt::format(", which is lost; stated error {:.1e}", state.announced);
+      row.why =
+          law < factors::lost_law
+              ? fmt::format("{:.2g} of the law u/theta^{}", state.lambda / law, exponent)
+              : fmt::format("law u/theta^{}, which is lost; stated error {:.1e}", exponent, state.announced);
       judge.add(state.refusal.empty() ? judge.judged(row, state.announced)
                                       : judge.ended(row, state.refusal, 0.0, scene));
     }
