@@ -116,7 +116,7 @@ Family drivers() {
             {1e-4, 0.1},
             0.1,
             {1e-2},
-            {1e-3, 1e-4},
+            {1e-2, 1e-3},
             [](Judge& judge, double width) { judge_pulse(judge, unmarked_pulses(width), width, width / 2); },
             unmarked_pulses},
            {"near_parallel",

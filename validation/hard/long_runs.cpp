@@ -68,7 +68,7 @@ Recurrence turning() {
           period_of_slider_crank(),
           1,
           1,
-          60,
+          45,
           [](const MechanismState<double>& start, const MechanismState<double>& state) {
             const auto angle = [](const MechanismState<double>& at) {
               return std::atan2(at.pose[0].r[1], at.pose[0].r[0]);
