@@ -56,16 +56,15 @@ void judge_laws(Judge& judge, double distance) {
     for (const SolvedState& state : solved.all) {
       const int exponent = exponent_of(state.formulation);
       const double law = unit_roundoff<double>() / std::pow(distance, exponent);
+      const bool is_lost = law >= factors::lost_law;
       Row row = judge.row(state.formulation, state.solver, "lambda [-]");
       row.value = state.lambda;
       row.tolerance = law;
       row.amplification = solved.kappa;
-      row.threshold =
-          law < factors::lost_law ? std::min(factors::law * law * solved.kappa, small_difference) : 0;
-      row.why =
-          law < factors::lost_law
-              ? fmt::format("{:.2g} of the law u/theta^{}", state.lambda / law, exponent)
-              : fmt::format("law u/theta^{}, which is lost; stated error {:.1e}", exponent, state.announced);
+      row.threshold = is_lost ? 0 : std::min(factors::law * law * solved.kappa, small_difference);
+      row.why = is_lost ? fmt::format("law u/theta^{}, which is lost; stated error {:.1e}", exponent,
+                                      state.announced)
+                        : fmt::format("{:.2g} of the law u/theta^{}", state.lambda / law, exponent);
       judge.add(state.refusal.empty() ? judge.judged(row, state.announced)
                                       : judge.ended(row, state.refusal, 0.0, scene));
     }
