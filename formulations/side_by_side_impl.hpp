@@ -48,10 +48,10 @@ FormulationResult<typename F::Scalar> solve_one(
   return result;
 }
 
-/// Appends solve(name), or its error, for each requested name to `out`.
+/// Appends solve(name), or its error, for each requested name to `out`; t is the time of the state [s].
 template <class Scalar, class Solve>
-void solve_each(const std::vector<std::string>& names, const SolveOptions& options, SideBySide<Scalar>& out,
-                const Solve& solve) {
+void solve_each(const std::vector<std::string>& names, const SolveOptions& options, const Scalar& t,
+                SideBySide<Scalar>& out, const Solve& solve) {
   const auto& wanted = options.formulations;
   for (const std::string& name : names) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
@@ -59,7 +59,8 @@ void solve_each(const std::vector<std::string>& names, const SolveOptions& optio
     try {
       result = solve(name);
     } catch (const ModelError& error) {
-      result.error = error.what();
+      const Place here{"", static_cast<double>(t)};
+      result.error = error.when() ? error.what() : ModelError(here, error).what();
     }
     result.name = name;
     out.formulations.push_back(std::move(result));
@@ -81,7 +82,7 @@ SideBySide<Scalar> side_by_side(const Model<Scalar, Types>& model, const RowAnal
                                 const SolveOptions& options,
                                 const Model<NextPrecisionT<Scalar>, std::type_identity_t<Types>>* judge) {
   SideBySide<Scalar> out{rows, {}};
-  detail::solve_each(List::names(), options, out, [&](const std::string& name) {
+  detail::solve_each(List::names(), options, model.state.t, out, [&](const std::string& name) {
     return with_formulation<Scalar, List>(name, [&]<EquationsAsPrinted F>() {
       return detail::solve_one<F>(model, judge, rows, options.charts);
     });

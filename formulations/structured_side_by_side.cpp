@@ -144,7 +144,7 @@ RowAnalysis structured_row_analysis(const Model<double>& model) {
 
 SideBySide<double> structured_side_by_side(const Model<double>& model, const SolveOptions& options) {
   SideBySide<double> out{structured_row_analysis(model), {}};
-  detail::solve_each(formulation_names(), options, out, [&](const std::string& name) {
+  detail::solve_each(formulation_names(), options, model.state.t, out, [&](const std::string& name) {
     return with_formulation<double>(
         name, [&]<Formulation F>() { return solve_one<F>(model, out.rows, options.charts); });
   });

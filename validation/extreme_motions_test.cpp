@@ -99,6 +99,24 @@ TEST_P(InEveryFormulation, AChainOfAnyMassesIsFollowed) {
   }
 }
 
+// The rod holds the slider by a pivot that falls with the mass of the rod, as at a singular position.
+TEST_P(InEveryFormulation, ALightRodInALoopMakesNoSingularPosition) {
+  const auto with_rod = [](double ratio) {
+    scenes::Scene scene = catalogue_scene("spatial_slider_crank");
+    scene.effects = {test::gravity(9.81)};
+    scene.bodies[1].mass *= ratio;
+    for (double& moment : std::get<scenes::Vector3>(scene.bodies[1].inertia)) moment *= ratio;
+    return scene;
+  };
+  const Motion without_mass(with_rod(1e-15), tight("r-omega", "rkf78", 0.5, 1e-11));
+  for (const double ratio : {1e-8, 1e-9, 3e-10, 1e-11})
+    for (const char* method : {"dopri5", "radau5", "generalized-alpha"}) {
+      const Motion motion(with_rod(ratio), tight(GetParam(), method, 0.5, 1e-8));
+      EXPECT_TRUE(motion.report.passages.empty()) << ratio << " " << method;
+      EXPECT_LE(apart(motion, without_mass), 1e-6) << ratio << " " << method;
+    }
+}
+
 TEST_P(InEveryFormulation, ABodyOnAStiffSpringStaysOnItsOrbit) {
   MechanismState<double> exact = hard::state_of_size(1);
   exact.t = 1;

@@ -188,6 +188,10 @@ int list(const std::vector<Family>& all) {
     for (const Case& one : family.cases)
       fmt::print("  {:<24} {}; easy {:g}, quick {}, whole {}, accepted {}\n", one.name, one.difficulty,
                  one.easy, fmt::join(one.quick, " "), fmt::join(one.whole, " "), text_of(one.accepted));
+    for (const WithoutSimbody& without : cases_without_simbody())
+      if (without.of == family.name || has_case(family, without.of))
+        fmt::print("  {:<24} no rows: {}\n",
+                   without.of == family.name ? "Simbody" : "Simbody in " + without.of, without.why);
     for (const MethodsOfFamily& methods : method_list()) {
       const bool is_part = methods.of.starts_with(family.name + "/");
       const std::string part = is_part ? methods.of.substr(family.name.size() + 1) : methods.of;

@@ -110,6 +110,9 @@ class AccelerationSolver {
   /// are examined here. A candidate that is put back gets a multiplier in place of 0, and the state is solved
   /// again.
   std::vector<int> dependent_rows();
+  /// The number of rows that vanish, and of those that would be dependent or weak if every body had unit
+  /// inertia (GraphSolver). Cost: about two factorisations.
+  int weak_rows_by_geometry();
   /// The number of independent rows.
   int rank() { return mechanism_.nc() - static_cast<int>(dependent_rows().size()); }
 

@@ -162,6 +162,13 @@ std::vector<int> AccelerationSolver<F>::dependent_rows() {
 }
 
 template <Formulation F>
+int AccelerationSolver<F>::weak_rows_by_geometry() {
+  int vanishing = 0;
+  assembly_.find_vanishing_rows(S(vanishing_row_tolerance), [&](int, int) { ++vanishing; });
+  return vanishing + solver_.weak_rows_by_geometry();
+}
+
+template <Formulation F>
 ModelError AccelerationSolver<F>::named(const SingularLink& link, const S& t) const {
   require_numbers();
   return ModelError(

@@ -42,6 +42,12 @@ void GraphSolver<S>::measure_levers() {
 }
 
 template <class S>
+int GraphSolver<S>::weak_rows_by_geometry() {
+  measure_levers();
+  return unit_inertia_solver_->weak_rows();
+}
+
+template <class S>
 S GraphSolver<S>::lever2(int body) const {
   return unit_inertia_solver_->lever2(body);
 }

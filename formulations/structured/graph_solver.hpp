@@ -157,6 +157,10 @@ class GraphSolver {
   bool restore_independent_rows();
   /// Computes lever2() for the matrix of the last factorisation, at the cost of about one factorisation.
   void measure_levers();
+  /// The number of rows that are dependent or weak (weak_pivot) if every body has unit inertia, for the
+  /// matrix of the last factorisation. If there are fewer than dependent_row_count(), pivots are small
+  /// because bodies are light, not because rows are dependent. Cost: about two factorisations.
+  int weak_rows_by_geometry();
   /// Square of the lever [m^2], the length by which rotations of this body are converted to translations,
   /// from the last measure_levers() or restore_independent_rows().
   S lever2(int body) const;

@@ -53,6 +53,16 @@ class GraphSolver<S>::UnitInertiaSolver {
     if (!candidates_.empty()) search(candidates_);
     return independent_;
   }
+  /// The number of dependent rows and of rows with weak pivots (weak_pivot), for the matrix of the last
+  /// factor().
+  int weak_rows() {
+    solver_.set_dependent_rows(DependentRows::detect_near_singular);
+    solver_.leave_out_below(S(weak_pivot));
+    solver_.factor_once(matrix_);
+    const int count = solver_.dependent_row_count();
+    solver_.set_dependent_rows(DependentRows::detect);
+    return count;
+  }
   const S& lever2(int body) const { return lever2_[component_[body]]; }
 
  private:

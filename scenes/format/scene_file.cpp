@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <new>
 #include <system_error>
 
 #include "base/whole_file.hpp"
@@ -23,6 +24,7 @@ std::string read_text(const fs::path& path) {
   if (fs::is_directory(path, error)) fail(root, "a folder", "a scene file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
+  if (!file && errno == ENOMEM) throw std::bad_alloc();  // no fault of the file
   if (!file) fail(root, fmt::format("cannot be read: {}", std::strerror(errno)), "a scene file");
   std::string text;
   char block[1 << 16];

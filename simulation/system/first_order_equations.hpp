@@ -99,6 +99,7 @@ class FirstOrderEquations {
     // the number of dependent rows of its start.
     const int found = solver_.factors().dependent_row_count();
     detection_ = options.is_projected ? DependentRows::detect_near_singular : DependentRows::keep_count;
+    fewest_dependent_rows_ = found;
     log_.begin();
     accept_state(start.t, start_);
     if (solver_.factors().dependent_row_count() == found) return;
@@ -180,6 +181,10 @@ class FirstOrderEquations {
     solved_t_.reset();
     const bool reframed = reframe(t, y);
     solve_as(t, y, Refinement::as_needed, detection_);
+    if (leaves_out_rows_of_light_bodies()) {
+      detection_ = DependentRows::detect;
+      solve_as(t, y, Refinement::as_needed, detection_);
+    }
     log_.note_dependent_rows(t, solver_.factors().dependent_row_count());
     refines_ = !(solver_.corrections().acceleration <= small_correction);
     solved_t_ = t;
@@ -380,6 +385,17 @@ class FirstOrderEquations {
     solver_.solve(state_, t, refinement, how);
   }
 
+  /// Whether the last solution takes a row for nearly dependent because a body is light: a pivot is weighted
+  /// by inertia, and falls with the mass of a body between heavy ones. At a singular position geometry alone
+  /// says the same. Geometry is asked if more rows are dependent than at any accepted state before.
+  bool leaves_out_rows_of_light_bodies() {
+    if (detection_ != DependentRows::detect_near_singular) return false;
+    const int found = solver_.factors().dependent_row_count();
+    if (found > fewest_dependent_rows_ && solver_.weak_rows_by_geometry() < found) return true;
+    fewest_dependent_rows_ = std::min(found, fewest_dependent_rows_);
+    return false;
+  }
+
   /// Continues a saved run. Throws an Error of kind input if its numbers do not belong to the given state.
   void go_on_from(const SavedRun& saved, const MechanismState<S>& state, bool is_projected);
 
@@ -424,6 +440,7 @@ class FirstOrderEquations {
   S measured_t_{0};
   StateVector measured_y_;
   DependentRows detection_ = DependentRows::detect;  ///< how accepted states detect dependent rows
+  int fewest_dependent_rows_ = 0;                    ///< of the accepted states
   long factorisations_ = 0;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
+#include <limits>
 #include <variant>
 
 namespace trivium::hard {
@@ -53,6 +55,13 @@ std::string missing_in_announcement(const std::string& message, std::optional<do
   if (message.find(reason) == message.npos) return "does not say why, which is: " + reason;
   if (!advises(message)) return "does not say what to try";
   return {};
+}
+
+double number_after(const std::string& text, std::string_view phrase) {
+  double number = std::numeric_limits<double>::quiet_NaN();
+  if (const std::size_t at = text.rfind(phrase); at != text.npos)
+    std::from_chars(text.data() + at + phrase.size(), text.data() + text.size(), number);
+  return number;
 }
 
 }  // namespace trivium::hard

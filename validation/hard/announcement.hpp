@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "scenes/scene.hpp"
 
@@ -13,5 +14,8 @@ namespace trivium::hard {
 std::string missing_in_announcement(const std::string& message, std::optional<double> when,
                                     const scenes::Scene& scene, double start, double end,
                                     const std::string& reason = {});
+
+/// The number after the last `phrase`; NaN if there is none.
+double number_after(const std::string& text, std::string_view phrase);
 
 }  // namespace trivium::hard

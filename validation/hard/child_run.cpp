@@ -14,7 +14,6 @@
 #include "base/exit_code.hpp"
 #include "base/whole_file.hpp"
 #include "scenes/format/scene_file.hpp"
-#include "validation/hard/announcement.hpp"
 
 namespace trivium::hard {
 
@@ -100,13 +99,6 @@ void Motion::read(std::size_t number, const std::vector<std::string>& line, std:
   end_ = last_[0];
 }
 
-double number_after(const std::string& text, std::string_view phrase) {
-  double number = std::numeric_limits<double>::quiet_NaN();
-  if (const std::size_t at = text.rfind(phrase); at != text.npos)
-    std::from_chars(text.data() + at + phrase.size(), text.data() + text.size(), number);
-  return number;
-}
-
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 bool begins(const std::string& text, const std::string& whole) {
@@ -143,11 +135,10 @@ std::string wrong_in_loss(const Run& run, const Run& whole) {
   if (ended.exit_code == exit_done)
     return run.files == whole.files && ended.out == whole.ended.out ? ""
                                                                     : "exit code 0, but results are missing";
-  const bool has_begun = !run.files.empty();
-  if (ended.exit_code != exit_output_lost && (ended.exit_code != exit_input_error || has_begun))
+  if (ended.exit_code != exit_output_lost)
     return fmt::format("ended with {}: {}", ended.text(), first_line(ended.err));
   if (ended.err.empty()) return "there is no message";
-  if (ended.err.find(unfinished_motion) != ended.err.npos && !has_begun)
+  if (ended.err.find(unfinished_motion) != ended.err.npos && run.files.empty())
     return "the file of the message is missing";
   for (const auto& [name, text] : run.files) {
     if (!name.starts_with(motion_file)) {

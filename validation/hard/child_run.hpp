@@ -7,10 +7,10 @@
 #include <limits>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "scenes/scene.hpp"
+#include "validation/hard/announcement.hpp"
 #include "validation/hard/process.hpp"
 
 namespace trivium::hard {
@@ -63,8 +63,6 @@ class Motion {
   double end_ = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The number after the last `phrase`; NaN if there is none.
-double number_after(const std::string& text, std::string_view phrase);
 std::string first_line(const std::string& text);
 /// Whether the text is the beginning of the other one, with whole lines.
 bool begins(const std::string& text, const std::string& whole);
@@ -73,8 +71,7 @@ bool begins(const std::string& text, const std::string& whole);
 std::string wrong_unharmed(const Run& run, double end);
 /// Of a run of the scene from time 0 on that an error of the motion ended before `end`.
 std::string wrong_in_failure(const Run& run, const scenes::Scene& scene, double end);
-/// Of a run that may end early with a message if it cannot go on, or with exit code 2 before it has begun;
-/// `whole` is the same run unharmed.
+/// Of a run that may end early with a message if it cannot go on; `whole` is the same run unharmed.
 std::string wrong_in_loss(const Run& run, const Run& whole);
 /// Of a run that a signal ended; `whole` is a run to an earlier or later end.
 std::string wrong_after_signal(const Run& run, const Run& whole, int signal);

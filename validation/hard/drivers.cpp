@@ -15,7 +15,10 @@ namespace {
 
 using scenes::Scene;
 
-void judge_crank(Judge& judge, const Scene& scene, double end = 1, const std::string& reason = {}) {
+/// A fast crank is followed until it has turned by this angle [rad], slow ones for a second.
+constexpr double turned = 30;
+
+void judge_crank(Judge& judge, const Scene& scene, double end, const std::string& reason = {}) {
   HardMotion motion;
   motion.scene = scene;
   motion.end = end;
@@ -64,9 +67,6 @@ void judge_closing_distance(Judge& judge, double least) {
 }  // namespace
 
 Family drivers() {
-  const auto crank = [](Scene (*make)(double)) {
-    return [make](Judge& judge, double jump) { judge_crank(judge, make(jump)); };
-  };
   return {
       "drivers",
       "sudden, fast and impossible drivers and loads",
@@ -75,8 +75,10 @@ Family drivers() {
         {0, 1e3},
         0.1,
         {10},
-        {1, 10, 100},
-        crank(jump_of_speed),
+        {1, 100},
+        [](Judge& judge, double jump) {
+          judge_crank(judge, jump_of_speed(jump), 0.5 + std::min(0.5, turned / jump));
+        },
         jump_of_speed},
        {"jump_of_acceleration",
         "jump [rad/s^2]",
@@ -84,15 +86,19 @@ Family drivers() {
         1,
         {},
         {1e2, 1e3},
-        crank(jump_of_acceleration),
+        [](Judge& judge, double jump) {
+          judge_crank(judge, jump_of_acceleration(jump), 0.5 + std::min(0.5, std::sqrt(2 * turned / jump)));
+        },
         jump_of_acceleration},
        {"fast_driver",
         "speed [rad/s]",
         {0.1, 1e6},
         2,
         {1000},
-        {100, 1000, 10000},
-        [](Judge& judge, double speed) { judge_crank(judge, fast_driver(speed), std::min(1.0, 30 / speed)); },
+        {1000, 10000},
+        [](Judge& judge, double speed) {
+          judge_crank(judge, fast_driver(speed), std::min(1.0, turned / speed));
+        },
         fast_driver},
        {"rectangular_pulse",
         "width [s]",

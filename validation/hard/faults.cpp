@@ -150,6 +150,13 @@ void judge_slider(Judge& judge, const Scene& scene, double tolerance, double end
 
 /// `tries`: how many allocations fail, each in a run of its own; afterwards there is memory again, or not.
 void judge_allocations(Judge& judge, double tries) {
+  if (!TRIVIUM_ALLOCATIONS_CAN_FAIL) {
+    Row row = row_of(judge, "failing allocations");
+    row.value = std::numeric_limits<double>::quiet_NaN();
+    row.verdict = Verdict::not_judged;
+    row.why = "this build has the allocator of a sanitizer";
+    return judge.add(row);
+  }
   const Workplace place(judge.choice().program, pushed_pendulum(0));
   const Options options{"--t-end", "0.02", "--output-step", "0.005"};
   const std::string preload = "LD_PRELOAD=" TRIVIUM_FAILING_ALLOCATOR;
@@ -159,8 +166,10 @@ void judge_allocations(Judge& judge, double tries) {
   const double all = whole.files.contains("count") ? std::stod(whole.files["count"]) : 0,
                tried = std::min(tries, all);
   whole.files.erase("count");
+  const std::string harm = all > 0 ? wrong_unharmed(whole, 0.02) : "allocations are not counted";
+  if (!harm.empty()) return settle(judge, row_of(judge, "no allocation fails"), false, {harm}, "");
   for (const bool is_once : {true, false}) {
-    std::vector<std::string> wrong{all > 0 ? wrong_unharmed(whole, 0.02) : "allocations are not counted"};
+    std::vector<std::string> wrong;
     std::map<std::string, int> ends;
     bool announced = false;
     for (double k = 0; k < tried; ++k) {
@@ -216,7 +225,9 @@ void judge_signal(Judge& judge, double runs, int signal, const char* name) {
     return Options{"--output-step", "2", "--rtol", "1e-12", "--t-end", end};
   };
   const Run whole = place.simulate(options("1000"));
-  std::vector<std::string> wrong{wrong_unharmed(whole, 1000)};
+  if (const std::string wrong = wrong_unharmed(whole, 1000); !wrong.empty())
+    return settle(judge, row_of(judge, name), false, {wrong}, "");
+  std::vector<std::string> wrong;
   std::mt19937 random(1);
   int interrupted = 0;
   for (double k = 0; k < runs; ++k) {

@@ -66,7 +66,7 @@ void judge_laws(Judge& judge, double distance) {
                                       state.announced)
                         : fmt::format("{:.2g} of the law u/theta^{}", state.lambda / law, exponent);
       judge.add(state.refusal.empty() ? judge.judged(row, state.announced)
-                                      : judge.ended(row, state.refusal, 0.0, scene));
+                                      : judge.refused(row, state.refusal, scene));
     }
   }
   judge.keep_worst_part();

@@ -110,14 +110,15 @@ void judge_state(Judge& judge, const Scene& scene, const std::string& at) {
     row.value = state.lambda;
     promise(row, solved.kappa);
     judge.add(state.refusal.empty() ? judge.judged(row, state.announced)
-                                    : judge.ended(row, state.refusal, 0.0, scene));
+                                    : judge.refused(row, state.refusal, scene));
   }
 }
 
 void judge_motion(Judge& judge, const Scene& scene, double end = 1) {
   HardMotion motion;
   motion.scene = scene;
-  motion.end = end;
+  // no method warns of such short steps
+  motion.end = judge.is_twin() ? end / 5 : end;
   motion.step = judge.is_twin() ? 5e-5 : 5e-4;
   motion.reference = ReferenceRun::in_quad;
   motion.starts = 5;

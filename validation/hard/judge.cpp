@@ -100,6 +100,7 @@ Row Judge::judged(Row row, double figure) const {
   } else if (figure >= std::min(row.value, 1.0) / 10) {
     // an estimate is relative to what was computed, which is as large as its error where no digit is right
     row.verdict = Verdict::announces;
+    if (row.why.empty()) row.why = fmt::format("stated error {:.1e}", figure);
   } else {
     row.verdict = Verdict::fails;
     row.why = "no warning states such an error; " + row.why;
@@ -119,6 +120,11 @@ Row Judge::ended(Row row, const std::string& message, std::optional<double> when
   row.verdict = missing.empty() && !is_twin_ ? Verdict::announces : Verdict::fails;
   row.why = missing.empty() ? message : fmt::format("{}: {}", missing, message);
   return row;
+}
+
+Row Judge::refused(Row row, const std::string& message, const scenes::Scene& scene) const {
+  const double t = number_after(message, "at t = ");
+  return ended(std::move(row), message, std::isnan(t) ? std::nullopt : std::optional(t), scene);
 }
 
 Row Judge::exact_row(const std::string& law, double off, const ExactMotion& exact) const {

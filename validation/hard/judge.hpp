@@ -50,6 +50,8 @@ class Judge {
   /// has to contain the words of `reason`.
   Row ended(Row row, const std::string& message, std::optional<double> when, const scenes::Scene& scene,
             double start = 0, double end = 0, const std::string& reason = {}) const;
+  /// The row of a state at t = 0 that a solver refuses with this message.
+  Row refused(Row row, const std::string& message, const scenes::Scene& scene) const;
   /// The row for the exact motion itself: its difference from a law, `off`.
   Row exact_row(const std::string& law, double off, const ExactMotion& exact) const;
   void add(Row row) { rows_.push_back(std::move(row)); }

@@ -111,7 +111,9 @@ Family locked() {
             1,
             {},
             {3},
-            [](Judge& judge, double bars) { judge_rest(judge, hanging_chain(bars), 1000, 0.05); },
+            [](Judge& judge, double bars) {
+              judge_rest(judge, hanging_chain(bars), judge.is_twin() ? 100 : 1000, 0.05);
+            },
             hanging_chain}}};
 }
 

@@ -66,6 +66,22 @@ const std::vector<MethodsOfFamily>& method_list() {
   return list;
 }
 
+const std::vector<WithoutSimbody>& cases_without_simbody() {
+  static const std::vector<WithoutSimbody> list{
+      {"near_lock", "states, not motions; simbody_reference compares states"},
+      {"sequences", "its coordinates have no Euler sequence; its rows of the same flight are in flight"},
+      {"printed_spin", "states, not motions"},
+      {"redundancy", "states, not motions; simbody_reference compares states"},
+      {"four_bars", "more than 10 loops take its integrators longer than 8 minutes"},
+      {"tight_tolerances", "its rows of the same motions are in their own cases"},
+      {"long_runs", "its integrators choose their steps: no law of given steps is theirs"},
+      {"unmarked_pulses", "nothing tells its integrators the longest step"},
+      {"size_and_place", "none of more than 200 bodies: a ring of a thousand takes minutes"},
+      {"faults", "the program trivium is what fails there"},
+  };
+  return list;
+}
+
 const std::vector<std::string>& methods_of(const std::string& name, bool quick) {
   const auto& list = method_list();
   const auto entry = std::find_if(list.begin(), list.end(), [&](const auto& e) { return e.of == name; });

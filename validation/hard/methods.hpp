@@ -16,6 +16,13 @@ struct MethodsOfFamily {
 /// All choices: of every family of motions, and of the cases that have their own.
 const std::vector<MethodsOfFamily>& method_list();
 
+/// Where no integrator of Simbody stands beside, and why.
+struct WithoutSimbody {
+  std::string of;  ///< a family or a case
+  std::string why;
+};
+const std::vector<WithoutSimbody>& cases_without_simbody();
+
 /// The methods of a family or a case.
 const std::vector<std::string>& methods_of(const std::string& name, bool quick);
 

@@ -26,7 +26,7 @@ struct Command {
   /// full disk raises none.
   bool raises_at_largest_file = false;
   std::optional<Kill> kill;
-  double most_seconds = 30;  ///< then it is ended by SIGKILL
+  double most_seconds = 120;  ///< then it is ended by SIGKILL
 };
 
 /// How a program ended.

@@ -114,7 +114,7 @@ void compare_with_reduced(Judge& judge, const Scene& scene, std::optional<int> e
     for (const FormulationResult<double>& found : answer.formulations) {
       Row row = judge.row(found.name, solver, "accelerations [-]");
       if (!found.error.empty()) {
-        judge.add(judge.ended(row, found.error, 0.0, scene));
+        judge.add(judge.refused(row, found.error, scene));
         continue;
       }
       promise(row, reduced_rows.kappa, unit_roundoff<double>(), largest);
