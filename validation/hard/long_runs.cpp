@@ -69,7 +69,7 @@ Recurrence turning() {
           period_of_slider_crank(),
           1,
           1,
-          45,
+          30,
           [](const MechanismState<double>& start, const MechanismState<double>& state) {
             const auto angle = [](const MechanismState<double>& at) {
               return std::atan2(at.pose[0].r[1], at.pose[0].r[0]);
@@ -172,8 +172,8 @@ void judge_periods(Judge& judge, const Recurrence& motion, const Kept& kept, lon
 void judge_periods(Judge& judge, const Recurrence& motion, double periods) {
   const long all = std::lround(periods);
   for (const Kept& kept : {Kept{"rattle", "r-omega", 50, true},
-                           {"generalized-alpha", "r-p", 50, false, 5},
-                           {"radau9", "r-epsilon", motion.steps, false, 10'000}}) {
+                           {"generalized-alpha", "r-epsilon", 50, false, 5},
+                           {"radau9", "r-p", motion.steps, false, 3000}}) {
     const auto& wanted = judge.formulations();
     if (std::find(wanted.begin(), wanted.end(), kept.formulation) == wanted.end()) continue;
     try {

@@ -44,7 +44,7 @@ const std::vector<MethodsOfFamily>& method_list() {
       {"long_runs",
        {"rattle", "generalized-alpha", "radau9"},
        {"rattle", "generalized-alpha", "radau9"},
-       "a symplectic one in r-omega, a dissipative one in r-p, an accurate one in r-epsilon"},
+       "a symplectic one in r-omega, a dissipative one in r-epsilon, an accurate one in r-p"},
       {"short_steps",
        {"generalized-alpha"},
        {"generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "radau5"},

@@ -206,7 +206,7 @@ Family singular_positions() {
             {1e-12, 1e-6},
             1e-6,
             {1e-10},
-            {1e-9, 1e-10, 1e-11, 1e-12},
+            {1e-9, 1e-10, 1e-12},
             judge_tight}}};
 }
 
