@@ -93,7 +93,8 @@ FormulationResult<double> solve_one(const Model<double>& model, const RowAnalysi
     // r-omega has a solution here (structured_row_analysis), so that the coordinates are at fault
     const std::string cause = near_singular_chart<F>(mechanism, state, model.state.t, reframing_distance);
     if (cause.empty()) throw;
-    throw ModelError(cause + "; the solver ended with: " + error.what());
+    throw ModelError(Place{}, Error(ErrorKind::model, cause + "; the solver ended with: " + error.what(),
+                                    Place{error.where(), model.state.t}));
   }
   const auto eom = equations_of_motion<F>(mechanism, state, model.state.t);
   FormulationResult<double> result;
