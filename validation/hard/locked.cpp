@@ -94,7 +94,7 @@ Family locked() {
             {0, 10},
             1,
             {1e-3, 1e-6},
-            {1e-1, 1e-3, 1e-5, 1e-6, 3e-7, 1e-9, 0},
+            {1e-1, 1e-3, 1e-5, 1e-6, 3e-7, 3e-8, 1e-9, 0},
             judge_held_body,
             held_body},
            {"beside_a_pendulum",

@@ -75,8 +75,9 @@ const std::vector<WithoutSimbody>& cases_without_simbody() {
       {"four_bars", "more than 10 loops take its integrators longer than 8 minutes"},
       {"tight_tolerances", "its rows of the same motions are in their own cases"},
       {"long_runs", "its integrators choose their steps: no law of given steps is theirs"},
-      {"unmarked_pulses", "nothing tells its integrators the longest step"},
-      {"size_and_place", "none of more than 200 bodies: a ring of a thousand takes minutes"},
+      {"unmarked_pulses", "its integrators would need a longest step, which the comparison does not pass on"},
+      {"size_and_place",
+       "none of more than 200 bodies: a ring of a thousand takes minutes; ladders are states"},
       {"faults", "the program trivium is what fails there"},
   };
   return list;
