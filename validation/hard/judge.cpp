@@ -213,14 +213,19 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
     row.amplification = 1;
     row.threshold = allowed;
   }
+  const double figure = quote_warnings(row, report);
+  row = judged(std::move(row), figure);
+  add(row);
+  if (motion.also) motion.also(*this, {row, factor, report, figure});
+}
+
+double quote_warnings(Row& row, const SimulationReport& report) {
   double figure = 0;
   for (const MotionWarning& warning : motion_warnings(report)) {
     figure = std::max({figure, std::min(warning.relative_error, 1.0), std::numeric_limits<double>::min()});
     row.why += "; warned: " + warning.text;
   }
-  row = judged(std::move(row), figure);
-  add(row);
-  if (motion.also) motion.also(*this, {row, factor, report, figure});
+  return figure;
 }
 
 void promise(Row& row, double kappa, double tolerance, double largest) {

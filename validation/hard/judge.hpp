@@ -69,6 +69,10 @@ class Judge {
   std::vector<Row> rows_;
 };
 
+/// Adds the warnings of a run to the row's reason. Returns the largest relative error that they state, at
+/// most 1; the least positive number if they state none, and 0 if there are none.
+double quote_warnings(Row& row, const SimulationReport& report);
+
 /// Enters into the row of one state what is promised of it: a tolerance, amplified by kappa; the threshold is
 /// at most `largest`.
 void promise(Row& row, double kappa, double tolerance = unit_roundoff<double>(),

@@ -14,7 +14,6 @@
 #include "integrators/contract/tolerances.hpp"
 #include "scenes/building.hpp"
 #include "scenes/make_mechanism.hpp"
-#include "simulation/motion_warnings.hpp"
 #include "simulation/neighbouring_start.hpp"
 #include "simulation/simulate.hpp"
 #include "validation/hard/factors.hpp"
@@ -132,12 +131,7 @@ void judge_periods(Judge& judge, const Recurrence& motion, const Kept& kept, lon
     row.tolerance = tolerance;
     row.threshold = factor * tolerance;
     row.why = law;
-    double figure = 0;
-    if (!row.is_met())
-      for (const MotionWarning& warning : motion_warnings(run.report)) {
-        raise(figure, warning.relative_error);
-        row.why += "; warned: " + warning.text;
-      }
+    const double figure = row.is_met() ? 0 : quote_warnings(row, run.report);
     judge.add(judge.judged(row, figure));
   };
   add("Phi [m]", run.report.phi, HardMotion::of_a_step(standard_rtol) * motion.size, factors::phi,
