@@ -53,10 +53,14 @@ struct SineCosine {
   Jet<Scalar> sine, cosine;
 
   explicit SineCosine(const Phase<Scalar>& phase) {
-    using std::cos, std::sin;
+    using std::abs, std::cos, std::sin;
     const Jet<Scalar>& g = phase.g;
-    // addition theorem for g + r with |r| of size |g| u: sin r = r - r^3/6, 1 - cos r = r^2/2 to rounding
-    const Scalar s_0 = sin(g.f), c_0 = cos(g.f), r = phase.rest, r_cos = r * r / 2, r_sin = r - r * r_cos / 3;
+    // addition theorem for g + r with |r| of size |g| u, as a rule small: then sin r = r - r^3/6 and 1 - cos
+    // r = r^2/2 to rounding
+    const Scalar s_0 = sin(g.f), c_0 = cos(g.f), r = phase.rest;
+    const bool is_small = abs(r) < Scalar(1e-4);
+    const Scalar r_cos = is_small ? Scalar(r * r / 2) : Scalar(1 - cos(r)),
+                 r_sin = is_small ? Scalar(r - r * r_cos / 3) : Scalar(sin(r));
     const Scalar s = s_0 + (r_sin * c_0 - r_cos * s_0), c = c_0 - (r_sin * s_0 + r_cos * c_0);
     sine = {s, c * g.f_t, c * g.f_tt - s * g.f_t * g.f_t};
     cosine = {c, -s * g.f_t, -s * g.f_tt - c * g.f_t * g.f_t};

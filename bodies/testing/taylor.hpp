@@ -53,6 +53,7 @@ struct Taylor {
   static Taylor chain(const Taylor& a, const Base& g, const Base& g_1, const Base& g_2) {
     return {g, g_1 * a.d1, g_1 * a.d2 + g_2 * a.d1 * a.d1};
   }
+  friend Taylor abs(const Taylor& a) { return a.d0 < Base(0) ? -a : a; }
   friend Taylor sin(const Taylor& a) {
     using std::cos, std::sin;
     const Base s = sin(a.d0), c = cos(a.d0);
