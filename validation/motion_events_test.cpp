@@ -56,7 +56,9 @@ TEST_P(InEveryFormulation, ADriverThatDemandsTooMuchIsNamedAtTheEndOfItsReach) {
     } catch (const Error& error) {
       const std::string what = error.what();
       EXPECT_NE(what.find("driver \"drive\" demands f = "), std::string::npos) << method.name << ": " << what;
-      const std::string within_reach = "values up to about ";  // the square of the arm's length
+      const std::string demands = "demands f = ", within_reach = "only values up to about ";
+      EXPECT_GT(std::stod(what.substr(what.find(demands) + demands.size())), 4)  // the arm's length squared
+          << method.name << ": " << what;
       const std::size_t at = what.find(within_reach);
       ASSERT_NE(at, std::string::npos) << method.name << ": " << what;
       EXPECT_NEAR(std::stod(what.substr(at + within_reach.size())), 4, 1e-3) << method.name << ": " << what;

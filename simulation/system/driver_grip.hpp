@@ -44,19 +44,37 @@ RowReach reach_of(const Mechanism<double, Types>& mechanism, MechanismState<doub
   return {motion.gradient, -motion.gradient * motion.gradient / (2 * curvature)};
 }
 
-/// When f(t) comes to the end of a reach, `farther` from its present value, for the first time within
-/// `horizon` after t [s]; nothing if it does not. A function that turns back before counts as coming to the
-/// end if it uses 99 % of the way: `farther` has errors.
-inline std::optional<double> time_to(const TimeFunction& f, double t, double farther, double horizon) {
-  const double now = f(t).f;
-  const auto is_used = [&](double value) {
-    return (value - now) * farther >= 0.99 * farther * farther - 1e-12 * std::abs(now * farther);
+/// What a function of time demands, on the way to the end of a reach.
+struct Demand {
+  /// Until it comes to the end for the first time [s]; nothing if it does not. A function that turns back
+  /// before counts if it uses 99 % of the way: `farther` has errors.
+  std::optional<double> time;
+  double value = 0, at = 0;  ///< the farthest that it demands, and when
+  bool is_beyond = false;    ///< the end, by more than these errors
+};
+
+/// The demand of f after t [s], where a reach ends `farther` from the value at t. The time is looked for
+/// within `horizon`, and the farthest value within twice as much.
+inline Demand demand_of(const TimeFunction& f, double t, double farther, double horizon) {
+  constexpr double error = 0.01;  // of `farther`
+  const double now = f(t).f, rounding = 1e-12 * std::abs(now * farther), whole = farther * farther;
+  Demand demand{{}, now, t, false};
+  double used = 0;
+  const auto look = [&](double dt) {
+    const double value = f(t + dt).f, way = (value - now) * farther;
+    if (!demand.time && dt <= horizon && way >= (1 - error) * whole - rounding) demand.time = dt;
+    if (way > used) {
+      used = way;
+      demand.value = value;
+      demand.at = t + dt;
+    }
   };
-  if (is_used(now)) return 0;
+  look(0);
   // each time 5 % farther than the last, so that a maximum is met to 1e-3 of its distance
-  for (double dt = 1e-9 * horizon; dt < 1.05 * horizon; dt *= 1.05)
-    if (is_used(f(t + std::min(dt, horizon)).f)) return std::min(dt, horizon);
-  return {};
+  for (double dt = 1e-9 * horizon; dt < horizon; dt *= 1.05) look(dt);
+  for (const double more : {1.0, 1.25, 1.5, 1.75, 2.0}) look(more * horizon);
+  demand.is_beyond = used > (1 + error) * whole + rounding;
+  return demand;
 }
 
 /// A message about the driver that comes to the end of its reach first, within two steps of length `step` [s]
@@ -70,34 +88,49 @@ std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vect
   constexpr double lost = 0.5, at_end = 1e-3, small = 0.05;
   if (drivers.empty()) return {};
   const TangentSystem before = tangent_system(mechanism, start), after = tangent_system(mechanism, now);
-  double first = std::max(2 * step, (now.t - start.t) / 100), share = 0;
+  const double horizon = std::max(2 * step, (now.t - start.t) / 100);
+  double first = horizon, share = 0;
   int worst = -1;
   RowReach reach;
+  Demand demand;
   for (const int row : drivers) {
     const double at_start = free_motion(before, row).gradient;
     if (!(at_start > 0)) continue;  // redundant or contradicted from the start: there is no grip to lose
     const RowReach of_row = reach_of(mechanism, now, after, row);
+    if (!std::isfinite(of_row.farther)) continue;
     const TimeFunction& f = function_of(mechanism.rows[row]);
-    const bool is_close = std::abs(of_row.farther) < small * std::abs(f(now.t).f);
-    if (!(of_row.grip < lost * at_start || is_close) || !std::isfinite(of_row.farther)) continue;
+    const Jet<double> here = f(now.t);
+    const bool has_lost = of_row.grip < lost * at_start;
+    const bool is_close =
+        std::abs(of_row.farther) < small * std::abs(here.f) && here.f_t * of_row.farther >= 0;
+    if (!(has_lost || is_close)) continue;
+    Demand of_driver = demand_of(f, now.t, of_row.farther, horizon);
     // with so little grip the driver is at the end, also if its function has just turned back
-    const auto time =
-        of_row.grip < at_end * at_start ? std::optional<double>(0) : time_to(f, now.t, of_row.farther, first);
-    if (!time) continue;
-    first = *time;
+    if (of_row.grip < at_end * at_start) of_driver.time = 0;
+    if (!of_driver.time || *of_driver.time > first) continue;
+    first = *of_driver.time;
     worst = row;
     reach = of_row;
+    demand = of_driver;
     share = of_row.grip / at_start;
   }
   if (worst < 0) return {};
-  const Jet<double> f = function_of(mechanism.rows[worst])(now.t);
+  const double value = function_of(mechanism.rows[worst])(now.t).f;
+  const char* up_to = reach.farther >= 0 ? "up to" : "down to";
+  const std::string trouble =
+      demand.is_beyond ? fmt::format(
+                             "demands f = {:.6g} at t = {:.6g}, but from its value {:.6g} at t = {} "
+                             "the other rows leave only values {} about {:.6g} within reach",
+                             demand.value, demand.at, value, now.t, up_to, value + reach.farther)
+                       : fmt::format(
+                             "comes to a dead point: its value is {:.6g} at t = {}, where the other "
+                             "rows leave values {} about {:.6g} within reach",
+                             value, now.t, up_to, value + reach.farther);
   return fmt::format(
-      "driver \"{}\" demands f = {:.6g} at t = {}, changing by {:.4g} per second, but the other rows leave "
-      "values {} about {:.6g} within reach: the part of its gradient that the other rows leave free has "
-      "fallen to {:.1e} of that at the start. It comes to a dead point or to the end of its reach, where the "
-      "rank of the rows falls by 1. Give it another function of time, or drive another joint",
-      mechanism.row_names[worst], f.f, now.t, f.f_t, reach.farther >= 0 ? "up to" : "down to",
-      f.f + reach.farther, share);
+      "driver \"{}\" {}, and the part of its gradient that they leave free is {:.1e} of that at the "
+      "start. The rank of the rows falls by 1 there. Give it another function of time, or drive another "
+      "joint",
+      mechanism.row_names[worst], trouble, share);
 }
 
 /// A message about a driver that is within 1e-4 of its value from the end of its reach; empty if none is.

@@ -9,6 +9,13 @@
 
 namespace trivium::hard {
 
+double number_after(const std::string& text, std::string_view phrase) {
+  double number = std::numeric_limits<double>::quiet_NaN();
+  if (const std::size_t at = text.rfind(phrase); at != text.npos)
+    std::from_chars(text.data() + at + phrase.size(), text.data() + text.size(), number);
+  return number;
+}
+
 namespace {
 
 /// Verbs with which advice begins, after a semicolon, a colon, a comma or "or".
@@ -44,6 +51,16 @@ bool names_a_part(const std::string& message, const scenes::Scene& scene) {
          });
 }
 
+/// Whether a driver is said to demand what is said to be within reach.
+bool contradicts_itself(const std::string& message) {
+  const double demand = number_after(message, "demands f = "),
+               value = number_after(message, "from its value "),
+               most = number_after(message, "leave only values up to about "),
+               least = number_after(message, "leave only values down to about ");
+  return message.find("demands f = ") != message.npos && !(demand > most && value <= most) &&
+         !(demand < least && value >= least);
+}
+
 }  // namespace
 
 std::string missing_in_announcement(const std::string& message, std::optional<double> when,
@@ -53,15 +70,9 @@ std::string missing_in_announcement(const std::string& message, std::optional<do
   if (!(*when >= start && *when <= end)) return "says when, but this is no time of the run";
   if (!names_a_part(message, scene)) return "does not say where";
   if (message.find(reason) == message.npos) return "does not say why, which is: " + reason;
+  if (contradicts_itself(message)) return "demands what is within reach";
   if (!advises(message)) return "does not say what to try";
   return {};
-}
-
-double number_after(const std::string& text, std::string_view phrase) {
-  double number = std::numeric_limits<double>::quiet_NaN();
-  if (const std::size_t at = text.rfind(phrase); at != text.npos)
-    std::from_chars(text.data() + at + phrase.size(), text.data() + text.size(), number);
-  return number;
 }
 
 }  // namespace trivium::hard

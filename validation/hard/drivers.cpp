@@ -36,7 +36,6 @@ void judge_pulse(Judge& judge, const Scene& scene, double width, std::optional<d
   motion.rounding = unit_roundoff<double>() / width;  // of the times at which it rises and falls
   motion.max_step = max_step;
   motion.starts = 4;  // a free body enlarges no difference of velocities
-  motion.beside_simbody = !max_step;
   judge.motion(motion);
 }
 
@@ -64,92 +63,95 @@ void judge_closing_distance(Judge& judge, double least) {
   judge.motion(motion);
 }
 
+void judge_infeasible(Judge& judge, double t) {
+  judge_crank(judge, infeasible(t), judge.is_twin() ? 1 : std::max(1.0, 1.5 * t),
+              "driver \"pull\" demands f = ");
+}
+
 }  // namespace
 
 Family drivers() {
-  return {
-      "drivers",
-      "sudden, fast and impossible drivers and loads",
-      {{"jump_of_speed",
-        "jump [rad/s]",
-        {0, 1e3},
-        0.1,
-        {10},
-        {1, 100},
-        [](Judge& judge, double jump) {
-          judge_crank(judge, jump_of_speed(jump), 0.5 + std::min(0.5, turned / jump));
-        },
-        jump_of_speed},
-       {"jump_of_acceleration",
-        "jump [rad/s^2]",
-        {0, 1e3},
-        1,
-        {},
-        {1e2, 1e3},
-        [](Judge& judge, double jump) {
-          judge_crank(judge, jump_of_acceleration(jump), 0.5 + std::min(0.5, std::sqrt(2 * turned / jump)));
-        },
-        jump_of_acceleration},
-       {"fast_driver",
-        "speed [rad/s]",
-        {0.1, 1e6},
-        2,
-        {1000},
-        {1000, 10000},
-        [](Judge& judge, double speed) {
-          judge_crank(judge, fast_driver(speed), std::min(1.0, turned / speed));
-        },
-        fast_driver},
-       {"rectangular_pulse",
-        "width [s]",
-        {1e-9, 0.9},
-        0.1,
-        {1e-6},
-        {1e-3, 1e-6, 1e-9},
-        [](Judge& judge, double width) { judge_pulse(judge, rectangular_pulse(width), width, {}); },
-        rectangular_pulse},
-       {"smooth_pulse",
-        "width [s]",
-        {1e-7, 0.4},
-        0.1,
-        {},
-        {1e-3, 1e-6},
-        [](Judge& judge, double width) { judge_pulse(judge, smooth_pulse(width), width, {}); },
-        smooth_pulse},
-       {"unmarked_pulses",
-        "width [s]; no step is longer than a half of it",
-        {1e-4, 0.1},
-        0.1,
-        {1e-2},
-        {1e-2, 1e-3},
-        [](Judge& judge, double width) { judge_pulse(judge, unmarked_pulses(width), width, width / 2); },
-        unmarked_pulses},
-       {"near_parallel",
-        "first angle between the vectors of a dp1 [rad]",
-        {1e-8, 1.5},
-        0.5,
-        {1e-6},
-        {1e-2, 1e-4, 1e-6, 1e-7},
-        judge_near_parallel,
-        near_parallel},
-       {"closing_distance",
-        "least distance of a driven d [m]",
-        {0, 0.9},
-        0.5,
-        {1e-4},
-        {1e-2, 1e-4, 1e-6, 0},
-        judge_closing_distance,
-        closing_distance},
-       {"infeasible",
-        "time at which no position is left [s]",
-        {0.01, 100},
-        10,
-        {0.5},
-        {0.1, 0.5, 0.9},
-        [](Judge& judge, double t) {
-          judge_crank(judge, infeasible(t), judge.is_twin() ? 1 : std::max(1.0, 1.5 * t), "driver \"pull\"");
-        },
-        infeasible}}};
+  return {"drivers",
+          "sudden, fast and impossible drivers and loads",
+          {{"jump_of_speed",
+            "jump [rad/s]",
+            {0, 1e3},
+            0.1,
+            {10},
+            {1, 100},
+            [](Judge& judge, double jump) {
+              judge_crank(judge, jump_of_speed(jump), 0.5 + std::min(0.5, turned / jump));
+            },
+            jump_of_speed},
+           {"jump_of_acceleration",
+            "jump [rad/s^2]",
+            {0, 1e3},
+            1,
+            {},
+            {1e2, 1e3},
+            [](Judge& judge, double jump) {
+              judge_crank(judge, jump_of_acceleration(jump),
+                          0.5 + std::min(0.5, std::sqrt(2 * turned / jump)));
+            },
+            jump_of_acceleration},
+           {"fast_driver",
+            "speed [rad/s]",
+            {0.1, 1e6},
+            2,
+            {1000},
+            {1000, 10000},
+            [](Judge& judge, double speed) {
+              judge_crank(judge, fast_driver(speed), std::min(1.0, turned / speed));
+            },
+            fast_driver},
+           {"rectangular_pulse",
+            "width [s]",
+            {1e-9, 0.9},
+            0.1,
+            {1e-6},
+            {1e-3, 1e-6, 1e-9},
+            [](Judge& judge, double width) { judge_pulse(judge, rectangular_pulse(width), width, {}); },
+            rectangular_pulse},
+           {"smooth_pulse",
+            "width [s]",
+            {1e-7, 0.4},
+            0.1,
+            {},
+            {1e-3, 1e-6},
+            [](Judge& judge, double width) { judge_pulse(judge, smooth_pulse(width), width, {}); },
+            smooth_pulse},
+           {"unmarked_pulses",
+            "width [s]; no step is longer than a half of it",
+            {1e-4, 0.1},
+            0.1,
+            {1e-2},
+            {1e-2, 1e-3},
+            [](Judge& judge, double width) { judge_pulse(judge, unmarked_pulses(width), width, width / 2); },
+            unmarked_pulses},
+           {"near_parallel",
+            "first angle between the vectors of a dp1 [rad]",
+            {1e-8, 1.5},
+            0.5,
+            {1e-6},
+            {1e-2, 1e-4, 1e-6, 1e-7},
+            judge_near_parallel,
+            near_parallel},
+           {"closing_distance",
+            "least distance of a driven d [m]",
+            {0, 0.9},
+            0.5,
+            {1e-4},
+            {1e-2, 1e-4, 1e-6, 0},
+            judge_closing_distance,
+            closing_distance},
+           {"infeasible",
+            "time at which no position is left [s]",
+            {0.01, 100},
+            10,
+            {0.5},
+            {0.1, 0.5, 0.9},
+            judge_infeasible,
+            infeasible}}};
 }
 
 }  // namespace trivium::hard
