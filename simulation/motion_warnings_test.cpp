@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scenes/make_mechanism.hpp"
@@ -101,6 +102,25 @@ TEST(Warnings, AreNotGivenForALockedBodyUnderALargeLoad) {
     for (const char* formulation : {"r-omega", "r-p", "r-epsilon"})
       EXPECT_EQ(warnings_with(scene, method, 0, 1, formulation), std::vector<std::string>{})
           << method << ", " << formulation;
+}
+
+// Gravity and springs cancel but for rounding, which moves the body at 1e-15 m/s.
+TEST(Warnings, AreNotGivenForABodyAtRestOnSprings) {
+  Scene scene;
+  scene.bodies = {test::body("plate", 3, {0.3, 0.3, 0.6})};
+  constexpr double stiffness = 30, g = 9.81;
+  for (const auto& [x, y] : {std::pair(0.5, 0.0), {-0.25, 0.4}, {-0.25, -0.4}}) {
+    SpringDamper<double> spring;
+    spring.name = fmt::format("spring {}", scene.effects.size());
+    spring.i = {scenes::ground, {x, y, 1}};
+    spring.j = {0, {x, y, 0}};
+    spring.stiffness = stiffness;
+    spring.free_length = 1 - g / stiffness;
+    scene.effects.push_back(spring);
+  }
+  scene.effects.push_back(test::gravity(g));
+  for (const char* method : {"generalized-alpha", "radau5", "dopri5", "rattle", "rkf78", "radau9"})
+    EXPECT_EQ(warnings_with(scene, method, 0.05, 100), std::vector<std::string>{}) << method;
 }
 
 // A driver with a corner in every step, such as a sampled controller: no two steps have a smooth motion.

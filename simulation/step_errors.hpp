@@ -40,7 +40,7 @@ class StepErrors {
   /// Adds the step that ended at an accepted state. `off` is the violation of velocities there.
   void step(const S& t, const StateVector& y, const integrators::Violation<S>& off) {
     if (has_begun_ && t == t_) return;  // an output at the end of a step
-    has_begun_ = true;
+    if (!std::exchange(has_begun_, true)) start_ = t;
     const S before = std::exchange(t_, t);
     const long restarts = method_.counters().restarts - std::exchange(restarts_, method_.counters().restarts);
     const long rewritten =
@@ -59,8 +59,9 @@ class StepErrors {
     std::vector<double> least;  // the speed that loads could give
     for (int b = 0; b < equations_.nb(); ++b)
       least.push_back(static_cast<double>(equations_.measure().fastest_of(b)));
-    if (by_halves_) return by_halves_->sums(least);
-    return by_formula_->sums().sums(least, {least.size(), {1.0, 1.0}});
+    const double seconds = static_cast<double>(S(t_ - start_));
+    if (by_halves_) return by_halves_->sums(least, seconds);
+    return by_formula_->sums().sums(least, {least.size(), {1.0, 1.0}}, seconds);
   }
 
  private:
@@ -88,8 +89,8 @@ class StepErrors {
   std::optional<LocalError<S>> by_formula_;
   std::optional<HalvedStepErrors<F>> by_halves_;
   std::vector<BodyInMotion<S>> reached_;
-  StateVector met_;  ///< the state with projected velocities
-  S t_{0};
+  StateVector met_;    ///< the state with projected velocities
+  S start_{0}, t_{0};  ///< of the run, of the last state [s]
   long restarts_ = 0;
   long rewritten_ = 0;
   bool has_begun_ = false;
