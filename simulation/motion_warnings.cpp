@@ -32,7 +32,8 @@ std::vector<MotionWarning> motion_warnings(const SimulationReport& report) {
     out.back().relative_error = error;
   };
   // a row that counts by mistake, or does not, makes another mechanism
-  for (const std::string& row : report.narrow_rows) warn(row, 1);
+  for (const std::string& row : report.narrow_rows)
+    warn(row + "; if the mechanism is meant otherwise, the relative error of its motion is 1", 1);
   if (!report.passages.empty())
     warn(
         fmt::format("steps ended near {}, the first near t = {:.6g}: dependent rows were left out there, "

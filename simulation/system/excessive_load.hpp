@@ -1,35 +1,56 @@
 #pragma once
-/// Finds the effect whose load is no number that a motion can follow. Messages about failed steps name it as
-/// the cause.
+/// Finds the effect whose load is no number that a motion can follow, and the one that loads a body most.
+/// Messages about failed steps name them.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "effects/effect_list.hpp"
 
 namespace trivium {
 
-/// Type and name of the first effect whose load on a body is not finite or exceeds `most` [N, N m]; empty if
-/// there is none.
+/// Type and name of each effect, with its loads on all bodies.
+template <class S, class List>
+std::vector<std::pair<std::string, std::vector<Wrench<S>>>> loads_by_effect(const Effects<S, List>& effects,
+                                                                            const EffectView<S>& view) {
+  std::vector<std::pair<std::string, std::vector<Wrench<S>>>> loads;
+  const auto add = [&](const auto& effect) {
+    auto& [name, wrenches] = loads.emplace_back();
+    name =
+        effect.name.empty() ? std::string(effect.type) : fmt::format("{} \"{}\"", effect.type, effect.name);
+    wrenches.resize(view.bodies.size() + 1);
+    effect.apply(view, wrenches);
+  };
+  std::apply([&](const auto&... list) { (std::for_each(list.begin(), list.end(), add), ...); },
+             effects.lists());
+  return loads;
+}
+
+/// The first effect whose load on a body is not finite or exceeds `most` [N, N m]; empty if there is none.
 template <class S, class List>
 std::string excessive_load(const Effects<S, List>& effects, const EffectView<S>& view, const S& most) {
-  std::string found;
-  std::vector<Wrench<S>> wrenches(view.bodies.size() + 1);
-  const auto examine = [&](const auto& effect) {
-    if (!found.empty()) return;
-    std::fill(wrenches.begin(), wrenches.end(), Wrench<S>{});
-    effect.apply(view, wrenches);
+  for (const auto& [name, wrenches] : loads_by_effect(effects, view))
     for (const Wrench<S>& on : wrenches)
-      if (!(on.F.squaredNorm() <= most * most && on.n_bar.squaredNorm() <= most * most))
-        found = fmt::format("{} \"{}\"", effect.type, effect.name);
-  };
-  std::apply([&](const auto&... list) { (std::for_each(list.begin(), list.end(), examine), ...); },
-             effects.lists());
-  return found;
+      if (!(on.F.squaredNorm() <= most * most && on.n_bar.squaredNorm() <= most * most)) return name;
+  return {};
+}
+
+/// The effect with the largest load on a body; empty if none loads it.
+template <class S, class List>
+std::string largest_load(const Effects<S, List>& effects, const EffectView<S>& view, int body) {
+  std::string largest;
+  S most(0);
+  for (const auto& [name, wrenches] : loads_by_effect(effects, view))
+    if (const S size = wrenches[body].F.norm() + wrenches[body].n_bar.norm(); size > most) {
+      most = size;
+      largest = name;
+    }
+  return largest;
 }
 
 }  // namespace trivium

@@ -282,8 +282,8 @@ class FirstOrderEquations {
                                 "smaller numbers or another function of time",
                                 effect);
   }
-  /// The body with the largest acceleration at (t, y) or a moment later, as a clause for messages; empty if
-  /// none accelerates.
+  /// The body with the largest acceleration at (t, y) or a moment later and its largest load, as a clause for
+  /// messages; empty if none accelerates.
   std::string most_accelerated(const S& t, const StateVector& y) {
     using std::abs;
     std::string clause;
@@ -291,6 +291,7 @@ class FirstOrderEquations {
     // a load that changes within any step may vanish at t
     for (const S& at : {t, S(t + S(1e-12) * std::max(S(1), S(abs(t))))}) {
       solve(at, y);
+      take_motion();
       for (int b = 0; b < nb(); ++b) {
         const S r_ddot = solver_.r_ddot(b).norm(), omega_bar_dot = solver_.omega_bar_dot(b).norm();
         if (!(r_ddot + omega_bar_dot > largest)) continue;
@@ -298,6 +299,8 @@ class FirstOrderEquations {
         clause = fmt::format("body \"{}\" accelerates most there, by {:.1e} m/s^2 and {:.1e} rad/s^2",
                              mechanism_.body_names[b], static_cast<double>(r_ddot),
                              static_cast<double>(omega_bar_dot));
+        if (const std::string load = largest_load(mechanism_.effects, view(at), b); !load.empty())
+          clause += ", and is loaded most by " + load;
       }
     }
     return clause;

@@ -78,8 +78,8 @@ std::string trouble_of_rows(const std::vector<std::string>& row_names, const std
     return contradicting_drivers(row_names, here, drivers, t);
   return fmt::format(
       "near a singular position, where row \"{}\" comes to depend on others and the mechanism can go on in "
-      "more than one way: since the start {}{}. Try other tolerances or steps, or try dopri5, rkf78 or "
-      "rattle, which pass most singular positions",
+      "more than one way: since the start {}{}. Try other tolerances or steps, or another of dopri5, "
+      "rkf78 and rattle, which pass most singular positions",
       row_names[nearest_to_dependent(now, then.rank)],
       here.rank < then.rank
           ? fmt::format("the rank of the rows has fallen from {} to {}", then.rank, here.rank)
