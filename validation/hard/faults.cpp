@@ -117,11 +117,13 @@ Scene slider(const std::string& name, double x, const scenes::Effect& effect) {
   return scene;
 }
 
-/// The force w sin(w t), so that x = t - sin(w t) / w.
+/// From t_0 = 0.5 s on the force is w sin(w (t - t_0)), so that x = t - t_0 - sin(w (t - t_0)) / w.
+constexpr double shaken_from = 0.5;
 Scene shaken_slider(double w) {
   Force<double> force;
   force.name = "shaking";
-  force.components[0] = TimeFunction::Harmonic{0, w, w, 0};
+  force.components[0] = TimeFunction::Product{
+      {TimeFunction::Piecewise{{shaken_from}, {0, 1}}, TimeFunction::Harmonic{0, w, w, -w * shaken_from}}};
   return slider(fmt::format("shaken_slider_{:g}", w), 0, force);
 }
 
@@ -245,43 +247,45 @@ void judge_signal(Judge& judge, double runs, int signal, const char* name) {
 }  // namespace
 
 Family faults() {
-  return {
-      "faults",
-      "forces that overflow, steps that underflow, full memory and disks, signals",
-      {{"non_finite_force",
-        "c of the force (c t)^4 [N^(1/4)/s]",
-        {1e20, 1e100},
-        1,
-        {1e60, 1e80},
-        {1e20, 1e40, 1e60, 1e80, 1e100},
-        judge_push,
-        pushed_pendulum},
-       {"step_underflow",
-        "angular frequency of the force [rad/s]",
-        {1e30, 1e100},
-        10,
-        {1e30},
-        {1e30, 1e60, 1e90},
-        [](Judge& judge, double w) { judge_slider(judge, shaken_slider(w), 1e-8, 1, 1 - std::sin(w) / w); },
-        shaken_slider},
-       {"failing_allocation", "number of runs", {0, 1e6, true}, 0, {40}, {4000}, judge_allocations},
-       {"full_disk",
-        "size to which a file can grow [bytes]",
-        {0, 1e12},
-        1e9,
-        {4096},
-        {0, 1, 100, 4096, 8191, 8192, 16384},
-        judge_full_disk},
-       {"interrupt",
-        "number of runs",
-        {0, 1000, true},
-        0,
-        {4},
-        {30},
-        [](Judge& judge, double runs) { judge_signal(judge, runs, SIGINT, "SIGINT"); }},
-       {"terminate", "number of runs", {0, 1000, true}, 0, {4}, {30}, [](Judge& judge, double runs) {
-          judge_signal(judge, runs, SIGTERM, "SIGTERM");
-        }}}};
+  return {"faults",
+          "forces that overflow, steps that underflow, full memory and disks, signals",
+          {{"non_finite_force",
+            "c of the force (c t)^4 [N^(1/4)/s]",
+            {1e20, 1e100},
+            1,
+            {1e60, 1e80},
+            {1e20, 1e40, 1e60, 1e80, 1e100},
+            judge_push,
+            pushed_pendulum},
+           {"step_underflow",
+            "angular frequency of the force [rad/s]",
+            {1e30, 1e100},
+            10,
+            {1e30},
+            {1e30, 1e60, 1e90},
+            [](Judge& judge, double w) {
+              constexpr double shaken = 1 - shaken_from;
+              judge_slider(judge, shaken_slider(w), 1e-8, 1, shaken - std::sin(w * shaken) / w);
+            },
+            shaken_slider},
+           {"failing_allocation", "number of runs", {0, 1e6, true}, 0, {40}, {4000}, judge_allocations},
+           {"full_disk",
+            "size to which a file can grow [bytes]",
+            {0, 1e12},
+            1e9,
+            {4096},
+            {0, 1, 100, 4096, 8191, 8192, 16384},
+            judge_full_disk},
+           {"interrupt",
+            "number of runs",
+            {0, 1000, true},
+            0,
+            {4},
+            {30},
+            [](Judge& judge, double runs) { judge_signal(judge, runs, SIGINT, "SIGINT"); }},
+           {"terminate", "number of runs", {0, 1000, true}, 0, {4}, {30}, [](Judge& judge, double runs) {
+              judge_signal(judge, runs, SIGTERM, "SIGTERM");
+            }}}};
 }
 
 }  // namespace trivium::hard

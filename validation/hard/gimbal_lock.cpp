@@ -130,10 +130,11 @@ void judge_flight(Judge& judge, double distance, bool reframe) {
 }
 
 /// The worst of the twelve sequences, each past its own singularity.
-void judge_sequences(Judge& judge, double distance) {
+void judge_sequences(Judge& judge, double distance, bool reframe) {
   for (const std::string_view name : euler_sequence_names) {
     judge.begin_part(fmt::format("sequence {}", name));
     HardMotion motion = motion_past(*parse_euler_sequence(name), distance);
+    motion.charts.reframe = reframe;
     motion.methods = {"dopri5"};
     motion.beside_simbody = false;
     judge.motion(motion);
@@ -176,7 +177,14 @@ Family gimbal_lock() {
             0.5,
             {1e-4},
             distances,
-            judge_sequences}}};
+            [](Judge& judge, double distance) { judge_sequences(judge, distance, true); }},
+           {"raw_sequences",
+            "closest approach [rad], each of the twelve sequences, charts are kept",
+            {0, 0.7},
+            0.5,
+            {},
+            {1e-2, 1e-5},
+            [](Judge& judge, double distance) { judge_sequences(judge, distance, false); }}}};
 }
 
 }  // namespace trivium::hard

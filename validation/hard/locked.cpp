@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "scenes/building.hpp"
 #include "scenes/generators.hpp"
@@ -51,6 +53,27 @@ Scene hanging_chain(double bars) {
               side(k, Vector3{0, 0, 0.5}, y)));
   }
   scene.effects = {building::gravity()};
+  return scene;
+}
+
+constexpr double plate_mass = 3, g = 9.81;
+
+/// A plate that hangs at rest on three vertical springs of this stiffness [N/m].
+Scene sprung_plate(double stiffness) {
+  Scene scene;
+  scene.name = fmt::format("sprung_plate_{:g}", stiffness);
+  constexpr double length = 1;
+  scene.bodies = {body("plate", plate_mass, {0.3, 0.3, 0.6})};
+  for (const auto& [x, y] : {std::pair(0.5, 0.0), {-0.25, 0.4}, {-0.25, -0.4}}) {
+    SpringDamper<double> spring;
+    spring.name = fmt::format("spring_{}", scene.effects.size() + 1);
+    spring.i = {scenes::ground, {x, y, length}};
+    spring.j = {0, {x, y, 0}};
+    spring.stiffness = stiffness;
+    spring.free_length = length - plate_mass * g / (3 * stiffness);
+    scene.effects.push_back(spring);
+  }
+  scene.effects.push_back(building::gravity(g));
   return scene;
 }
 
@@ -114,7 +137,19 @@ Family locked() {
             [](Judge& judge, double bars) {
               judge_rest(judge, hanging_chain(bars), judge.is_twin() ? 100 : 1000, 0.05);
             },
-            hanging_chain}}};
+            hanging_chain},
+           {"sprung_plate",
+            "stiffness of the three springs on which a plate hangs at rest [N/m]",
+            {30, 1e5},
+            30,
+            {},
+            {100},
+            [](Judge& judge, double stiffness) {
+              const double omega = std::sqrt(3 * stiffness / plate_mass);
+              judge_rest(judge, sprung_plate(stiffness), judge.is_twin() ? 100 : 1000,
+                         std::min(0.05, 0.5 / omega));
+            },
+            sprung_plate}}};
 }
 
 }  // namespace trivium::hard

@@ -213,6 +213,17 @@ void judge_short_steps(Judge& judge, double h) {
       row.threshold = factors::law * row.tolerance;
       row.why = "law (omega h)^2 + u / h";
       judge.add(judge.judged(row));
+      row.quantity = "energy [-]";
+      row.value = report.unaccounted_energy / (mass * g * arm);
+      row.tolerance = omega * h * omega * h + u / h;
+      row.threshold = factors::law * row.tolerance;
+      judge.add(judge.judged(row));
+      row.quantity = "Phi [m]";
+      row.value = report.phi;
+      row.tolerance = integrators::rounding<double>() * arm;
+      row.threshold = factors::law * row.tolerance;
+      row.why = "law 16 epsilon l";
+      judge.add(judge.judged(row));
       if (!report.has_raw_lambda) continue;
       row.quantity = "raw lambda [N]";
       row.value = report.lambda_gap;

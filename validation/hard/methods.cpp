@@ -70,12 +70,12 @@ const std::vector<WithoutSimbody>& cases_without_simbody() {
   static const std::vector<WithoutSimbody> list{
       {"near_lock", "states, not motions; simbody_reference compares states"},
       {"sequences", "its coordinates have no Euler sequence; its rows of the same flight are in flight"},
+      {"raw_sequences", "as sequences"},
       {"printed_spin", "states, not motions"},
       {"redundancy", "states, not motions; simbody_reference compares states"},
       {"four_bars", "more than 10 loops take its integrators longer than 8 minutes"},
       {"tight_tolerances", "its rows of the same motions are in their own cases"},
       {"long_runs", "its integrators choose their steps: no law of given steps is theirs"},
-      {"unmarked_pulses", "its integrators would need a longest step, which the comparison does not pass on"},
       {"size_and_place",
        "none of more than 200 bodies: a ring of a thousand takes minutes; ladders are states"},
       {"faults", "the program trivium is what fails there"},

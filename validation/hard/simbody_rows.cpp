@@ -16,6 +16,8 @@ namespace trivium::hard {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 Vector3<double> vector(const simbody::Vector3& v) { return {v[0], v[1], v[2]}; }
 
 std::vector<MechanismState<double>> states_of(const simbody::Motion& motion) {
@@ -35,23 +37,35 @@ std::vector<MechanismState<double>> states_of(const simbody::Motion& motion) {
 std::vector<Row> simbody_rows(const Judge& judge, const HardMotion& motion, const ExactMotion& exact,
                               double accuracy) {
   std::vector<Row> rows;
-  if (!exact.trouble().empty()) return rows;
+  if (exact.is_given_up()) return rows;
   std::vector<double> times;
-  for (const auto& state : exact.states()) times.push_back(state.t);
+  for (int k = 1; k <= hard_outputs; ++k) times.push_back(motion.start + k * exact.output_step());
   for (const auto& [name, which] :
        {std::pair("Simbody RungeKuttaMerson", simbody::Integrator::runge_kutta_merson),
         {"Simbody CPodes BDF", simbody::Integrator::cpodes_bdf}}) {
     Row row = judge.row("Simbody", name, motion.monitor == Monitor::motion ? "motion [-]" : "positions [-]");
     row.counts = false;
     try {
-      const simbody::Motion found = simbody::move(to_simbody(motion.scene, motion.start),
-                                                  simbody::Way::mobilizers, which, accuracy, times);
+      const simbody::Motion found =
+          simbody::move(to_simbody(motion.scene, motion.start), simbody::Way::mobilizers, which, accuracy,
+                        times, motion.max_step.value_or(infinity));
       row.why = counted(found.steps, "step", "steps");
       row.tolerance = static_cast<double>(found.steps) * accuracy;
+      if (!exact.trouble().empty()) {
+        row.value = std::numeric_limits<double>::quiet_NaN();
+        row.verdict = Verdict::fails;
+        row.why += ", though the exact motion ends: " + exact.trouble();
+        rows.push_back(std::move(row));
+        continue;
+      }
       judge_states(row, exact, states_of(found), factors::chosen_steps);
       row.verdict = row.is_met()            ? Verdict::survives
                     : std::isnan(row.value) ? Verdict::not_judged
                                             : Verdict::fails;
+    } catch (const simbody::GivenUp& limit) {
+      row.value = std::numeric_limits<double>::quiet_NaN();
+      row.verdict = Verdict::not_judged;
+      row.why = limit.what();
     } catch (const simbody::Refused& refusal) {
       row.value = std::numeric_limits<double>::quiet_NaN();
       row.verdict = Verdict::announces;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <mutex>
@@ -93,7 +94,8 @@ void read_states(const System& system, Motion& out) {
   out.states.push_back(states);
 }
 
-Motion move(System& system, Integrator which, double accuracy, const std::vector<double>& times) {
+Motion move(System& system, Integrator which, double accuracy, const std::vector<double>& times,
+            double longest) {
   const std::unique_ptr<SimTK::Integrator> integrator = make(system, which);
   integrator->setAccuracy(accuracy);
   integrator->setConstraintTolerance(accuracy);
@@ -101,6 +103,7 @@ Motion move(System& system, Integrator which, double accuracy, const std::vector
   const bool interpolates = which == Integrator::cpodes_adams || which == Integrator::cpodes_bdf;
   integrator->setAllowInterpolation(interpolates);
   integrator->setInternalStepLimit(steps_at_once);
+  if (std::isfinite(longest)) integrator->setMaximumStepSize(longest);
   Motion out;
   const SilentErrors silent;
   const double start = cpu_seconds();
@@ -109,7 +112,7 @@ Motion move(System& system, Integrator which, double accuracy, const std::vector
     while (integrator->getTime() < t) {
       integrator->stepTo(t, interpolates ? SimTK::Infinity : t);
       if (integrator->getNumStepsTaken() > most_steps)
-        throw Refused(fmt::format("more than {} steps up to t = {:g}", most_steps, integrator->getTime()));
+        throw GivenUp(fmt::format("more than {} steps up to t = {:g}", most_steps, integrator->getTime()));
     }
     system.state = integrator->getState();
     read_states(system, out);
@@ -123,10 +126,10 @@ Motion move(System& system, Integrator which, double accuracy, const std::vector
 }  // namespace
 
 Motion move(const Model& model, Way way, Integrator integrator, double accuracy,
-            const std::vector<double>& times) {
+            const std::vector<double>& times, double longest) {
   try {
     System system(model, way);
-    return move(system, integrator, accuracy, times);
+    return move(system, integrator, accuracy, times, longest);
   } catch (const Refused&) {
     throw;
   } catch (const std::exception& error) {

@@ -2,6 +2,7 @@
 /// Simulates a model with Simbody's own integrators. Plain C++17, like model.hpp.
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "validation/simbody/way.hpp"
@@ -36,9 +37,16 @@ struct Motion {
   long steps = 0, realizations = 0;
 };
 
+/// A run that was ended because it takes too many steps.
+class GivenUp : public Refused {
+ public:
+  using Refused::Refused;
+};
+
 /// The motion at the given times. Steps end at these times, except that CPodes interpolates. Constraints are
-/// satisfied to `accuracy`. Throws Refused, also after 200 000 steps, and no other exception.
+/// satisfied to `accuracy`; no step is longer than `longest` [s]. Throws GivenUp after 200 000 steps, Refused
+/// if the integrator ends, and no other exception.
 Motion move(const Model& model, Way way, Integrator integrator, double accuracy,
-            const std::vector<double>& times);
+            const std::vector<double>& times, double longest = std::numeric_limits<double>::infinity());
 
 }  // namespace trivium::simbody
