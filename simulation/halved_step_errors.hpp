@@ -111,11 +111,11 @@ class HalvedStepErrors {
     rate_before_ = rate_;
   }
 
-  LocalErrorSums sums(const std::vector<double>& least, double seconds) const {
+  LocalErrorSums sums(const std::vector<double>& least) const {
     std::vector<std::pair<double, double>> factors;
     for (const auto& [position, velocity] : errors_)
       factors.emplace_back(position.factor(), velocity.factor());
-    LocalErrorSums sums = sums_.sums(least, factors, seconds);
+    LocalErrorSums sums = sums_.sums(least, factors);
     if (has_failed_ && taken_ == 0) sums.steps = 0;
     return sums;
   }

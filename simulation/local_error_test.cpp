@@ -74,7 +74,7 @@ TEST(StepFormula, LeavesTheErrorThatEveryStepCommits) {
 LocalErrorSums sums_of(const LocalError<double>& local) {
   const std::size_t bodies = local.sums().bodies();
   return local.sums().sums(std::vector<double>(bodies, 1),
-                           std::vector<std::pair<double, double>>(bodies, {1, 1}), 1);
+                           std::vector<std::pair<double, double>>(bodies, {1, 1}));
 }
 
 TEST(LocalError, OfAnExactMotionFallsWithThePowerOfItsFormula) {

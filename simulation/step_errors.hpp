@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/raise.hpp"
 #include "integrators/contract/any_method.hpp"
 #include "mechanism/reach.hpp"
 #include "simulation/halved_step_errors.hpp"
@@ -59,12 +60,26 @@ class StepErrors {
     std::vector<double> least;  // the speed that loads could give
     for (int b = 0; b < equations_.nb(); ++b)
       least.push_back(static_cast<double>(equations_.measure().fastest_of(b)));
-    const double seconds = static_cast<double>(S(t_ - start_));
-    if (by_halves_) return by_halves_->sums(least, seconds);
-    return by_formula_->sums().sums(least, {least.size(), {1.0, 1.0}}, seconds);
+    add_roundings(least);
+    if (by_halves_) return by_halves_->sums(least);
+    return by_formula_->sums().sums(least, {least.size(), {1.0, 1.0}});
   }
 
  private:
+  /// Where loads cancel, such as gravity and springs, what they could give is nothing, but rounding errors
+  /// u F / m of accelerations remain. Speeds that add up from them are no motion either.
+  void add_roundings(std::vector<double>& least) const {
+    constexpr double roundings = 1000;  // of the formulas, of all steps in the same direction
+    const double u_t = roundings * static_cast<double>(std::numeric_limits<S>::epsilon() * S(t_ - start_));
+    const std::vector<Wrench<S>> sizes = equations_.load_sizes(t_);
+    const std::vector<S> reach = reaches(equations_.mechanism());
+    for (std::size_t b = 0; b < least.size(); ++b) {
+      const S& mass = equations_.mechanism().bodies[b].mass;
+      if (!(mass > S(0))) continue;
+      const S of_moments = reach[b] > S(0) ? S(sizes[b].n_bar.norm() / reach[b]) : S(0);
+      raise(least[b], u_t * static_cast<double>(S((sizes[b].F.norm() + of_moments) / mass)));
+    }
+  }
   /// With index 3 the violation of velocities is of order h^2 and does not accumulate; the velocities are
   /// projected, so that only errors count that do.
   void add_state(const S& t, const StateVector& y, const S& h, const integrators::Violation<S>& off) {

@@ -77,9 +77,9 @@ inline Demand demand_of(const TimeFunction& f, double t, double farther, double 
   return demand;
 }
 
-/// A message about the driver that comes to the end of its reach first, within two steps of length `step` [s]
-/// after `now`, as one that ends close to it may fail, or within a hundredth of the time since the start;
-/// empty if none does. `drivers` are rows.
+/// A message about the driver that comes to the end of its reach first, if any goes beyond it, within two
+/// steps of length `step` [s] after `now`, as one that ends close to it may fail, or within a hundredth of
+/// the time since the start; empty if none does. `drivers` are rows.
 template <class Types>
 std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vector<int>& drivers,
                       const MechanismState<double>& start, const MechanismState<double>& now, double step) {
@@ -107,7 +107,8 @@ std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vect
     Demand of_driver = demand_of(f, now.t, of_row.farther, horizon);
     // with so little grip the driver is at the end, also if its function has just turned back
     if (of_row.grip < at_end * at_start) of_driver.time = 0;
-    if (!of_driver.time || *of_driver.time > first) continue;
+    if (!of_driver.time || demand.is_beyond > of_driver.is_beyond) continue;
+    if (demand.is_beyond == of_driver.is_beyond && *of_driver.time > first) continue;
     first = *of_driver.time;
     worst = row;
     reach = of_row;
@@ -115,17 +116,21 @@ std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vect
     share = of_row.grip / at_start;
   }
   if (worst < 0) return {};
-  const double value = function_of(mechanism.rows[worst])(now.t).f;
+  const double value = function_of(mechanism.rows[worst])(now.t).f, end = value + reach.farther;
   const char* up_to = reach.farther >= 0 ? "up to" : "down to";
+  int digits = 6;  // or as many as show that the demand is beyond the end
+  while (digits < 17 && fmt::format("{:.{}g}", demand.value, digits) == fmt::format("{:.{}g}", end, digits))
+    ++digits;
   const std::string trouble =
-      demand.is_beyond ? fmt::format(
-                             "demands f = {:.6g} at t = {:.6g}, but from its value {:.6g} at t = {} "
-                             "the other rows leave only values {} about {:.6g} within reach",
-                             demand.value, demand.at, value, now.t, up_to, value + reach.farther)
-                       : fmt::format(
-                             "comes to a dead point: its value is {:.6g} at t = {}, where the other "
-                             "rows leave values {} about {:.6g} within reach",
-                             value, now.t, up_to, value + reach.farther);
+      demand.is_beyond
+          ? fmt::format(
+                "demands f = {:.{}g} at t = {:.9g}, but from its value {:.{}g} at t = {:.9g} the other "
+                "rows leave only values {} about {:.{}g} within reach",
+                demand.value, digits, demand.at, value, digits, now.t, up_to, end, digits)
+          : fmt::format(
+                "comes to a dead point: its value is {:.6g} at t = {:.9g}, where the other rows leave "
+                "values {} about {:.6g} within reach",
+                value, now.t, up_to, end);
   return fmt::format(
       "driver \"{}\" {}, and the part of its gradient that they leave free is {:.1e} of that at the "
       "start. The rank of the rows falls by 1 there. Give it another function of time, or drive another "

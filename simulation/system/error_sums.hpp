@@ -4,7 +4,6 @@
 /// enter.
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -84,17 +83,10 @@ class ErrorSums {
   }
 
   /// The sums for all steps. `least` of each body: a bound below which the speed of the bodies connected with
-  /// it is no motion [m/s]. `factors` of each body multiply the errors of positions and of velocities. The
-  /// steps took `seconds` in all. In steps of length h rounding errors u size of positions make velocities of
-  /// u size / h. They add up from step to step, and so do the estimates of them; they are no motion either.
-  LocalErrorSums sums(const std::vector<double>& least, const std::vector<std::pair<double, double>>& factors,
-                      double seconds) const {
+  /// it is no motion [m/s]. `factors` of each body multiply the errors of positions and of velocities.
+  LocalErrorSums sums(const std::vector<double>& least,
+                      const std::vector<std::pair<double, double>>& factors) const {
     LocalErrorSums largest;
-    constexpr double roundings = 100;
-    const double count = static_cast<double>(steps_),
-                 rounding = seconds > 0 ? roundings * static_cast<double>(std::numeric_limits<S>::epsilon()) *
-                                              count * count / seconds
-                                        : 0;  // [1/s]
     const double share = estimated_ > 0 ? static_cast<double>(steps_) / static_cast<double>(estimated_) : 0;
     for (int b = 0; b < bodies(); ++b) {
       LocalErrorSums of_body;
@@ -102,8 +94,7 @@ class ErrorSums {
       of_body.position = share * factors[b].first * static_cast<double>(errors_[b].first);
       of_body.velocity = share * factors[b].second * static_cast<double>(errors_[b].second);
       of_body.size = static_cast<double>(size_[component_[b]]);
-      of_body.speed =
-          std::max({static_cast<double>(speed_[component_[b]]), least[b], rounding * of_body.size});
+      of_body.speed = std::max(static_cast<double>(speed_[component_[b]]), least[b]);
       of_body.steps = estimated_;
       if (b == 0 || of_body.relative() > largest.relative()) largest = of_body;
     }

@@ -28,8 +28,8 @@
 #include "simulation/system/discontinuities.hpp"
 #include "simulation/system/driver_grip.hpp"
 #include "simulation/system/energy_account.hpp"
-#include "simulation/system/excessive_load.hpp"
 #include "simulation/system/far_from_origin.hpp"
+#include "simulation/system/loads_by_effect.hpp"
 #include "simulation/system/motion_log.hpp"
 #include "simulation/system/saved_numbers.hpp"
 #include "simulation/system/state_layout.hpp"
@@ -304,6 +304,11 @@ class FirstOrderEquations {
       }
     }
     return clause;
+  }
+  /// The sizes of all loads on each body at the state of the last evaluation and time t, cancelled by none.
+  std::vector<Wrench<S>> load_sizes(const S& t) {
+    take_motion();
+    return trivium::load_sizes(mechanism_.effects, view(t));
   }
   /// A message about a body near the singularity of its chart; empty if there is none.
   std::string near_singular_chart(const S& t, const StateVector& y) {

@@ -200,10 +200,10 @@ Scene misaligned_door(double angle) {
 /// sixth row. The decade around the tolerance is left open.
 void judge_misalignment(Judge& judge, double angle) {
   std::optional<int> rank;
-  if (angle < 3e-9) rank = 5;
-  if (angle > 3e-8) rank = 6;
-  compare_with_reduced(judge, misaligned_door(angle), rank,
-                       rank == 5 ? factors::redundant : small_difference);
+  if (angle < 3e-9) rank = 5 + bob_rows;
+  if (angle > 3e-8) rank = 6 + bob_rows;
+  compare_with_reduced(judge, with_a_bob(misaligned_door(angle)), rank,
+                       angle < 3e-9 ? factors::redundant : small_difference);
 }
 
 /// Whether the door is locked in one formulation by one solver, as the angle grows.
@@ -275,7 +275,7 @@ Family redundancy() {
             {1e-12, 1e-5},
             {1e-14, 1e-12, 1e-10, 1e-9, 1e-8, 1.1e-8, 1.3e-8, 1e-7, 1e-6, 1e-5, 1e-4},
             judge_misalignment,
-            misaligned_door},
+            [](double angle) { return with_a_bob(misaligned_door(angle)); }},
            {"rank_jump", "angles per decade", {1, 1000, true}, 1, {100}, {10, 1000}, judge_jump}}};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-/// Finds the effect whose load is no number that a motion can follow, and the one that loads a body most.
-/// Messages about failed steps name them.
+/// The loads of each effect by itself. Messages about failed steps name the effect whose load is no number
+/// that a motion can follow, and the one that loads a body most. Where loads cancel, their sizes tell
+/// rounding from motion.
 
 #include <fmt/format.h>
 
@@ -51,6 +52,18 @@ std::string largest_load(const Effects<S, List>& effects, const EffectView<S>& v
       largest = name;
     }
   return largest;
+}
+
+/// The sums of the absolute values of all loads on each body, component by component; the loads may cancel.
+template <class S, class List>
+std::vector<Wrench<S>> load_sizes(const Effects<S, List>& effects, const EffectView<S>& view) {
+  std::vector<Wrench<S>> sizes(view.bodies.size());
+  for (const auto& [name, wrenches] : loads_by_effect(effects, view))
+    for (std::size_t b = 0; b < sizes.size(); ++b) {
+      sizes[b].F += wrenches[b].F.cwiseAbs();
+      sizes[b].n_bar += wrenches[b].n_bar.cwiseAbs();
+    }
+  return sizes;
 }
 
 }  // namespace trivium
