@@ -16,8 +16,6 @@ namespace trivium::hard {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 Vector3<double> vector(const simbody::Vector3& v) { return {v[0], v[1], v[2]}; }
 
 std::vector<MechanismState<double>> states_of(const simbody::Motion& motion) {
@@ -45,31 +43,29 @@ std::vector<Row> simbody_rows(const Judge& judge, const HardMotion& motion, cons
         {"Simbody CPodes BDF", simbody::Integrator::cpodes_bdf}}) {
     Row row = judge.row("Simbody", name, motion.monitor == Monitor::motion ? "motion [-]" : "positions [-]");
     row.counts = false;
+    const auto without_value = [&](Verdict verdict, const std::string& why) {
+      row.value = std::numeric_limits<double>::quiet_NaN();
+      row.verdict = verdict;
+      row.why = why;
+    };
     try {
       const simbody::Motion found =
           simbody::move(to_simbody(motion.scene, motion.start), simbody::Way::mobilizers, which, accuracy,
-                        times, motion.max_step.value_or(infinity));
+                        times, motion.max_step.value_or(std::numeric_limits<double>::infinity()));
       row.why = counted(found.steps, "step", "steps");
       row.tolerance = static_cast<double>(found.steps) * accuracy;
-      if (!exact.trouble().empty()) {
-        row.value = std::numeric_limits<double>::quiet_NaN();
-        row.verdict = Verdict::fails;
-        row.why += ", though the exact motion ends: " + exact.trouble();
-        rows.push_back(std::move(row));
-        continue;
+      if (exact.trouble().empty()) {
+        judge_states(row, exact, states_of(found), factors::chosen_steps);
+        row.verdict = row.is_met()            ? Verdict::survives
+                      : std::isnan(row.value) ? Verdict::not_judged
+                                              : Verdict::fails;
+      } else {
+        without_value(Verdict::fails, row.why + ", though the exact motion ends: " + exact.trouble());
       }
-      judge_states(row, exact, states_of(found), factors::chosen_steps);
-      row.verdict = row.is_met()            ? Verdict::survives
-                    : std::isnan(row.value) ? Verdict::not_judged
-                                            : Verdict::fails;
     } catch (const simbody::GivenUp& limit) {
-      row.value = std::numeric_limits<double>::quiet_NaN();
-      row.verdict = Verdict::not_judged;
-      row.why = limit.what();
+      without_value(Verdict::not_judged, limit.what());
     } catch (const simbody::Refused& refusal) {
-      row.value = std::numeric_limits<double>::quiet_NaN();
-      row.verdict = Verdict::announces;
-      row.why = refusal.what();
+      without_value(Verdict::announces, refusal.what());
     }
     rows.push_back(std::move(row));
   }
