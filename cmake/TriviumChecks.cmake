@@ -49,4 +49,9 @@ add_test(NAME flags.that_change_types_do_not_compile
                  -DCXX=${CMAKE_CXX_COMPILER} -DEIGEN=${eigen_dir} -P ${PROJECT_SOURCE_DIR}/cmake/test_compiled_with.cmake)
 set_tests_properties(layers.hold layers.violations_are_found headers.say_what_they_are_for docs.name_what_exists docs.are_spelt
                      docs.figures_are_current docs.render sources.are_formatted flags.that_change_types_do_not_compile PROPERTIES LABELS unit)
-set_tests_properties(package.serves_a_consumer PROPERTIES LABELS validation)
+# it takes longest, so it starts first
+set_tests_properties(package.serves_a_consumer PROPERTIES LABELS validation COST 200)
+if(CCACHE)
+  set_tests_properties(package.serves_a_consumer PROPERTIES ENVIRONMENT
+    "CMAKE_CXX_COMPILER_LAUNCHER=${CCACHE};CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}")
+endif()

@@ -20,9 +20,11 @@ if(TRIVIUM_SANITIZE)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     message(FATAL_ERROR "TRIVIUM_SANITIZE needs clang++, not ${CMAKE_CXX_COMPILER_ID}: use the preset asan")
   endif()
+  # relative to the folder that the compiler runs in, because the compiler cache hashes this option as it stands
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_LIST_DIR BASE_DIRECTORY ${CMAKE_BINARY_DIR} OUTPUT_VARIABLE from_build)
   target_compile_options(trivium_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
                                                    -fno-omit-frame-pointer
-                                                   -fsanitize-ignorelist=${CMAKE_CURRENT_LIST_DIR}/sanitizers_ignored.txt)
+                                                   -fsanitize-ignorelist=${from_build}/sanitizers_ignored.txt)
   target_link_options(trivium_options INTERFACE -fsanitize=address,undefined)
 endif()
 

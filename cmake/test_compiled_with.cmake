@@ -8,7 +8,7 @@ file(WRITE ${WORK}/user.cpp "#include <bodies/numbers/batch.hpp>\n#include <bodi
 function(user_says variable library user)
   trivium_compiled_with(${WORK}/bodies/numbers/compiled_with.hpp ${CXX} "${library}" ${EIGEN})
   separate_arguments(user UNIX_COMMAND "${user}")
-  execute_process(COMMAND ${CXX} -std=c++20 -fsyntax-only ${user} -I${SOURCE_DIR} -I${WORK} -I${EIGEN} ${WORK}/user.cpp
+  execute_process(COMMAND ${CXX} -std=c++20 -fsyntax-only -Wfatal-errors ${user} -I${SOURCE_DIR} -I${WORK} -I${EIGEN} ${WORK}/user.cpp
                   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(result EQUAL 0)
     set(output "compiles")
