@@ -161,6 +161,18 @@ TEST_P(ChosenStepsOf, AreNoLongerThanTheModelSays) {
   EXPECT_EQ(r.t.back(), 2);
 }
 
+TEST_P(ChosenStepsOf, SeeErrorsWhereAnAngleOfConstantRateDecidesAll) {
+  constexpr double rate = 3, end = 20;
+  Free system;  // angle, x and x'; x = sin(angle)
+  system.y0 = Eigen::Vector3d(0, 0, rate);
+  system.f = [=](double, const StateVector<double>& y) {
+    return StateVector<double>(Eigen::Vector3d(rate, y[2], -rate * rate * std::sin(y[0])));
+  };
+  const Walked r = run(system, GetParam(), Steps::chosen, TimeGrid(0, end), {1e-8, 1e-8});
+  // errors of x' add up over the whole time
+  EXPECT_NEAR(r.y.back()[1], std::sin(rate * end), 1e-4);
+}
+
 TEST_P(ChosenStepsOf, KeepTheirOrderAcrossAKink) {
   const auto error = [&](std::vector<double> events) {
     Free system;  // y' = |t - 1 / pi|, a kink at 1 / pi

@@ -1,15 +1,16 @@
 #pragma once
-/// Chosen steps of Fehlberg 7(8) under loads and drivers that are functions of time. Its own error estimate
-/// compares derivatives at the two ends of a step. It vanishes where y' depends on time alone, and sees
-/// nothing of what happens within the step. There the method of order 8 is the rule of Newton and Cotes on
-/// the sixths of the step, whose error is
+/// Chosen steps of Fehlberg 7(8). Its own error estimate compares derivatives at the two ends of a step. It
+/// vanishes where y' depends on time alone, and sees nothing of what happens within the step. There the
+/// method of order 8 is the rule of Newton and Cotes on the sixths of the step, whose error is
 ///
 ///     9/1400 (h/6)^9 f^(8),   and (h/6)^6 f^(6) is about D, the sixth difference of y' on the sixths
 ///
 /// Abramowitz and Stegun, Handbook of Mathematical Functions (1964), 25.4.18. Where derivatives grow evenly
 /// with their order and F is the size of y', (h/6)^8 f^(8) is about F (D/F)^(8/6). The second estimate is
 /// therefore 9/8400 h F (D/F)^(4/3), for each element of y. Where y' depends on y, stages are less accurate
-/// than steps, and the estimate is too large: steps are shorter by a third or so.
+/// than steps, and the estimate is too large: steps are shorter by a third or so. It counts in full where
+/// loads or drivers are functions of time. Elsewhere a hundredth counts, which limits no usual step, but an
+/// angle of constant rate makes y' a function of time as well: a crank that turns evenly, in Euler angles.
 
 #include <algorithm>
 #include <array>
@@ -24,9 +25,10 @@ namespace trivium::integrators {
 template <class S>
 class FehlbergControl {
  public:
-  explicit FehlbergControl(const Tolerances& tolerances)
+  FehlbergControl(const Tolerances& tolerances, bool depends_on_time)
       : controlled_(typename Controlled::error_checker_type(S(tolerances.atol), S(tolerances.rtol))),
-        tolerances_(tolerances) {}
+        tolerances_(tolerances),
+        share_(depends_on_time ? 1 : 0.01) {}
 
   /// Odeint's try_step: after a step y, t and h are those of the next one; after a rejected step h is.
   template <class F>
@@ -61,7 +63,7 @@ class FehlbergControl {
   /// Of the second stage to the last: at which sixth of the step it is; 0 if at none, or at the start.
   static constexpr std::array<std::size_t, 12> sixth_of_stage{0, 0, 1, 0, 3, 5, 1, 4, 2, 6, 0, 6};
 
-  /// The second estimate for a step of length h, in units of the tolerances.
+  /// What counts of the second estimate for a step of length h, in units of the tolerances.
   S second_error(const S& h) const {
     using std::abs, std::cbrt;
     constexpr std::array<int, 7> binomial{1, -6, 15, -20, 15, -6, 1};
@@ -78,11 +80,12 @@ class FehlbergControl {
       // as in Odeint's checker of errors
       largest = std::max(largest, S(error / (atol + rtol * (abs(before_[k]) + h * abs(on_sixths_[0][k])))));
     }
-    return largest;
+    return share_ * largest;
   }
 
   Controlled controlled_;
   const Tolerances tolerances_;
+  const S share_;
   StateVector<S> before_;
   std::array<StateVector<S>, 7> on_sixths_;  ///< y' at the nodes 0, 1/6, ... 1
 };

@@ -15,12 +15,21 @@ namespace trivium::integrators {
 
 namespace {
 
-template <class S, class Stepper>
-auto chosen_runge_kutta(int order, const Tolerances& tolerances) {
-  using Controlled = odeint::controlled_runge_kutta<Stepper>;
+template <class S>
+std::unique_ptr<AnyMethod<S>> dormand_prince(const MethodRequest& request) {
+  if (!request.tolerances) return adapt<S>(GivenSteps<S, DormandPrince5<S>>());
+  using Controlled = odeint::controlled_runge_kutta<DormandPrince5<S>>;
+  const Tolerances& tolerances = *request.tolerances;
   return adapt<S>(ChosenSteps<S, Controlled>(
-      Controlled(typename Controlled::error_checker_type(S(tolerances.atol), S(tolerances.rtol))), order,
+      Controlled(typename Controlled::error_checker_type(S(tolerances.atol), S(tolerances.rtol))), 5,
       tolerances));
+}
+
+template <class S>
+std::unique_ptr<AnyMethod<S>> fehlberg(const MethodRequest& request) {
+  if (!request.tolerances) return adapt<S>(GivenSteps<S, Fehlberg78<S>>());
+  return adapt<S>(ChosenSteps<S, FehlbergControl<S>>(
+      FehlbergControl<S>(*request.tolerances, request.given.depends_on_time), 8, *request.tolerances));
 }
 
 template <class S>
@@ -37,12 +46,6 @@ std::unique_ptr<AnyMethod<S>> chosen_adams(const Tolerances& tolerances) {
   }
 }
 
-template <class S, class Stepper>
-std::unique_ptr<AnyMethod<S>> runge_kutta(int order, const MethodRequest& request) {
-  if (request.tolerances) return chosen_runge_kutta<S, Stepper>(order, *request.tolerances);
-  return adapt<S>(GivenSteps<S, Stepper>());
-}
-
 }  // namespace
 
 template <class S>
@@ -55,18 +58,13 @@ std::vector<MethodEntry<S>> explicit_methods() {
         .order = 5,
         .takes_given_steps = true,
         .chooses_steps = true},
-       [](Request request) { return runge_kutta<S, DormandPrince5<S>>(5, request); }},
+       [](Request request) { return dormand_prince<S>(request); }},
       {{.name = "rkf78",
         .summary = "Fehlberg 7(8), explicit Runge-Kutta (Odeint)",
         .order = 8,
         .takes_given_steps = true,
         .chooses_steps = true},
-       [](Request request) -> Made {
-         if (request.tolerances && request.given.depends_on_time)
-           return adapt<S>(ChosenSteps<S, FehlbergControl<S>>(FehlbergControl<S>(*request.tolerances), 8,
-                                                              *request.tolerances));
-         return runge_kutta<S, Fehlberg78<S>>(8, request);
-       }},
+       [](Request request) { return fehlberg<S>(request); }},
       {{.name = "bulirsch-stoer",
         .summary = "Bulirsch-Stoer extrapolation, orders 4 to 16 (Odeint)",
         .chooses_steps = true},
