@@ -28,6 +28,19 @@ std::string advice_for(const std::string& message, const S& step) {
   return "; the step may be too long, since its start could be evaluated: take smaller steps";
 }
 
+/// What to try besides where steps are short and the times so late that their rounding is a part of each
+/// step.
+template <class S>
+std::string advice_at(const S& t) {
+  using std::abs;
+  const S apart = std::numeric_limits<S>::epsilon() * abs(t);
+  return apart < S(1e-12) ? ""
+                          : fmt::format(
+                                ". Times near {:g} are rounded by up to {:.1e} s, and so is every step: "
+                                "start nearer to t = 0",
+                                static_cast<double>(t), static_cast<double>(apart));
+}
+
 /// The message with a clause about a body, if there is one, in front of its last clause, the advice.
 std::string with_body(std::string message, const std::string& clause) {
   const std::size_t advice = message.rfind("; ");
@@ -51,13 +64,15 @@ void with_cause(AnySystem<S>& system, const S& t, const StateVector<S>& y, const
     std::string cause, body;
     try {
       cause = system.diagnose(t, y, step);
-      if (cause.empty() && place.where.empty()) body = system.most_accelerated(t, y);
+      // a body at fault in a stage far off may be a neighbour of the one that moves too fast
+      if (cause.empty() && (place.where.empty() || step != S(0))) body = system.most_accelerated(t, y);
     } catch (const Error& at_state) {  // the state itself has no solution
       if (place.where.empty() && !at_state.where().empty()) cause = at_state.what();
     } catch (const std::runtime_error&) {  // not even that is known at this state
     }
     if (cause.empty())
-      throw IntegrationError(with_body(error.what() + advice_for(error.what(), step), body), place);
+      throw IntegrationError(with_body(error.what() + advice_for(error.what(), step), body) + advice_at(t),
+                             place);
     throw IntegrationError({{}, place.when},
                            cause + "; the method ended with: " + without_advice(error.what()));
   }

@@ -64,11 +64,19 @@ SimulationReport simulate(const Model<Scalar>& model, const SimulationOptions& o
                     "linear-time solver computes the square of a row's independent share, which rounding "
                     "hides if it is smaller",
                     model.mechanism.rank_tolerance, standard_rank_tolerance, largest_rank_tolerance));
-  SimulationReport report = with_formulation<Scalar>(
-      options.formulation, [&]<Formulation F>() { return simulate_in<F>(model, options, observer); });
+  std::vector<std::string> narrow_rows;
   if constexpr (std::is_same_v<Scalar, double>)
-    if (options.watches) report.narrow_rows = narrow_rows_at(model);
-  return report;
+    if (options.watches) narrow_rows = narrow_rows_at(model);
+  try {
+    SimulationReport report = with_formulation<Scalar>(
+        options.formulation, [&]<Formulation F>() { return simulate_in<F>(model, options, observer); });
+    report.narrow_rows = std::move(narrow_rows);
+    return report;
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::input || narrow_rows.empty()) throw;
+    throw Error(error.kind(), fmt::format("{}. At the start, {}", error.what(), narrow_rows.front()),
+                Place{error.where(), error.when()});
+  }
 }
 
 template SimulationReport simulate<double>(const Model<double>&, const SimulationOptions&,

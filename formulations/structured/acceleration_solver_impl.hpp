@@ -174,7 +174,7 @@ ModelError AccelerationSolver<F>::named(const SingularLink& link, const S& t) co
   return ModelError(
       {fmt::format("body \"{}\"", mechanism_.body_names[link.body()]), static_cast<double>(t)},
       fmt::format("{}; the structured solver cannot eliminate this body: give it inertia in this motion, or "
-                  "solve the printed system instead",
+                  "constrain this motion by the joint to its parent",
                   link.what()));
 }
 

@@ -283,7 +283,7 @@ class FirstOrderEquations {
                                 effect);
   }
   /// The body with the largest acceleration at (t, y) or a moment later and its largest load, as a clause for
-  /// messages; empty if none accelerates.
+  /// messages; empty if none accelerates, but for rounding of loads that cancel.
   std::string most_accelerated(const S& t, const StateVector& y) {
     using std::abs;
     std::string clause;
@@ -292,16 +292,26 @@ class FirstOrderEquations {
     for (const S& at : {t, S(t + S(1e-12) * std::max(S(1), S(abs(t))))}) {
       solve(at, y);
       take_motion();
+      int fastest = -1;
+      S inertia_forces(0), loads(0);  // [N, N m]
+      const std::vector<Wrench<S>> sizes = trivium::load_sizes(mechanism_.effects, view(at));
       for (int b = 0; b < nb(); ++b) {
-        const S r_ddot = solver_.r_ddot(b).norm(), omega_bar_dot = solver_.omega_bar_dot(b).norm();
-        if (!(r_ddot + omega_bar_dot > largest)) continue;
-        largest = r_ddot + omega_bar_dot;
-        clause = fmt::format("body \"{}\" accelerates most there, by {:.1e} m/s^2 and {:.1e} rad/s^2",
-                             mechanism_.body_names[b], static_cast<double>(r_ddot),
-                             static_cast<double>(omega_bar_dot));
-        if (const std::string load = largest_load(mechanism_.effects, view(at), b); !load.empty())
-          clause += ", and is loaded most by " + load;
+        const auto& body = mechanism_.bodies[b];
+        inertia_forces +=
+            body.mass * solver_.r_ddot(b).norm() + (body.inertia * solver_.omega_bar_dot(b)).norm();
+        loads += sizes[b].F.norm() + sizes[b].n_bar.norm();
+        if (const S size = solver_.r_ddot(b).norm() + solver_.omega_bar_dot(b).norm(); size > largest) {
+          largest = size;
+          fastest = b;
+        }
       }
+      if (fastest < 0 || inertia_forces <= 1000 * std::numeric_limits<S>::epsilon() * loads) continue;
+      clause =
+          fmt::format("body \"{}\" accelerates most there, by {:.1e} m/s^2 and {:.1e} rad/s^2",
+                      mechanism_.body_names[fastest], static_cast<double>(solver_.r_ddot(fastest).norm()),
+                      static_cast<double>(solver_.omega_bar_dot(fastest).norm()));
+      if (const std::string load = largest_load(mechanism_.effects, view(at), fastest); !load.empty())
+        clause += ", and is loaded most by " + load;
     }
     return clause;
   }
