@@ -115,13 +115,15 @@ std::string wrong_unharmed(const Run& run, double end) {
   return run.ended.out.empty() ? "there is no report" : "";
 }
 
-std::string wrong_in_failure(const Run& run, const scenes::Scene& scene, double end) {
+std::string wrong_in_failure(const Run& run, const scenes::Scene& scene, double end,
+                             const std::string& reason) {
   if (run.ended.exit_code != exit_solver_failed) return "ended with " + run.ended.text();
   const std::string message = first_line(run.ended.err);
   if (!message.starts_with("error: ")) return "there is no error message";
   const double when = number_after(message, "t = ");
   if (!std::isfinite(when)) return "the time is not a number";
-  if (const std::string missing = missing_in_announcement(message, when, scene, 0, end); !missing.empty())
+  if (const std::string missing = missing_in_announcement(message, when, scene, 0, end, reason);
+      !missing.empty())
     return missing;
   const Motion motion(run);
   if (!motion.wrong().empty()) return motion.wrong();

@@ -70,7 +70,8 @@ bool begins(const std::string& text, const std::string& whole);
 /// Of a run that nothing may harm or warn of.
 std::string wrong_unharmed(const Run& run, double end);
 /// Of a run of the scene from time 0 on that an error of the motion ended before `end`.
-std::string wrong_in_failure(const Run& run, const scenes::Scene& scene, double end);
+std::string wrong_in_failure(const Run& run, const scenes::Scene& scene, double end,
+                             const std::string& reason);
 /// Of a run that may end early with a message if it cannot go on; `whole` is the same run unharmed.
 std::string wrong_in_loss(const Run& run, const Run& whole);
 /// Of a run that a signal ended; `whole` is a run to an earlier or later end.

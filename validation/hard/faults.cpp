@@ -98,7 +98,7 @@ void judge_push(Judge& judge, double c) {
     if (judge.is_twin()) return settle(judge, row, false, {wrong_unharmed(run, 1)}, "");
     const std::string free = Motion(left_alone.simulate(options)).text(),
                       before = free.substr(0, free.find(fmt::format("\n{:.17g},", onset)) + 1);
-    std::string wrong = wrong_in_failure(run, pushed_pendulum(c), 1);
+    std::string wrong = wrong_in_failure(run, pushed_pendulum(c), 1, "\"push\"");
     if (wrong.empty() && !Motion(run).text().starts_with(before))
       wrong = "outputs before the push are missing";
     settle(judge, row, true, {wrong}, first_line(run.ended.err));
@@ -136,7 +136,7 @@ void judge_slider(Judge& judge, const Scene& scene, double tolerance, double end
         method + Options{"--json", "--rtol", limit, "--atol", limit, "--t-end", fmt::format("{}", end)});
     const std::string message = first_line(run.ended.err);
     if (!judge.is_twin() && run.ended.exit_code != exit_done)
-      return settle(judge, row, true, {wrong_in_failure(run, scene, end)}, message);
+      return settle(judge, row, true, {wrong_in_failure(run, scene, end, "\"shaking\"")}, message);
     if (!judge.is_twin()) run.ended.err.clear();  // warnings are judged with the error
     if (const std::string wrong = wrong_unharmed(run, end); !wrong.empty())
       return settle(judge, row, false, {wrong}, "");

@@ -167,6 +167,8 @@ void judge_moved(Judge& judge, double start, double distance) {
   motion.chooses_steps = distance == 0;  // rtol is a share of the distance
   // of the times, in seconds of a motion that lasts one, or of the positions
   motion.rounding = unit_roundoff<double>() * std::max(start, distance);
+  constexpr double late = 1e5;  // the rounding of times is announced from about 1e4 s on
+  if (start >= late) motion.reason = "nearer to t = 0";
   motion.exact = [&](MechanismState<double>& state) {
     const auto k = static_cast<std::size_t>(std::lround((state.t - start) / exact.output_step())) - 1;
     state.pose = exact.states()[k].pose;
