@@ -21,11 +21,12 @@ namespace trivium::integrators {
 /// differences of times is far smaller, and no user means two step sizes by numbers this close.
 inline constexpr double step_rounding = 1e-9;
 
-/// Whether two step sizes between times of a grid are equal.
+/// Whether two step sizes between times of a grid are equal; if t is given, but for the rounding of times
+/// near t.
 template <class S>
-bool is_same_length(const S& h, const S& last) {
+bool is_same_length(const S& h, const S& last, const S& t = S(0)) {
   using std::abs;
-  return abs(h - last) <= S(step_rounding) * abs(last);
+  return abs(h - last) <= S(step_rounding) * abs(last) + 4 * std::numeric_limits<S>::epsilon() * abs(t);
 }
 
 /// A time on which a run lands exactly.

@@ -50,7 +50,8 @@ class BDF {
   /// change by more than most_growth allows.
   void step(System& system, S& t, StateVector<S>& y, const S& stop) {
     const S h = stop - t;
-    if (!past_.empty() && !is_same_length(h, last_h_)) forget();
+    // late times are rounded; the formulas take the lengths as they are
+    if (!past_.empty() && !is_same_length(h, last_h_, stop)) forget();
     last_h_ = h;
     if (past_.empty()) begin(system, t, y, stop);
     attempt(system, t, stop, y, end_.y);

@@ -46,10 +46,11 @@ class Rattle {
     const S h = stop - t;
     if (!has_begun_) begin(system, t, y, stop);
     if (is_composed_) {
-      const S part = 1 / (4 - pow(S(4), S(1) / 3)) * h, back = h - 4 * part;
+      // each part begins where the one before ends: of late times, t + 2 part + back is not stop - 2 part
+      const S part = 1 / (4 - pow(S(4), S(1) / 3)) * h;
       advance(system, t, S(t + part), y);
       advance(system, S(t + part), S(t + 2 * part), y);
-      advance(system, S(t + 2 * part), S(t + 2 * part + back), y);
+      advance(system, S(t + 2 * part), S(stop - 2 * part), y);
       advance(system, S(stop - 2 * part), S(stop - part), y);
       advance(system, S(stop - part), stop, y);
     } else {
