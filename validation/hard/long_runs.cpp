@@ -67,7 +67,7 @@ Recurrence swinging() {
 Recurrence turning() {
   return {slider_crank(),
           period_of_slider_crank(),
-          1,
+          3,  // crank and rod
           1,
           30,
           [](const MechanismState<double>& start, const MechanismState<double>& state) {
@@ -122,7 +122,7 @@ class LongRun : public SimulationObserver {
 /// A symplectic method of order 2 errs as on a vibration of rate omega: its energy by (omega h)^2 / 8 at any
 /// time, its phase by (omega h)^2 / 24 per radian. The others lose energy in proportion to the time, and the
 /// phase error grows with its square, as long as the motion has not changed; how much they lose shows in the
-/// first hundredth. A method that loses a tenth of the energy has to warn of it.
+/// first periods. A method that loses a tenth of the energy has to warn of it.
 void judge_periods(Judge& judge, const Recurrence& motion, const Kept& kept, long all) {
   const LongRun run(motion, kept, all);
   const auto add = [&](const std::string& quantity, double value, double tolerance, double factor,
@@ -135,8 +135,8 @@ void judge_periods(Judge& judge, const Recurrence& motion, const Kept& kept, lon
     const double figure = row.is_met() && !judge.is_twin() ? 0 : quote_warnings(row, run.report);
     judge.add(judge.judged(row, figure));
   };
-  add("Phi [m]", run.report.phi, HardMotion::of_a_step(standard_rtol) * motion.size, factors::phi,
-      "the tolerance of chosen steps");
+  add("Phi [m]", run.report.phi, integrators::rounding<double>() * motion.size, factors::law,
+      "law 16 epsilon l");
   // rounding errors of the steps add up at most in proportion to their number
   const double rounding = unit_roundoff<double>() * static_cast<double>(all * kept.steps),
                turn = 2 * std::numbers::pi / static_cast<double>(kept.steps);

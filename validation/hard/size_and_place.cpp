@@ -46,24 +46,59 @@ Scene scaled(Scene scene, double length, double gravity) {
   return scene;
 }
 
-/// The largest difference of positions at the ends of two runs with the same number of given steps, relative
-/// to the length of each.
-double apart_after_equal_steps(const Scene& one, const Scene& other, double length, double time,
-                               const std::string& method, const std::string& formulation, int steps) {
-  const auto end_of = [&](const Scene& scene, double end) {
-    SimulationOptions options;
-    options.integrator = method;
-    options.formulation = formulation;
-    options.end = end;
-    options.step = end / steps;
-    Samples samples;
-    simulate(make_model<double>(scene), options, samples);
-    return samples.all.back().state;
-  };
-  const MechanismState<double> a = end_of(one, 1), b = end_of(other, time);
-  double largest = 0;
-  for (std::size_t k = 0; k < a.pose.size(); ++k) raise(largest, (a.pose[k].r - b.pose[k].r / length).norm());
-  return largest;
+/// The two bars, changed: their lengths and times are these multiples, and they start elsewhere, later.
+struct Changed {
+  Scene scene;
+  double length = 1, time = 1;     ///< factors [-]
+  double start = 0, distance = 0;  ///< [s, m]
+};
+
+/// The end of a run with given steps.
+struct End {
+  std::vector<Eigen::Vector3d> positions;
+  bool is_implicit = false;  ///< of the method
+};
+End end_of(const Scene& scene, double start, double end, int steps, const std::string& method,
+           const std::string& formulation) {
+  SimulationOptions options;
+  options.integrator = method;
+  options.formulation = formulation;
+  options.end = end;
+  options.step = (end - start) / steps;
+  Samples samples;
+  End end_of_run;
+  end_of_run.is_implicit = simulate(make_model<double>(scene, start), options, samples).is_implicit;
+  for (const auto& pose : samples.all.back().state.pose) end_of_run.positions.push_back(pose.r);
+  return end_of_run;
+}
+
+/// The ends of runs of one second with the same given steps must be the same but for the change. `within`:
+/// how far iterations of implicit methods may end from each other.
+void judge_equal_steps(Judge& judge, const Changed& changed, int steps, double rounding, double within,
+                       double amplification, const char* quantity) {
+  const double end = changed.start + changed.time;
+  for (const std::string& method : methods_of("size_and_place", judge.is_quick())) {
+    const integrators::MethodInfo& info = *integrators::find_method(method);
+    if (!info.takes_given_steps) continue;
+    for (const std::string& formulation : judge.formulations()) {
+      if (!goes_with(info, formulation)) continue;
+      Row row = judge.row(formulation, method, quantity);
+      row.amplification = amplification;
+      try {
+        const End a = end_of(scenes::two_bars(), 0, 1, steps, method, formulation),
+                  b = end_of(changed.scene, changed.start, end, steps, method, formulation);
+        for (std::size_t k = 0; k < a.positions.size(); ++k)
+          raise(row.value, (a.positions[k] -
+                            (b.positions[k] - changed.distance * Eigen::Vector3d::UnitX()) / changed.length)
+                               .norm());
+        row.tolerance = rounding + (a.is_implicit ? within : 0);
+        row.threshold = factors::state * row.tolerance * amplification;
+        judge.add(judge.judged(row));
+      } catch (const Error& error) {
+        judge.add(judge.ended(row, error.what(), error.when(), changed.scene, changed.start, end));
+      }
+    }
+  }
 }
 
 /// One state of bars of 1 m: the largest differences of accelerations and joint reactions from those of
@@ -125,22 +160,8 @@ void judge_scaled(Judge& judge, double length, double gravity) {
   // end with another iterate within its tolerance.
   const double log_4 = std::log2(length / gravity) / 2;
   const double within = log_4 == std::round(log_4) ? 0 : integrators::NewtonOptions{}.tolerance;
-  for (const std::string& method : methods_of("size_and_place", judge.is_quick())) {
-    const integrators::MethodInfo& info = *integrators::find_method(method);
-    if (!info.takes_given_steps) continue;
-    for (const std::string& formulation : judge.formulations()) {
-      if (!goes_with(info, formulation)) continue;
-      Row row = judge.row(formulation, method, "equal steps, scaled [-]");
-      row.tolerance = unit_roundoff<double>() * steps + within;
-      row.threshold = factors::state * row.tolerance;
-      try {
-        row.value = apart_after_equal_steps(scene, other, length, time, method, formulation, steps);
-        judge.add(judge.judged(row));
-      } catch (const Error& error) {
-        judge.add(judge.ended(row, error.what(), error.when(), other, 0, time));
-      }
-    }
-  }
+  judge_equal_steps(judge, {other, length, time}, steps, unit_roundoff<double>() * steps, within, 1,
+                    "equal steps, scaled [-]");
 }
 
 /// The two bars at a distance from the origin.
@@ -176,6 +197,12 @@ void judge_moved(Judge& judge, double start, double distance) {
     for (Pose<double>& pose : state.pose) pose.r[0] += distance;
   };
   judge.motion(motion);
+  // 1e-3 s is no binary number: late times are rounded, but no step may notice
+  constexpr int steps = 1000;
+  judge_equal_steps(judge, {motion.scene, 1, 1, start, distance}, steps,
+                    unit_roundoff<double>() * (steps + distance),
+                    distance > 0 ? integrators::NewtonOptions{}.tolerance : 0,
+                    exact.amplification(exact.states().size() - 1), "equal steps, moved [-]");
   if (distance > 0) judge_state(judge, motion.scene, 1, 1, motion.rounding);
 }
 
