@@ -20,25 +20,20 @@ namespace trivium::integrators {
 
 namespace {
 
-/// What to try where a step fails whose start could be evaluated. Far-off stages of an explicit method fail
-/// for strange reasons, such as a body without inertia.
+/// What to try where a step of length `step` [s] from t failed whose start could be evaluated. Far-off stages
+/// of an explicit method fail for strange reasons, such as a body without inertia. At late times the rounding
+/// of times may be a part of each step. `step`: 0 if the method chooses it.
 template <class S>
-std::string advice_for(const std::string& message, const S& step) {
-  if (step == S(0) || message.find("smaller steps") != std::string::npos) return "";
-  return "; the step may be too long, since its start could be evaluated: take smaller steps";
-}
-
-/// What to try besides where steps are short and the times so late that their rounding is a part of each
-/// step.
-template <class S>
-std::string advice_at(const S& t) {
+std::string advice_for(const std::string& message, const S& t, const S& step) {
   using std::abs;
-  const S apart = std::numeric_limits<S>::epsilon() * abs(t);
-  return apart < S(1e-12) ? ""
-                          : fmt::format(
-                                ". Times near {:g} are rounded by up to {:.1e} s, and so is every step: "
-                                "start nearer to t = 0",
-                                static_cast<double>(t), static_cast<double>(apart));
+  std::string advice;
+  if (step != S(0) && message.find("smaller steps") == std::string::npos)
+    advice = "; the step may be too long, since its start could be evaluated: take smaller steps";
+  if (const S apart = std::numeric_limits<S>::epsilon() * abs(t); apart >= S(1e-12))
+    advice += fmt::format(
+        ". Times near {:g} are rounded by up to {:.1e} s, and so is every step: start nearer to t = 0",
+        static_cast<double>(t), static_cast<double>(apart));
+  return advice;
 }
 
 /// The message with a clause about a body, if there is one, in front of its last clause, the advice.
@@ -64,15 +59,16 @@ void with_cause(AnySystem<S>& system, const S& t, const StateVector<S>& y, const
     std::string cause, body;
     try {
       cause = system.diagnose(t, y, step);
-      // a body at fault in a stage far off may be a neighbour of the one that moves too fast
-      if (cause.empty() && (place.where.empty() || step != S(0))) body = system.most_accelerated(t, y);
+      // what is at fault in a stage far off may be a neighbour of the body that moves too fast; the rows that
+      // end steps of chosen length are those of the state itself
+      const bool is_a_row = !place.where.empty() && place.where.find("body \"") == std::string::npos;
+      if (cause.empty() && !(is_a_row && step == S(0))) body = system.most_accelerated(t, y);
     } catch (const Error& at_state) {  // the state itself has no solution
       if (place.where.empty() && !at_state.where().empty()) cause = at_state.what();
     } catch (const std::runtime_error&) {  // not even that is known at this state
     }
     if (cause.empty())
-      throw IntegrationError(with_body(error.what() + advice_for(error.what(), step), body) + advice_at(t),
-                             place);
+      throw IntegrationError(with_body(error.what() + advice_for(error.what(), t, step), body), place);
     throw IntegrationError({{}, place.when},
                            cause + "; the method ended with: " + without_advice(error.what()));
   }

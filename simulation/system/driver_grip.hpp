@@ -77,46 +77,58 @@ inline Demand demand_of(const TimeFunction& f, double t, double farther, double 
   return demand;
 }
 
-/// A message about the driver that comes to the end of its reach first, if any goes beyond it, within two
-/// steps of length `step` [s] after `now`, as one that ends close to it may fail, or within a hundredth of
-/// the time since the start; empty if none does. `drivers` are rows.
-template <class Types>
-std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vector<int>& drivers,
-                      const MechanismState<double>& start, const MechanismState<double>& now, double step) {
-  // of the grip at the start; above `lost` `farther` says little, unless it is a small part of the value, as
-  // where the start is close to the end
-  constexpr double lost = 0.5, at_end = 1e-3, small = 0.05;
-  if (drivers.empty()) return {};
-  const TangentSystem before = tangent_system(mechanism, start), after = tangent_system(mechanism, now);
-  const double horizon = std::max(2 * step, (now.t - start.t) / 100);
-  double first = horizon, share = 0;
-  int worst = -1;
+/// A driver that comes to the end of its reach.
+struct LostGrip {
+  int row = -1;  ///< -1: none does
   RowReach reach;
   Demand demand;
+  double share = 0;  ///< of its grip at the start [-]
+};
+
+/// The driver that comes to the end of its reach first, if any goes beyond it, within a few steps of length
+/// `step` [s] after `now`, as steps that come close to it may fail, or within a hundredth of the time since
+/// the start. `drivers` are rows.
+template <class Types>
+LostGrip first_lost_grip(const Mechanism<double, Types>& mechanism, const std::vector<int>& drivers,
+                         const MechanismState<double>& start, const MechanismState<double>& now,
+                         double step) {
+  // of the grip at the start; above `lost` `farther` says little, unless it is a small part of the value, as
+  // where the start is close to the end
+  constexpr double lost = 0.5, at_end = 1e-3, small = 0.05, few_steps = 4;
+  const TangentSystem before = tangent_system(mechanism, start), after = tangent_system(mechanism, now);
+  const double horizon = std::max(few_steps * step, (now.t - start.t) / 100);
+  LostGrip first;
+  first.demand.time = horizon;
   for (const int row : drivers) {
     const double at_start = free_motion(before, row).gradient;
     if (!(at_start > 0)) continue;  // redundant or contradicted from the start: there is no grip to lose
-    const RowReach of_row = reach_of(mechanism, now, after, row);
-    if (!std::isfinite(of_row.farther)) continue;
+    const RowReach reach = reach_of(mechanism, now, after, row);
+    if (!std::isfinite(reach.farther)) continue;
     const TimeFunction& f = function_of(mechanism.rows[row]);
     const Jet<double> here = f(now.t);
-    const bool has_lost = of_row.grip < lost * at_start;
-    const bool is_close =
-        std::abs(of_row.farther) < small * std::abs(here.f) && here.f_t * of_row.farther >= 0;
+    const bool has_lost = reach.grip < lost * at_start;
+    const bool is_close = std::abs(reach.farther) < small * std::abs(here.f) && here.f_t * reach.farther >= 0;
     if (!(has_lost || is_close)) continue;
-    Demand of_driver = demand_of(f, now.t, of_row.farther, horizon);
+    Demand demand = demand_of(f, now.t, reach.farther, horizon);
     // with so little grip the driver is at the end, also if its function has just turned back
-    if (of_row.grip < at_end * at_start) of_driver.time = 0;
-    if (!of_driver.time || demand.is_beyond > of_driver.is_beyond) continue;
-    if (demand.is_beyond == of_driver.is_beyond && *of_driver.time > first) continue;
-    first = *of_driver.time;
-    worst = row;
-    reach = of_row;
-    demand = of_driver;
-    share = of_row.grip / at_start;
+    if (reach.grip < at_end * at_start) demand.time = 0;
+    if (!demand.time || first.demand.is_beyond > demand.is_beyond) continue;
+    if (first.demand.is_beyond == demand.is_beyond && *demand.time > *first.demand.time) continue;
+    first = {row, reach, demand, reach.grip / at_start};
   }
-  if (worst < 0) return {};
-  const double value = function_of(mechanism.rows[worst])(now.t).f, end = value + reach.farther;
+  return first;
+}
+
+/// A message about first_lost_grip; empty if no driver loses its grip.
+template <class Types>
+std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vector<int>& drivers,
+                      const MechanismState<double>& start, const MechanismState<double>& now, double step) {
+  if (drivers.empty()) return {};
+  const auto [row, reach, demand, share] = first_lost_grip(mechanism, drivers, start, now, step);
+  if (row < 0) return {};
+  const double value = function_of(mechanism.rows[row])(now.t).f;
+  double end = value + reach.farther;
+  if (std::abs(end) < 1e-12 * std::abs(value)) end = 0;  // rounding
   const char* up_to = reach.farther >= 0 ? "up to" : "down to";
   int digits = 6;  // or as many as show that the demand is beyond the end
   while (digits < 17 && fmt::format("{:.{}g}", demand.value, digits) == fmt::format("{:.{}g}", end, digits))
@@ -135,7 +147,7 @@ std::string lost_grip(const Mechanism<double, Types>& mechanism, const std::vect
       "driver \"{}\" {}, and the part of its gradient that they leave free is {:.1e} of that at the "
       "start. The rank of the rows falls by 1 there. Give it another function of time, or drive another "
       "joint",
-      mechanism.row_names[worst], trouble, share);
+      mechanism.row_names[row], trouble, share);
 }
 
 /// A message about a driver that is within 1e-4 of its value from the end of its reach; empty if none is.
