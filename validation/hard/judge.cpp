@@ -24,19 +24,6 @@ namespace trivium::hard {
 
 namespace {
 
-/// What a run with given steps claims of its errors: the sum of local errors that it states, in units of the
-/// exact motion, and the rounding of every body in every step. A method that meets the constraints knows
-/// positions to the level at which its iterations end, and takes its velocities from them. Without a
-/// statement it claims that no warning is needed.
-double stated_by(const SimulationReport& report, const ExactMotion& exact, double step) {
-  const auto& errors = report.local_errors;
-  if (!errors || errors->steps == 0) return factors::unwarned;
-  double rounding = unit_roundoff<double>() * static_cast<double>(report.counters.steps) *
-                    static_cast<double>(exact.states().front().pose.size());
-  if (report.is_implicit) rounding += exact.of_velocities(integrators::rounding<double>(), step);
-  return std::min(exact.difference(*errors) + rounding, factors::unwarned);
-}
-
 /// Says which branch the states are on. One that leaves its branch errs as much as can be, whenever it does.
 void judge_branch(Row& row, const ExactMotion& exact, const std::vector<MechanismState<double>>& states) {
   const Branch& branch = exact.branch();
@@ -217,6 +204,15 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
   row = judged(std::move(row), figure);
   add(row);
   if (motion.also) motion.also(*this, {row, factor, report, figure});
+}
+
+double stated_by(const SimulationReport& report, const ExactMotion& exact, double step) {
+  const auto& errors = report.local_errors;
+  if (!errors || errors->steps == 0) return factors::unwarned;
+  double rounding = unit_roundoff<double>() * static_cast<double>(report.counters.steps) *
+                    static_cast<double>(exact.states().front().pose.size());
+  if (report.is_implicit) rounding += exact.of_velocities(integrators::rounding<double>(), step);
+  return std::min(exact.difference(*errors) + rounding, factors::unwarned);
 }
 
 double quote_warnings(Row& row, const SimulationReport& report) {

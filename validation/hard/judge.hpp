@@ -69,6 +69,12 @@ class Judge {
   std::vector<Row> rows_;
 };
 
+/// What a run with given steps claims of its errors: the sum of local errors that it states, in units of the
+/// exact motion, and the rounding of every body in every step. A method that meets the constraints knows
+/// positions to the level at which its iterations end, and takes its velocities from them. Without a
+/// statement, and at most, it claims that no warning is needed.
+double stated_by(const SimulationReport& report, const ExactMotion& exact, double step);
+
 /// Adds the warnings of a run to the row's reason. Returns the largest relative error that they state, at
 /// most 1; the least positive number if they state none, and 0 if there are none.
 double quote_warnings(Row& row, const SimulationReport& report);

@@ -80,28 +80,25 @@ Scene sprung_plate(double stiffness) {
   return scene;
 }
 
-/// A motion that is none: the state stays as it is. `reason`: of an error.
-void judge_rest(Judge& judge, const Scene& scene, double end, double step, const std::string& reason = {}) {
+/// A motion that is none: the state stays as it is.
+HardMotion rest(const Scene& scene, double end, double step) {
   HardMotion motion;
-  motion.reason = reason;
   motion.scene = scene;
   motion.end = end;
   motion.step = step;
   motion.exact = [](MechanismState<double>&) {};
   motion.monitor = Monitor::positions;  // there is no speed to which velocities could be relative
-  judge.motion(motion);
+  return motion;
 }
 
 /// Below the rank tolerance the pins are on a line, about which the body swings.
 void judge_held_body(Judge& judge, double off) {
   constexpr double in_line = 1e-8;
-  const Scene scene = held_body(off);
-  // the share of the last pin's rows is a quarter of `off`; two decades beside the rank tolerance are narrow
-  const std::string reason = off > in_line / 25 && off < 100 * in_line ? "by a narrow margin" : "";
-  if (off >= in_line) return judge_rest(judge, scene, 1, 1e-2, reason);
   HardMotion motion;
-  motion.reason = reason;
-  motion.scene = scene;
+  motion.scene = held_body(off);
+  if (off >= in_line) motion = rest(motion.scene, 1, 1e-2);
+  // the share of the last pin's rows is a quarter of `off`; two decades beside the rank tolerance are narrow
+  if (off > in_line / 25 && off < 100 * in_line) motion.reason = "by a narrow margin";
   judge.motion(motion);
 }
 
@@ -143,7 +140,7 @@ Family locked() {
             {},
             {3},
             [](Judge& judge, double bars) {
-              judge_rest(judge, hanging_chain(bars), judge.is_twin() ? 100 : 1000, 0.05);
+              judge.motion(rest(hanging_chain(bars), judge.is_twin() ? 100 : 1000, 0.05));
             },
             hanging_chain},
            {"sprung_plate",
@@ -154,8 +151,8 @@ Family locked() {
             {100},
             [](Judge& judge, double stiffness) {
               const double omega = std::sqrt(3 * stiffness / plate_mass);
-              judge_rest(judge, sprung_plate(stiffness), judge.is_twin() ? 100 : 1000,
-                         std::min(0.05, 0.5 / omega));
+              judge.motion(
+                  rest(sprung_plate(stiffness), judge.is_twin() ? 100 : 1000, std::min(0.05, 0.5 / omega)));
             },
             sprung_plate}}};
 }

@@ -17,6 +17,7 @@
 #include "scenes/make_mechanism.hpp"
 #include "simulation/neighbouring_start.hpp"
 #include "simulation/simulate.hpp"
+#include "validation/hard/exact_motion.hpp"
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
 #include "validation/hard/known_motions.hpp"
@@ -78,13 +79,11 @@ Recurrence turning() {
           }};
 }
 
-/// A method in one formulation, with its steps in a period, and for how many periods the law of its phase
-/// error holds.
+/// A method in one formulation, with its steps in a period.
 struct Kept {
   std::string method, formulation;
   long steps;
   bool is_symplectic;
-  long in_phase = 0;
   std::string name() const { return fmt::format("{}, h = T/{}", method, steps); }
 };
 
@@ -119,49 +118,60 @@ class LongRun : public SimulationObserver {
   MotionSample start_;
 };
 
+/// The exact motion amplifies differences over so many periods. Its energy stays, so that neighbours of other
+/// periods drift apart in proportion to the time. Outputs are at all phases.
+constexpr double measured_periods = 1.1 * hard_outputs;
+double amplification_after(const ExactMotion& exact, long periods) {
+  return exact.amplification(hard_outputs - 1) *
+         std::max(1.0, static_cast<double>(periods) / measured_periods);
+}
+
 /// A symplectic method of order 2 errs as on a vibration of rate omega: its energy by (omega h)^2 / 8 at any
-/// time, its phase by (omega h)^2 / 24 per radian. The others lose energy in proportion to the time, and the
-/// phase error grows with its square, as long as the motion has not changed; how much they lose shows in the
-/// first periods. A method that loses a tenth of the energy has to warn of it.
-void judge_periods(Judge& judge, const Recurrence& motion, const Kept& kept, long all) {
+/// time, its frequency by (omega h)^2 / 24. Others are judged by the local errors that they state: these add
+/// up to errors of the energy, and the motion amplifies them to errors of the phase.
+void judge_periods(Judge& judge, const Recurrence& motion, const ExactMotion& exact, const Kept& kept,
+                   long all) {
   const LongRun run(motion, kept, all);
-  const auto add = [&](const std::string& quantity, double value, double tolerance, double factor,
-                       const char* law) {
-    Row row = judge.row(kept.formulation, kept.name(), quantity);
+  Row row = judge.row(kept.formulation, kept.name(), {});
+  const auto add = [&](const std::string& quantity, double value, double factor, const std::string& law) {
+    row.quantity = quantity;
     row.value = std::abs(value);
-    row.tolerance = tolerance;
-    row.threshold = factor * tolerance;
+    row.threshold = std::min(factor * row.tolerance * row.amplification, small_difference);
     row.why = law;
     const double figure = row.is_met() && !judge.is_twin() ? 0 : quote_warnings(row, run.report);
     judge.add(judge.judged(row, figure));
   };
-  add("Phi [m]", run.report.phi, integrators::rounding<double>() * motion.size, factors::law,
-      "law 16 epsilon l");
-  // rounding errors of the steps add up at most in proportion to their number
-  const double rounding = unit_roundoff<double>() * static_cast<double>(all * kept.steps),
+  row.tolerance = integrators::rounding<double>() * motion.size;
+  add("Phi [m]", run.report.phi, factors::law, "law 16 epsilon l");
+  const double count = static_cast<double>(all),
                turn = 2 * std::numbers::pi / static_cast<double>(kept.steps);
   if (kept.is_symplectic) {
-    add("energy [-]", run.report.unaccounted_energy / motion.energies, turn * turn / 8 + rounding,
-        factors::law, "law (omega h)^2 / 8 at any time");
-    add(fmt::format("phase after {} periods [rad]", all), run.phase.at(all),
-        2 * std::numbers::pi * static_cast<double>(all) * turn * turn / 24 + rounding, factors::law,
-        "law (omega h)^2 / 24 per radian");
+    // rounding errors of the steps add up at most in proportion to their number
+    const double rounding = unit_roundoff<double>() * static_cast<double>(all * kept.steps);
+    row.tolerance = turn * turn / 8 + rounding;
+    add("energy [-]", run.report.unaccounted_energy / motion.energies, factors::law,
+        "law (omega h)^2 / 8 at any time");
+    row.tolerance = turn * turn / 24 + rounding;
+    add("frequency [-]", run.phase.at(all) / (2 * std::numbers::pi * count), factors::law,
+        "law (omega h)^2 / 24");
     return;
   }
-  // the first few periods do not show yet how errors grow
-  const auto part_of = [](long count) { return std::max(count / 100, std::clamp(count / 5, 1L, 4L)); };
-  const auto times = [&](long count) {
-    return static_cast<double>(count) / static_cast<double>(part_of(count));
+  const double step = motion.period / static_cast<double>(kept.steps);
+  const double stated = stated_by(run.report, exact, step);
+  row.tolerance = stated;
+  add("energy [-]", run.energy.at(all) / motion.energies, factors::given_steps * factors::energy,
+      "stated local errors");
+  // the phase for as long as its threshold promises anything
+  const auto threshold_after = [&](long periods) {
+    return factors::given_steps * stated * static_cast<double>(periods) / count *
+           amplification_after(exact, periods);
   };
-  add("energy [-]", run.energy.at(all) / motion.energies,
-      std::min(std::abs(run.energy.at(part_of(all))) / motion.energies * times(all) + rounding,
-               small_difference / factors::growth),
-      factors::growth, "in proportion to the time");
-  const long phased = std::min(all, kept.in_phase);
-  add(fmt::format("phase after {} periods [rad]", phased), run.phase.at(phased),
-      std::min(std::abs(run.phase.at(part_of(phased))) * times(phased) * times(phased) + rounding,
-               small_difference / factors::growth),
-      factors::growth, "with the square of the time");
+  long phased = all;
+  while (phased > 1 && threshold_after(phased) > small_difference) phased = (phased + 1) / 2;
+  row.tolerance = stated * static_cast<double>(phased) / count;
+  row.amplification = amplification_after(exact, phased);
+  add("phase [rad]", run.phase.at(phased), factors::given_steps,
+      fmt::format("after {} periods, by stated local errors", phased));
 }
 
 /// All methods, each in one formulation.
@@ -169,19 +179,28 @@ void judge_periods(Judge& judge, const Recurrence& motion, double periods) {
   const long all = std::lround(periods);
   // of methods of order 2, whose errors the simulation warns of if it takes the steps of the long runs
   const long steps = judge.is_twin() ? 2000 : 50;
+  HardMotion measured;
+  measured.scene = motion.scene;
+  measured.end = measured_periods * motion.period;
+  measured.starts = 1;  // it returns to it
+  measured.directions = neighbours;
+  const ExactMotion exact(measured);
   for (const Kept& kept : {Kept{"rattle", "r-omega", steps, true},
-                           {"generalized-alpha", "r-epsilon", steps, false, 5},
-                           {"radau9", "r-p", motion.steps, false, 3000}}) {
+                           {"generalized-alpha", "r-epsilon", steps, false},
+                           {"radau9", "r-p", motion.steps, false}}) {
     const auto& wanted = judge.formulations();
     if (std::find(wanted.begin(), wanted.end(), kept.formulation) == wanted.end()) continue;
     try {
-      judge_periods(judge, motion, kept, all);
+      judge_periods(judge, motion, exact, kept, all);
     } catch (const Error& error) {
       judge.add(judge.ended(judge.row(kept.formulation, kept.name(), "whole run"), error.what(), error.when(),
                             motion.scene, 0, static_cast<double>(all) * motion.period));
     }
   }
 }
+
+/// The methods of short_steps whose velocities need not meet their rows.
+const std::vector<std::string> index_3{"generalized-alpha", "hht", "bdf"};
 
 /// The pendulum over one second by given steps: the error does not grow as they become shorter, but for the
 /// multipliers of index 3, which know positions only to their rounding, u / h^2.
@@ -201,45 +220,44 @@ void judge_short_steps(Judge& judge, double h) {
       options.formulation = formulation;
       options.step = *options.output_step / std::ceil(*options.output_step / h * (1 - 1e-9));
       Samples found;
-      Row row = judge.row(formulation, method, "position [m]");
       SimulationReport report;
       try {
         report = simulate(model, options, found);
       } catch (const Error& error) {
-        judge.add(judge.ended(row, error.what(), error.when(), scene, 0, options.end));
+        judge.add(judge.ended(judge.row(formulation, method, "whole run"), error.what(), error.when(), scene,
+                              0, options.end));
         continue;
       }
+      const auto add = [&](const char* quantity, double value, double tolerance, const std::string& law) {
+        Row row = judge.row(formulation, method, quantity);
+        row.value = value;
+        row.tolerance = tolerance;
+        row.threshold = factors::law * tolerance;
+        row.why = "law " + law;
+        judge.add(judge.judged(row));
+      };
+      double off = 0;
       for (std::size_t k = 0; k < exact.all.size(); ++k)
-        raise(row.value, (found.all[k].state.pose[0].r - exact.all[k].state.pose[0].r).norm());
-      const double omega = std::sqrt(g / arm), u = unit_roundoff<double>();
+        raise(off, (found.all[k].state.pose[0].r - exact.all[k].state.pose[0].r).norm());
+      const integrators::MethodInfo& info = *integrators::find_method(method);
+      const double turn = std::sqrt(g / arm) * h;  // omega h
       // what the method leaves out, and rounding of every step
-      const int order = integrators::find_method(method)->standard_order;
-      const double law = std::pow(omega * h, order) + u / h;
-      row.tolerance = law * arm;
-      row.threshold = factors::law * row.tolerance;
-      row.why = fmt::format("law (omega h)^{} + u / h", order);
-      judge.add(judge.judged(row));
-      row.quantity = "energy [-]";
-      row.value = report.unaccounted_energy / (mass * g * arm);
-      row.tolerance = law;
-      row.threshold = factors::law * row.tolerance;
-      judge.add(judge.judged(row));
-      row.quantity = "Phi [m]";
-      row.value = report.phi;
-      row.tolerance = integrators::rounding<double>() * arm;
-      row.threshold = factors::law * row.tolerance;
-      row.why = "law 16 epsilon l";
-      judge.add(judge.judged(row));
+      const double law = std::pow(turn, info.standard_order) + unit_roundoff<double>() / h;
+      const std::string law_text = fmt::format("(omega h)^{} + u / h", info.standard_order);
+      add("position [m]", off, law * arm, law_text);
+      add("energy [-]", report.unaccounted_energy / (mass * g * arm), law, law_text);
+      add("Phi [m]", report.phi, integrators::rounding<double>() * arm, "16 epsilon l");
       if (!report.has_raw_lambda) continue;
-      row.quantity = "raw lambda [N]";
-      row.value = report.lambda_gap;
-      // Newton's method takes violations of 16 epsilon for rounding, and does not correct them. A correction
-      // of v' moves the position by beta h^2, and lambda damps by rho from step to step.
-      row.tolerance =
-          (omega * h + factors::undamped * integrators::rounding<double>() * arm / (g * h * h)) * mass * g;
-      row.threshold = factors::law * row.tolerance;
-      row.why = "law omega h + 256 epsilon l / (g h^2), relative to the weight";
-      judge.add(judge.judged(row));
+      // Newton's method takes violations of 16 epsilon for rounding, and does not correct them. With index 3
+      // a correction of v' moves the position by beta h^2, and lambda damps by rho from step to step; with
+      // the velocity rows of index 2 it moves the velocity by h.
+      const int order = info.raw_lambda_order > 0 ? info.raw_lambda_order : info.standard_order;
+      const bool has_index_3 = std::find(index_3.begin(), index_3.end(), method) != index_3.end();
+      const double known = integrators::rounding<double>() / turn,
+                   rounding = has_index_3 ? factors::undamped * known / turn : known;
+      add("raw lambda [N]", report.lambda_gap, (std::pow(turn, order) + rounding) * mass * g,
+          fmt::format("(omega h)^{} + {}, relative to the weight", order,
+                      has_index_3 ? "256 epsilon / (omega h)^2" : "16 epsilon / (omega h)"));
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scenes/catalogue.hpp"
@@ -45,8 +46,9 @@ void judge_vibration(Judge& judge, double stiffness, double ratio) {
   HardMotion motion;
   motion.scene = vibration_with(stiffness, ratio);
   const bool is_short = judge.is_quick() || judge.is_twin();
-  motion.end = (is_short ? 50 : 200) / std::sqrt(stiffness);  // about 8 or 32 periods
-  motion.step = 2 / std::sqrt(stiffness);                     // three steps a period
+  motion.step = 1e-3;
+  // about 8 or 32 periods, and more of a vibration that this step does not resolve
+  motion.end = std::max((is_short ? 50 : 200) / std::sqrt(stiffness), 20 * motion.step);
   motion.exact = [stiffness, ratio](MechanismState<double>& state) {
     const double omega = std::sqrt(stiffness), damped = omega * std::sqrt(1 - ratio * ratio),
                  c = std::cos(damped * state.t), s = std::sin(damped * state.t),
@@ -54,8 +56,6 @@ void judge_vibration(Judge& judge, double stiffness, double ratio) {
     state.pose[0].r = {1 - amplitude + now * (c + ratio * omega / damped * s), 0, 0};
     state.twist[0].r_dot = {-now * omega * omega / damped * s, 0, 0};
   };
-  // the easy twin has steps that follow the vibration
-  if (judge.is_twin()) motion.step = motion.end / 10000;
   judge.motion(motion);
 }
 
@@ -104,17 +104,17 @@ Family stiff() {
            {"vibration",
             "stiffness [N/m]",
             {1, 1e12},
-            1e2,
-            {1e6},
-            {1e6, 1e10},
+            10,
+            {1e8},
+            {1e6, 4e6, 1e8, 1e10},
             [](Judge& judge, double k) { judge_vibration(judge, k, 0); },
             vibration},
            {"damped_vibration",
             "stiffness [N/m]",
             {1, 1e12},
-            1e2,
-            {1e6},
-            {1e6, 1e10},
+            10,
+            {1e8},
+            {1e6, 4e6, 1e8, 1e10},
             [](Judge& judge, double k) { judge_vibration(judge, k, damping_ratio); },
             damped_vibration},
            {"governor",
