@@ -150,7 +150,10 @@ void judge_flips(Judge& judge, double flips) {
       flips < hard_outputs ? (flips + 0.3) / hard_outputs : std::floor(flips / hard_outputs) + 0.618;
   motion.end = between * hard_outputs * time_of_a_flip(body);
   motion.step = flips > 20 ? 0.01 : flips > 5 ? 0.0025 : 0.02;
-  if (flips > 20) motion.methods = methods_of("many_flips", judge.is_quick());
+  if (flips > 20) {
+    motion.methods = methods_of("many_flips", judge.is_quick());
+    motion.starts = 5;  // a run takes minutes
+  }
   motion.directions = 8;                            // few of all directions delay or hasten flips
   motion.rtol = flips > 5 ? 1e-12 : standard_rtol;  // each flip enlarges errors
   motion.also = judge_normalisation;
