@@ -8,9 +8,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 
+#include "base/raise.hpp"
 #include "bodies/inertia.hpp"
+#include "bodies/rotations/so3.hpp"
 #include "formulations/euler_chart_choice.hpp"
 #include "formulations/near_singular_chart.hpp"
 #include "formulations/r_omega.hpp"
@@ -81,17 +84,54 @@ RowAnalysis rows_of(const Model<double>& model, AccelerationSolver<F>& solver) {
   return rows;
 }
 
+/// How far the solution moves if every body is turned by some roundings of its orientation. Near the
+/// singularity of a chart the equations themselves are rounded by far more than u, which the corrections of
+/// the solver do not show. Several tries, as roundings often are the same again.
+template <Formulation F>
+Corrections change_by_rounding(const Model<double>& model, const ChartOptions& charts,
+                               const AccelerationSolver<F>& solver) {
+  const auto of_bodies = [nb = model.mechanism.nb()](const AccelerationSolver<F>& of) {
+    VectorX<double> all(6 * nb);
+    for (int b = 0; b < nb; ++b) all.segment<6>(6 * b) << of.r_ddot(b), of.omega_bar_dot(b);
+    return all;
+  };
+  const auto change = [](const VectorX<double>& x, const VectorX<double>& y) {
+    const double size = x.size() > 0 ? x.lpNorm<Eigen::Infinity>() : 0;
+    return size > 0 ? (y - x).lpNorm<Eigen::Infinity>() / size : 0;
+  };
+  AccelerationSolver<F> near(model.mechanism);
+  Corrections largest;
+  std::minstd_rand random;
+  for (int tries = 0; tries < 12; ++tries) {
+    MechanismState<double> state = model.state;
+    for (Pose<double>& pose : state.pose) {
+      Vector4<double> turn(1, 0, 0, 0);
+      for (int k = 1; k < 4; ++k)
+        turn[k] = unit_roundoff<double>() * (static_cast<double>(random() % 65) - 32);
+      pose.p = multiply_parameters(pose.p, turn);
+    }
+    try {
+      near.solve(to_coordinates<F>(model.mechanism, state, charts), state.t);
+    } catch (const ModelError&) {
+      return {1, 1};  // a rounding decides whether there is a solution: no digit is known
+    }
+    raise(largest.lambda, change(solver.lambda(), near.lambda()));
+    raise(largest.acceleration, change(of_bodies(solver), of_bodies(near)));
+  }
+  return largest;
+}
+
 template <Formulation F>
 FormulationResult<double> solve_one(const Model<double>& model, const RowAnalysis& rows,
                                     const ChartOptions& charts) {
   const Mechanism<double>& mechanism = model.mechanism;
   const auto state = to_coordinates<F>(mechanism, model.state, charts);
   AccelerationSolver<F> solver(mechanism);
+  const std::string cause = near_singular_chart<F>(mechanism, state, model.state.t, reframing_distance);
   try {
     solver.solve(state, model.state.t);
   } catch (const ModelError& error) {
     // r-omega has a solution here (structured_row_analysis), so that the coordinates are at fault
-    const std::string cause = near_singular_chart<F>(mechanism, state, model.state.t, reframing_distance);
     if (cause.empty()) throw;
     throw ModelError(Place{}, Error(ErrorKind::model, cause + "; the solver ended with: " + error.what(),
                                     Place{error.where(), model.state.t}));
@@ -126,6 +166,11 @@ FormulationResult<double> solve_one(const Model<double>& model, const RowAnalysi
   result.residual = matrix_free_residual<F>(mechanism, eom, found, rows.dependent);
   const double u = unit_roundoff<double>();
   result.estimate = {solver.corrections().lambda + u, solver.corrections().acceleration + u};
+  if (!cause.empty()) {
+    const Corrections change = change_by_rounding<F>(model, charts, solver);
+    raise(result.estimate.lambda, change.lambda);
+    raise(result.estimate.acceleration, change.acceleration);
+  }
   // without a norm E there is no choice of least norm: the solver's lambda is 0 in dependent rows
   const bool has_choice = !rows.dependent.empty() && rows.E.size() > 0;
   result.solution.lambda = has_choice ? solver.minimum_norm_lambda() : found.lambda;

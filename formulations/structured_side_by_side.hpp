@@ -2,7 +2,7 @@
 /// All formulations at one state, solved by the structured solver, for mechanisms too large for the dense
 /// solver of side_by_side.hpp. The dense row analysis is replaced: rank and uniqueness come from the
 /// structured solver, kappa is not known (NaN), and the error estimates are the corrections of the last
-/// iterative refinement.
+/// iterative refinement, or near the singularity of a chart how far roundings of the state move the solution.
 
 #include "formulations/side_by_side.hpp"
 

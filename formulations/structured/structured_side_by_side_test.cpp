@@ -65,14 +65,37 @@ TEST(StructuredSideBySide, SolvesInTheFormulationsThatAreNamed) {
   EXPECT_EQ(one.formulations.front().name, "r-p");
 }
 
-TEST(StructuredSideBySide, NamesTheChartIfRomegaHasASolution) {
+/// A top on a spherical joint at `tip`, whose middle Euler angle is `distance` from the singularity.
+scenes::Scene top_near_singularity(double distance, const scenes::Vector3& tip) {
   scenes::Scene scene;
   scenes::Body top = building::body("top", 2, {0.4, 0.5, 0.3});
-  top.orientation = scenes::EulerAngles{{0.4, 1e-8, 0.3}, {}};
+  top.orientation = scenes::EulerAngles{{0.4, distance, 0.3}, {}};
+  top.angular_velocity = {1, 2, 3};
   scene.bodies = {top};
   scene.constraints = {building::joint(JointType::spherical, "pin",
                                        building::side(scenes::ground, scenes::Vector3{}),
-                                       building::side(0, scenes::Vector3{}))};
+                                       building::side(0, tip))};
+  scene.effects = {building::gravity()};
+  return scene;
+}
+
+TEST(StructuredSideBySide, StatesATenthOfItsErrorNearTheSingularityOfAChart) {
+  constexpr double no_error = 1e-12;
+  for (double distance = 0.2; distance > 2e-7; distance *= 0.83) {
+    const SideBySide<double> all =
+        structured_side_by_side(make_model<double>(top_near_singularity(distance, {0.1, 0.2, 0.3})),
+                                {{"r-omega", "r-epsilon"}, {EulerSequence{}, false}});
+    const FormulationResult<double>&exact = all.formulations[0], &lossy = all.formulations[1];
+    if (!lossy.error.empty()) continue;
+    const double error =
+        (lossy.solution.lambda - exact.solution.lambda).norm() / exact.solution.lambda.norm();
+    EXPECT_TRUE(error < no_error || lossy.estimate.lambda >= std::min(error, 1.0) / 10)
+        << distance << ": " << error << " " << lossy.estimate.lambda;
+  }
+}
+
+TEST(StructuredSideBySide, NamesTheChartIfRomegaHasASolution) {
+  const scenes::Scene scene = top_near_singularity(1e-8, {});
   const ChartOptions kept{{}, false};
   for (const auto& found : structured_side_by_side(make_model<double>(scene), {{}, kept}).formulations) {
     if (found.name != "r-epsilon") {

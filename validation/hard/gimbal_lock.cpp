@@ -153,7 +153,7 @@ Family gimbal_lock() {
             {1e-15, 0.7},
             0.5,
             distances,
-            distances,
+            {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 5.83e-6, 3e-6, 1e-6, 1.87e-7, 1e-7, 1e-8},
             judge_laws},
            {"flight",
             "closest approach [rad], charts are changed",

@@ -7,10 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <variant>
 
+#include "base/number_text.hpp"
+#include "base/raise.hpp"
 #include "bodies/numbers/quad.hpp"
 #include "bodies/numbers/real50.hpp"
 #include "bodies/numbers/scalar.hpp"
@@ -209,15 +212,17 @@ void judge_misalignment(Judge& judge, double angle) {
 /// Whether the door is locked in one formulation by one solver, as the angle grows.
 struct Locking {
   std::string formulation, solver;
-  bool is_locked = false;
-  int jumps = 0;
-  double last = 0;  ///< angle of the last jump [rad]
+  int jumps = 0, refusals = 0;
+  double free = 0, locked = std::numeric_limits<double>::infinity();  ///< largest and least angle [rad]
+  bool was_locked = false;
 
-  void add(double angle, bool locked) {
-    if (locked == is_locked) return;
-    is_locked = locked;
-    last = angle;
-    ++jumps;
+  void add(double angle, bool is_locked) {
+    jumps += is_locked != was_locked;
+    was_locked = is_locked;
+    if (is_locked)
+      locked = std::min(locked, angle);
+    else
+      free = angle;
   }
 };
 
@@ -242,15 +247,25 @@ void judge_jump(Judge& judge, double angles_per_decade) {
     for (const auto& answer :
          {side_by_side(model, analyse_rows(model), options), structured_side_by_side(model, options)})
       for (const auto& found : answer.formulations) {
-        if (found.error.empty()) one->add(angle, is_locked(found));
+        // the printed equations may have no solution in double where the rank is about to jump
+        if (found.error.empty())
+          one->add(angle, is_locked(found));
+        else
+          ++one->refusals;
         ++one;
       }
   }
+  double free = 0, locked = std::numeric_limits<double>::infinity();
+  for (const Locking& one : all) {
+    raise(free, one.free);
+    locked = std::min(locked, one.locked);
+  }
   for (const Locking& one : all) {
     Row row = judge.row(one.formulation, one.solver, "jumps but one [1]");
-    row.value = std::abs(one.jumps - 1) + (one.last != all.front().last);
+    row.value = std::abs(one.jumps - 1) + (one.free >= locked) + (one.locked <= free);
     row.threshold = 0;
-    row.why = fmt::format("locked from {:.3g} rad on", one.last);
+    row.why = fmt::format("locked from {:.3g} rad on", one.locked);
+    if (one.refusals > 0) row.why += "; refuses " + counted(one.refusals, "angle", "angles");
     judge.add(judge.judged(row));
   }
 }

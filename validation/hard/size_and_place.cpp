@@ -153,15 +153,15 @@ void judge_scaled(Judge& judge, double length, double gravity) {
   motion.step = time / 1024;
   motion.length = length;
   motion.speed = length / time;
-  judge.motion(motion);
+  const ExactMotion exact = judge.motion(motion);
   judge_state(judge, other, length, gravity, 0);
   constexpr int steps = 1024;
   // Powers of 4 scale without rounding. Others round the lengths, and the same step of Newton's method may
   // end with another iterate within its tolerance.
   const double log_4 = std::log2(length / gravity) / 2;
   const double within = log_4 == std::round(log_4) ? 0 : integrators::NewtonOptions{}.tolerance;
-  judge_equal_steps(judge, {other, length, time}, steps, unit_roundoff<double>() * steps, within, 1,
-                    "equal steps, scaled [-]");
+  judge_equal_steps(judge, {other, length, time}, steps, unit_roundoff<double>() * steps, within,
+                    exact.amplification(exact.states().size() - 1), "equal steps, scaled [-]");
 }
 
 /// The two bars at a distance from the origin.

@@ -186,7 +186,12 @@ scenes::Scene spinning_ball(double spin) {
 /// |omega|^2, and lose u |omega|^2 of omega_bar'. The mended forms have the unknown omega_bar' and lose
 /// nothing.
 void judge_printed_spin(Judge& judge, double spin) {
-  const SolvedStates solved = solve_state(spinning_ball(spin), judge.formulations());
+  SolvedStates solved = solve_state(spinning_ball(spin), judge.formulations());
+  for (int k = 1; k < 5; ++k) {  // at one spin roundings may cancel
+    const SolvedStates near = solve_state(spinning_ball((1 + 0.01 * k) * spin), judge.formulations());
+    for (std::size_t n = 0; n < solved.all.size(); ++n)
+      if (near.all[n].omega_bar_dot > solved.all[n].omega_bar_dot) solved.all[n] = near.all[n];
+  }
   for (const SolvedState& state : solved.all) {
     const bool loses =
         state.formulation == "r-epsilon" || (state.formulation == "r-p" && state.solver == "printed");
@@ -196,7 +201,8 @@ void judge_printed_spin(Judge& judge, double spin) {
     row.tolerance = law;
     row.amplification = solved.kappa;
     row.threshold = factors::law * law * solved.kappa;
-    row.why = fmt::format("{:.2g} of the law u{}", state.omega_bar_dot / law, loses ? " |omega|^2" : "");
+    row.why = fmt::format("the worst of five spins up to 4 % above: {:.2g} of the law u{}",
+                          state.omega_bar_dot / law, loses ? " |omega|^2" : "");
     judge.add(judge.judged(row, state.announced));
     if (!loses || judge.is_twin()) continue;  // at 1 rad/s nothing is lost
     row.quantity = "law over error of omega_bar' [-]";

@@ -46,13 +46,13 @@ void judge_vibration(Judge& judge, double stiffness, double ratio) {
   HardMotion motion;
   motion.scene = vibration_with(stiffness, ratio);
   const bool is_short = judge.is_quick() || judge.is_twin();
-  motion.step = 1e-3;
-  // about 8 or 32 periods, and more of a vibration that this step does not resolve
-  motion.end = std::max((is_short ? 50 : 200) / std::sqrt(stiffness), 20 * motion.step);
-  motion.exact = [stiffness, ratio](MechanismState<double>& state) {
-    const double omega = std::sqrt(stiffness), damped = omega * std::sqrt(1 - ratio * ratio),
-                 c = std::cos(damped * state.t), s = std::sin(damped * state.t),
-                 now = amplitude * std::exp(-ratio * omega * state.t);
+  const double omega = std::sqrt(stiffness);
+  motion.step = std::min(1e-3, 10 / omega);  // from 1e8 N/m on longer than a period
+  // about 8 or 32 periods, and at least as many steps as outputs
+  motion.end = std::max((is_short ? 50 : 200) / omega, hard_outputs * motion.step);
+  motion.exact = [omega, ratio](MechanismState<double>& state) {
+    const double damped = omega * std::sqrt(1 - ratio * ratio), c = std::cos(damped * state.t),
+                 s = std::sin(damped * state.t), now = amplitude * std::exp(-ratio * omega * state.t);
     state.pose[0].r = {1 - amplitude + now * (c + ratio * omega / damped * s), 0, 0};
     state.twist[0].r_dot = {-now * omega * omega / damped * s, 0, 0};
   };
