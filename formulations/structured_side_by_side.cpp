@@ -96,8 +96,8 @@ Corrections change_by_rounding(const Model<double>& model, const ChartOptions& c
     return all;
   };
   const auto change = [](const VectorX<double>& x, const VectorX<double>& y) {
-    const double size = x.size() > 0 ? x.lpNorm<Eigen::Infinity>() : 0;
-    return size > 0 ? (y - x).lpNorm<Eigen::Infinity>() / size : 0;
+    const double size = largest_magnitude(x);
+    return size > 0 ? largest_magnitude(VectorX<double>(y - x)) / size : 0;
   };
   AccelerationSolver<F> near(model.mechanism);
   Corrections largest;
@@ -127,13 +127,13 @@ FormulationResult<double> solve_one(const Model<double>& model, const RowAnalysi
   const Mechanism<double>& mechanism = model.mechanism;
   const auto state = to_coordinates<F>(mechanism, model.state, charts);
   AccelerationSolver<F> solver(mechanism);
-  const std::string cause = near_singular_chart<F>(mechanism, state, model.state.t, reframing_distance);
+  const std::string near_chart = near_singular_chart<F>(mechanism, state, model.state.t, reframing_distance);
   try {
     solver.solve(state, model.state.t);
   } catch (const ModelError& error) {
     // r-omega has a solution here (structured_row_analysis), so that the coordinates are at fault
-    if (cause.empty()) throw;
-    throw ModelError(Place{}, Error(ErrorKind::model, cause + "; the solver ended with: " + error.what(),
+    if (near_chart.empty()) throw;
+    throw ModelError(Place{}, Error(ErrorKind::model, near_chart + "; the solver ended with: " + error.what(),
                                     Place{error.where(), model.state.t}));
   }
   const auto eom = equations_of_motion<F>(mechanism, state, model.state.t);
@@ -166,7 +166,7 @@ FormulationResult<double> solve_one(const Model<double>& model, const RowAnalysi
   result.residual = matrix_free_residual<F>(mechanism, eom, found, rows.dependent);
   const double u = unit_roundoff<double>();
   result.estimate = {solver.corrections().lambda + u, solver.corrections().acceleration + u};
-  if (!cause.empty()) {
+  if (!near_chart.empty()) {
     const Corrections change = change_by_rounding<F>(model, charts, solver);
     raise(result.estimate.lambda, change.lambda);
     raise(result.estimate.acceleration, change.acceleration);

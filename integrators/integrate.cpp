@@ -61,8 +61,9 @@ void with_cause(AnySystem<S>& system, const S& t, const StateVector<S>& y, const
       cause = system.diagnose(t, y, step);
       // what is at fault in a stage far off may be a neighbour of the body that moves too fast; the rows that
       // end steps of chosen length are those of the state itself
-      const bool is_a_row = !place.where.empty() && place.where.find("body \"") == std::string::npos;
-      if (cause.empty() && !(is_a_row && step == S(0))) body = system.most_accelerated(t, y);
+      const bool names_a_body = place.where.find("body \"") != std::string::npos;
+      if (cause.empty() && (place.where.empty() || names_a_body || step != S(0)))
+        body = system.most_accelerated(t, y);
     } catch (const Error& at_state) {  // the state itself has no solution
       if (place.where.empty() && !at_state.where().empty()) cause = at_state.what();
     } catch (const std::runtime_error&) {  // not even that is known at this state

@@ -118,7 +118,7 @@ Row Judge::exact_row(const std::string& law, double off, const ExactMotion& exac
   Row row = this->row("r-omega", "exact motion", law);
   row.value = off;
   row.tolerance = exact.tolerance();
-  row.amplification = exact.amplification(exact.states().size() - 1);
+  row.amplification = exact.amplification();
   row.threshold = std::min(factors::chosen_steps * row.tolerance * row.amplification, small_difference);
   return judged(std::move(row));
 }

@@ -122,8 +122,7 @@ class LongRun : public SimulationObserver {
 /// periods drift apart in proportion to the time. Outputs are at all phases.
 constexpr double measured_periods = 1.1 * hard_outputs;
 double amplification_after(const ExactMotion& exact, long periods) {
-  return exact.amplification(hard_outputs - 1) *
-         std::max(1.0, static_cast<double>(periods) / measured_periods);
+  return exact.amplification() * std::max(1.0, static_cast<double>(periods) / measured_periods);
 }
 
 /// A symplectic method of order 2 errs as on a vibration of rate omega: its energy by (omega h)^2 / 8 at any
@@ -132,46 +131,41 @@ double amplification_after(const ExactMotion& exact, long periods) {
 void judge_periods(Judge& judge, const Recurrence& motion, const ExactMotion& exact, const Kept& kept,
                    long all) {
   const LongRun run(motion, kept, all);
-  Row row = judge.row(kept.formulation, kept.name(), {});
-  const auto add = [&](const std::string& quantity, double value, double factor, const std::string& law) {
-    row.quantity = quantity;
+  const auto add = [&](const char* quantity, double value, double tolerance, double factor,
+                       const std::string& law, double amplification = 1) {
+    Row row = judge.row(kept.formulation, kept.name(), quantity);
     row.value = std::abs(value);
-    row.threshold = std::min(factor * row.tolerance * row.amplification, small_difference);
+    row.tolerance = tolerance;
+    row.amplification = amplification;
+    row.threshold = std::min(factor * tolerance * amplification, small_difference);
     row.why = law;
     const double figure = row.is_met() && !judge.is_twin() ? 0 : quote_warnings(row, run.report);
     judge.add(judge.judged(row, figure));
   };
-  row.tolerance = integrators::rounding<double>() * motion.size;
-  add("Phi [m]", run.report.phi, factors::law, "law 16 epsilon l");
+  add("Phi [m]", run.report.phi, integrators::rounding<double>() * motion.size, factors::law,
+      "law 16 epsilon l");
   const double count = static_cast<double>(all),
                turn = 2 * std::numbers::pi / static_cast<double>(kept.steps);
   if (kept.is_symplectic) {
     // rounding errors of the steps add up at most in proportion to their number
     const double rounding = unit_roundoff<double>() * static_cast<double>(all * kept.steps);
-    row.tolerance = turn * turn / 8 + rounding;
-    add("energy [-]", run.report.unaccounted_energy / motion.energies, factors::law,
-        "law (omega h)^2 / 8 at any time");
-    row.tolerance = turn * turn / 24 + rounding;
-    add("frequency [-]", run.phase.at(all) / (2 * std::numbers::pi * count), factors::law,
-        "law (omega h)^2 / 24");
+    add("energy [-]", run.report.unaccounted_energy / motion.energies, turn * turn / 8 + rounding,
+        factors::law, "law (omega h)^2 / 8 at any time");
+    add("frequency [-]", run.phase.at(all) / (2 * std::numbers::pi * count), turn * turn / 24 + rounding,
+        factors::law, "law (omega h)^2 / 24");
     return;
   }
-  const double step = motion.period / static_cast<double>(kept.steps);
-  const double stated = stated_by(run.report, exact, step);
-  row.tolerance = stated;
-  add("energy [-]", run.energy.at(all) / motion.energies, factors::given_steps * factors::energy,
+  const double stated = stated_by(run.report, exact, motion.period / static_cast<double>(kept.steps));
+  add("energy [-]", run.energy.at(all) / motion.energies, stated, factors::given_steps * factors::energy,
       "stated local errors");
   // the phase for as long as its threshold promises anything
-  const auto threshold_after = [&](long periods) {
-    return factors::given_steps * stated * static_cast<double>(periods) / count *
-           amplification_after(exact, periods);
-  };
+  const auto stated_after = [&](long periods) { return stated * static_cast<double>(periods) / count; };
   long phased = all;
-  while (phased > 1 && threshold_after(phased) > small_difference) phased = (phased + 1) / 2;
-  row.tolerance = stated * static_cast<double>(phased) / count;
-  row.amplification = amplification_after(exact, phased);
-  add("phase [rad]", run.phase.at(phased), factors::given_steps,
-      fmt::format("after {} periods, by stated local errors", phased));
+  while (phased > 1 &&
+         factors::given_steps * stated_after(phased) * amplification_after(exact, phased) > small_difference)
+    phased = (phased + 1) / 2;
+  add("phase [rad]", run.phase.at(phased), stated_after(phased), factors::given_steps,
+      fmt::format("after {} periods, by stated local errors", phased), amplification_after(exact, phased));
 }
 
 /// All methods, each in one formulation.
@@ -267,37 +261,34 @@ void judge_short_steps(Judge& judge, double h) {
   }
 }
 
+/// A motion over so many periods; `number`: what they are called.
+Case many_periods(const char* name, const char* number, Recurrence (*motion)(), double least, double quick) {
+  return {name,
+          number,
+          {least, 1e6, true},
+          least,
+          {quick},
+          {1e5},
+          [motion](Judge& judge, double periods) { judge_periods(judge, motion(), periods); },
+          [motion](double) { return motion().scene; }};
+}
+
 }  // namespace
 
 Family long_runs() {
-  return {
-      "long_runs",
-      "many periods, and very short steps",
-      {{"swings",
-        "number of periods of a pendulum",
-        {10, 1e6, true},
-        10,
-        {200},
-        {1e5},
-        [](Judge& judge, double periods) { judge_periods(judge, swinging(), periods); },
-        [](double) { return pendulum(); }},
-       {"turns",
-        "number of turns of a slider-crank",
-        {20, 1e6, true},
-        20,
-        {500},
-        {1e5},
-        [](Judge& judge, double turns) { judge_periods(judge, turning(), turns); },
-        [](double) { return slider_crank(); }},
-       {"short_steps",
-        "length of the step [s], or a little less, so that it divides the run (below 1e-6 each method in one "
-        "formulation)",
-        {1e-7, 0.01},
-        2e-3,
-        {1e-4},
-        {1e-3, 1e-4, 1e-5, 5e-6, 5e-7},
-        judge_short_steps,
-        [](double) { return pendulum(); }}}};
+  return {"long_runs",
+          "many periods, and very short steps",
+          {many_periods("swings", "number of periods of a pendulum", swinging, 10, 200),
+           many_periods("turns", "number of turns of a slider-crank", turning, 20, 500),
+           {"short_steps",
+            "length of the step [s], or a little less, so that it divides the run (below 1e-6 each method in "
+            "one formulation)",
+            {1e-7, 0.01},
+            2e-3,
+            {1e-4},
+            {1e-3, 1e-4, 1e-5, 5e-6, 5e-7},
+            judge_short_steps,
+            [](double) { return pendulum(); }}}};
 }
 
 }  // namespace trivium::hard

@@ -220,7 +220,7 @@ struct Locking {
     jumps += is_locked != was_locked;
     was_locked = is_locked;
     if (is_locked)
-      locked = std::min(locked, angle);
+      lower(locked, angle);
     else
       free = angle;
   }
@@ -258,7 +258,7 @@ void judge_jump(Judge& judge, double angles_per_decade) {
   double free = 0, locked = std::numeric_limits<double>::infinity();
   for (const Locking& one : all) {
     raise(free, one.free);
-    locked = std::min(locked, one.locked);
+    lower(locked, one.locked);
   }
   for (const Locking& one : all) {
     Row row = judge.row(one.formulation, one.solver, "jumps but one [1]");

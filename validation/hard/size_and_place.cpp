@@ -161,7 +161,7 @@ void judge_scaled(Judge& judge, double length, double gravity) {
   const double log_4 = std::log2(length / gravity) / 2;
   const double within = log_4 == std::round(log_4) ? 0 : integrators::NewtonOptions{}.tolerance;
   judge_equal_steps(judge, {other, length, time}, steps, unit_roundoff<double>() * steps, within,
-                    exact.amplification(exact.states().size() - 1), "equal steps, scaled [-]");
+                    exact.amplification(), "equal steps, scaled [-]");
 }
 
 /// The two bars at a distance from the origin.
@@ -201,8 +201,8 @@ void judge_moved(Judge& judge, double start, double distance) {
   constexpr int steps = 1000;
   judge_equal_steps(judge, {motion.scene, 1, 1, start, distance}, steps,
                     unit_roundoff<double>() * (steps + distance),
-                    distance > 0 ? integrators::NewtonOptions{}.tolerance : 0,
-                    exact.amplification(exact.states().size() - 1), "equal steps, moved [-]");
+                    distance > 0 ? integrators::NewtonOptions{}.tolerance : 0, exact.amplification(),
+                    "equal steps, moved [-]");
   if (distance > 0) judge_state(judge, motion.scene, 1, 1, motion.rounding);
 }
 

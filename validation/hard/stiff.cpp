@@ -36,15 +36,13 @@ constexpr double amplitude = 0.05;  // [m]: large enough to be missed if it is d
 constexpr double damping_ratio = 0.02;
 
 /// The stone, of 1 kg, vibrates along x; `ratio`: of damping.
-Scene vibration_with(double stiffness, double ratio) {
+Scene vibration(double stiffness, double ratio) {
   return stone_on_spring(stiffness, 2 * ratio * std::sqrt(stiffness), 1 - amplitude, 0);
 }
-Scene vibration(double stiffness) { return vibration_with(stiffness, 0); }
-Scene damped_vibration(double stiffness) { return vibration_with(stiffness, damping_ratio); }
 
 void judge_vibration(Judge& judge, double stiffness, double ratio) {
   HardMotion motion;
-  motion.scene = vibration_with(stiffness, ratio);
+  motion.scene = vibration(stiffness, ratio);
   const bool is_short = judge.is_quick() || judge.is_twin();
   const double omega = std::sqrt(stiffness);
   motion.step = std::min(1e-3, 10 / omega);  // from 1e8 N/m on longer than a period
@@ -57,6 +55,17 @@ void judge_vibration(Judge& judge, double stiffness, double ratio) {
     state.twist[0].r_dot = {-now * omega * omega / damped * s, 0, 0};
   };
   judge.motion(motion);
+}
+
+Case vibrating(const char* name, double ratio) {
+  return {name,
+          "stiffness [N/m]",
+          {1, 1e12},
+          10,
+          {1e8},
+          {1e6, 4e6, 1e8, 1e10},
+          [ratio](Judge& judge, double k) { judge_vibration(judge, k, ratio); },
+          [ratio](double k) { return vibration(k, ratio); }};
 }
 
 /// The flyball governor of IFToMM A05, its springs and dampers `factor` times as stiff.
@@ -101,22 +110,8 @@ Family stiff() {
             {1e6, 1e10},
             [](Judge& judge, double k) { judge_orbit(judge, damped_orbit, k); },
             damped_orbit},
-           {"vibration",
-            "stiffness [N/m]",
-            {1, 1e12},
-            10,
-            {1e8},
-            {1e6, 4e6, 1e8, 1e10},
-            [](Judge& judge, double k) { judge_vibration(judge, k, 0); },
-            vibration},
-           {"damped_vibration",
-            "stiffness [N/m]",
-            {1, 1e12},
-            10,
-            {1e8},
-            {1e6, 4e6, 1e8, 1e10},
-            [](Judge& judge, double k) { judge_vibration(judge, k, damping_ratio); },
-            damped_vibration},
+           vibrating("vibration", 0),
+           vibrating("damped_vibration", damping_ratio),
            {"governor",
             "factor of its stiffness and damping",
             {1e-6, 1e3},
