@@ -22,7 +22,7 @@ void judge_crank(Judge& judge, const Scene& scene, double end, const std::string
   HardMotion motion;
   motion.scene = scene;
   motion.end = end;
-  motion.step = end / 10000;
+  motion.step = end / 5000;
   motion.reason = reason;
   judge.motion(motion);
 }

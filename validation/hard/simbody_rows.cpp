@@ -16,6 +16,9 @@ namespace trivium::hard {
 
 namespace {
 
+/// More take minutes, and seldom get through.
+constexpr int most_steps_of_simbody = 70'000;
+
 Vector3<double> vector(const simbody::Vector3& v) { return {v[0], v[1], v[2]}; }
 
 std::vector<MechanismState<double>> states_of(const simbody::Motion& motion) {
@@ -49,9 +52,9 @@ std::vector<Row> simbody_rows(const Judge& judge, const HardMotion& motion, cons
       row.why = why;
     };
     try {
-      const simbody::Motion found =
-          simbody::move(to_simbody(motion.scene, motion.start), simbody::Way::mobilizers, which, accuracy,
-                        times, motion.max_step.value_or(std::numeric_limits<double>::infinity()));
+      const simbody::Motion found = simbody::move(
+          to_simbody(motion.scene, motion.start), simbody::Way::mobilizers, which, accuracy, times,
+          motion.max_step.value_or(std::numeric_limits<double>::infinity()), most_steps_of_simbody);
       row.why = counted(found.steps, "step", "steps");
       row.tolerance = static_cast<double>(found.steps) * accuracy;
       if (exact.trouble().empty()) {

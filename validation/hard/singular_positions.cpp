@@ -182,7 +182,7 @@ Family singular_positions() {
             {0.01, 100},
             2.5,
             {2},
-            {0.1, 1, 10, 100},
+            {0.1, 1, 100},
             judge_parallelogram,
             flat_parallelogram},
            {"rod_on_crank",

@@ -51,8 +51,8 @@ class SilentErrors {
   static inline int count_ = 0, kept_ = -1;
 };
 
-/// A run is given up after so many steps. The integrator returns after `steps_at_once` of them.
-constexpr int most_steps = 200'000, steps_at_once = 10'000;
+/// The integrator returns after so many steps, to be given up.
+constexpr int steps_at_once = 10'000;
 
 std::unique_ptr<SimTK::Integrator> make(const System& system, Integrator which) {
   switch (which) {
@@ -95,7 +95,7 @@ void read_states(const System& system, Motion& out) {
 }
 
 Motion move(System& system, Integrator which, double accuracy, const std::vector<double>& times,
-            double longest) {
+            double longest, int most_steps) {
   const std::unique_ptr<SimTK::Integrator> integrator = make(system, which);
   integrator->setAccuracy(accuracy);
   integrator->setConstraintTolerance(accuracy);
@@ -126,10 +126,10 @@ Motion move(System& system, Integrator which, double accuracy, const std::vector
 }  // namespace
 
 Motion move(const Model& model, Way way, Integrator integrator, double accuracy,
-            const std::vector<double>& times, double longest) {
+            const std::vector<double>& times, double longest, int most_steps) {
   try {
     System system(model, way);
-    return move(system, integrator, accuracy, times, longest);
+    return move(system, integrator, accuracy, times, longest, most_steps);
   } catch (const Refused&) {
     throw;
   } catch (const std::exception& error) {

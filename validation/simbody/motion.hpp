@@ -44,9 +44,10 @@ class GivenUp : public Refused {
 };
 
 /// The motion at the given times. Steps end at these times, except that CPodes interpolates. Constraints are
-/// satisfied to `accuracy`; no step is longer than `longest` [s]. Throws GivenUp after 200 000 steps, Refused
+/// satisfied to `accuracy`; no step is longer than `longest` [s]. Throws GivenUp after `most_steps`, Refused
 /// if the integrator ends, and no other exception.
 Motion move(const Model& model, Way way, Integrator integrator, double accuracy,
-            const std::vector<double>& times, double longest = std::numeric_limits<double>::infinity());
+            const std::vector<double>& times, double longest = std::numeric_limits<double>::infinity(),
+            int most_steps = 200'000);
 
 }  // namespace trivium::simbody
