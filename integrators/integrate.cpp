@@ -220,14 +220,17 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
       if ((is_output || !goes_on) && at_output(t, y) == Continue::no) goes_on = false;
       if (!goes_on) return false;
     }
+    bool goes_on = true;
     if (stop->is_event) {
       const S before_t = std::exchange(t, stop->t);
       system.pass_discontinuity(before_t, t, y);
       system.accept_state(t, y);  // the motion starts anew here, as a run continued from here does
       method.restart();
+      goes_on = at_step(t, y) == Continue::yes;
     }
     if (due) due = following.next();  // beyond this stop
-    if (stop->is_output && at_output(t, y) == Continue::no && !walk.is_done()) return false;
+    if ((stop->is_output || !goes_on) && at_output(t, y) == Continue::no) goes_on = false;
+    if (!goes_on && !walk.is_done()) return false;
   }
   return true;
 }

@@ -98,8 +98,15 @@ class HalvedStepErrors {
         sums_(std::move(sums)),
         errors_(sums_.bodies()) {}
 
-  /// Adds the step from `before` that ended at (t, y), where `bodies` are those of y. `is_new`: the motion or
-  /// its charts began anew since the last state.
+  /// The motion begins anew at (t, y), where `bodies` are those of y.
+  void begin(const S& t, const StateVector& y, const Bodies& bodies) {
+    sums_.see(bodies);
+    first_order().derivative(t, y, rate_before_);
+    before_ = y;
+    has_begun_ = true;
+  }
+  /// Adds the step from `before` that ended at (t, y), where `bodies` are those of y. `is_new`: its charts
+  /// began anew since the last state.
   void step(const S& before, const S& t, const StateVector& y, bool is_new, const Bodies& bodies) {
     sums_.see(bodies);
     first_order().derivative(t, y, rate_);

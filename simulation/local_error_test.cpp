@@ -154,6 +154,30 @@ TEST(LocalError, ForgetsTheStatesBeforeAStepOfAnotherLength) {
   EXPECT_EQ(estimated({0.01, 0.01, 0.02, 0.02}), 1);
 }
 
+// A push of 3 ms, in two parts of `steps` steps each, between events; everywhere else nothing errs.
+TEST(LocalErrors, OfFewStepsBetweenEventsAreKnown) {
+  for (const int steps : {2, 3, 4})
+    for (const char* method : {"dopri5", "arkode-erk", "hem4", "radau5"}) {
+      const double h = 1e-3, middle = 0.51, rise = steps * h;
+      scenes::Scene scene;
+      scene.bodies = {test::body("puck", 1, {1, 1, 1}, {0, 0, 0})};
+      Force<double> force;
+      force.components = {
+          TimeFunction(TimeFunction::Sum{{TimeFunction::Step5{middle - rise, 0, middle, 1 / rise},
+                                          TimeFunction::Step5{middle, 0, middle + rise, -1 / rise}}}),
+          TimeFunction(0), TimeFunction(0)};
+      scene.effects = {force};
+      SimulationOptions options;
+      options.integrator = method;
+      options.step = h;
+      options.end = 1;
+      Samples samples;
+      const SimulationReport report = simulate(make_model<double>(scene), options, samples);
+      const double error = std::abs(report.end.state.twist[0].r_dot.x() - 1);
+      EXPECT_GE(5 * report.local_errors->velocity, error) << method << ", " << steps;
+    }
+}
+
 TEST(HalvedSteps, LeaveTheMotionAsItIs) {
   for (const char* name : {"heavy_top", "four_bar", "spatial_slider_crank", "driven_crank"})
     for (const char* method : {"rkf78", "radau9"})

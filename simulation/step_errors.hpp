@@ -2,6 +2,8 @@
 /// The errors that the given steps of a run commit: by formulas over past states for methods of the orders 1
 /// to 5 (system/local_error.hpp), by halved steps above (halved_step_errors.hpp).
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -38,30 +40,39 @@ class StepErrors {
                          ErrorSums<S>(std::move(reach), std::move(component)));
   }
 
-  /// Adds the step that ended at an accepted state. `off` is the violation of velocities there.
+  /// Adds the step that ended at an accepted state, or an event after which the motion begins anew. `off` is
+  /// the violation of velocities there.
   void step(const S& t, const StateVector& y, const integrators::Violation<S>& off) {
+    using std::abs;
     if (has_begun_ && t == t_) return;  // an output at the end of a step
     if (!std::exchange(has_begun_, true)) start_ = t;
     const S before = std::exchange(t_, t);
-    const long restarts = method_.counters().restarts - std::exchange(restarts_, method_.counters().restarts);
-    const long rewritten =
-        equations_.rewritten_states() - std::exchange(rewritten_, equations_.rewritten_states());
-    if (by_halves_) {
+    const bool is_new = method_.counters().restarts > std::exchange(restarts_, method_.counters().restarts);
+    // other coordinates restart the method too, but after a step; the run stops just before an event
+    const S little = 16 * std::numeric_limits<S>::epsilon() * std::max(S(abs(start_)), S(abs(t)));
+    if (is_new && t - before <= little) {
       bodies_at(equations_, t, y, reached_);
-      by_halves_->step(before, t, y, restarts > 0, reached_);
+      if (by_halves_)
+        by_halves_->begin(t, y, reached_);
+      else
+        by_formula_->begin(reached_);
       return;
     }
-    // other coordinates restart the method too, but the motion goes on smoothly
-    if (restarts > rewritten) by_formula_->restart();
+    if (by_halves_) {
+      bodies_at(equations_, t, y, reached_);
+      by_halves_->step(before, t, y, is_new, reached_);
+      return;
+    }
     if (!by_formula_->leaves_out()) add_state(t, y, S(t - before), off);
   }
 
-  LocalErrorSums sums() const {
+  LocalErrorSums sums() {
     std::vector<double> least;  // the speed that loads could give
     for (int b = 0; b < equations_.nb(); ++b)
       least.push_back(static_cast<double>(equations_.measure().fastest_of(b)));
     add_roundings(least);
     if (by_halves_) return by_halves_->sums(least);
+    by_formula_->end();
     return by_formula_->sums().sums(least, {least.size(), {1.0, 1.0}});
   }
 
@@ -107,7 +118,6 @@ class StepErrors {
   StateVector met_;    ///< the state with projected velocities
   S start_{0}, t_{0};  ///< of the run, of the last state [s]
   long restarts_ = 0;
-  long rewritten_ = 0;
   bool has_begun_ = false;
 };
 

@@ -31,8 +31,6 @@ class ChartSwitching {
 
   /// The number of changes of chart so far.
   int changes() const { return changes_; }
-  /// The number of states so far in which coordinates changed by charts or full turns.
-  long rewritten_states() const { return rewritten_states_; }
 
   /// Changes the charts of bodies that are near their singularity, unless the user keeps the charts, and
   /// removes full turns; in `state`, which must be the state of y, and in y. Returns whether any coordinates
@@ -62,14 +60,12 @@ class ChartSwitching {
       changed = true;
       if (is_near) ++changes_;
     }
-    if (changed) ++rewritten_states_;
     return changed;
   }
 
  private:
   ChartOptions options_;
   int changes_ = 0;
-  long rewritten_states_ = 0;
 };
 
 }  // namespace trivium

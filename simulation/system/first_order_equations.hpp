@@ -331,8 +331,6 @@ class FirstOrderEquations {
   const std::vector<BodyState<F>>& state() const { return state_; }
   long factorisations() const { return factorisations_ + projection_.factorisations(); }
   int reframings() const { return charts_.changes(); }
-  /// The states so far in which accept_state changed coordinates.
-  long rewritten_states() const { return charts_.rewritten_states(); }
   const MotionLog<S>& log() const { return log_; }
 
   // saved runs

@@ -23,7 +23,7 @@
 
 namespace trivium {
 
-/// A formula that polynomials x(t) satisfy at times h apart,
+/// A formula that polynomials x(t) satisfy at times h t_j, with t_j = j if they are h apart,
 ///
 ///     sum_j of_x_j x_j + h of_rate_j x'_j + h^2 of_second_j x''_j = 0.
 ///
@@ -32,16 +32,20 @@ namespace trivium {
 /// scaled such that an error e of x in every step leaves the remainder e.
 template <class S>
 struct StepFormula {
+  std::vector<int> n;
+  std::vector<S> at;  ///< t_j
   std::vector<S> of_x, of_rate, of_second;
 
-  explicit StepFormula(const std::vector<int>& n) {
+  explicit StepFormula(const std::vector<int>& repeated) : StepFormula(repeated, evenly(repeated.size())) {}
+  StepFormula(std::vector<int> repeated, std::vector<S> apart)
+      : n(std::move(repeated)), at(std::move(apart)) {
     const int times = static_cast<int>(n.size());
     S scale(0);
     for (int j = 0; j < times; ++j) {
       S w(1), L(0), Q(0);  // w(t) = product of (t - l)^-n_l at j, and sums of its logarithmic derivatives
       for (int l = 0; l < times; ++l) {
         if (l == j) continue;
-        const S inverse = S(1) / S(j - l);
+        const S inverse = S(1) / S(at[j] - at[l]);
         for (int i = 0; i < n[l]; ++i) w *= inverse;
         L += n[l] * inverse;
         Q += n[l] * inverse * inverse;
@@ -56,12 +60,20 @@ struct StepFormula {
       for (S& weight : *of) weight /= scale;
   }
   int times() const { return static_cast<int>(of_x.size()); }
+
+ private:
+  static std::vector<S> evenly(std::size_t times) {
+    std::vector<S> at;
+    for (std::size_t j = 0; j < times; ++j) at.emplace_back(static_cast<double>(j));
+    return at;
+  }
 };
 
 /// Sums the local errors of a method of order 1 to 5. At the steps for which higher orders are made, no
 /// formula over past states is more accurate than they are (see simulation/halved_step_errors.hpp). Every
 /// fourth step is estimated, or fewer where states are expensive, so that an estimate costs less than a
-/// twentieth of the step. The first steps, in which the formula has too few states, are not estimated.
+/// twentieth of the step. Where the motion begins anew before the formula has enough states, it is a shorter
+/// one that needs fewer, also of steps that differ in length; a single step is not estimated.
 template <class S>
 class LocalError {
  public:
@@ -73,10 +85,21 @@ class LocalError {
       : positions_(order <= 2 ? std::vector<int>{3, 3} : std::vector<int>{2, 3, 3}),
         velocities_(std::vector<int>((order + 5) / 2, 2)),
         sums_(std::move(reach), std::move(component)),
-        past_(velocities_.times()) {}
+        past_(velocities_.times()),
+        length_(velocities_.times()) {}
 
-  /// The motion is not smooth after the last state: all states are forgotten.
-  void restart() { known_ = 0; }
+  /// The motion begins anew at this state, with other loads or velocities.
+  void begin(std::vector<BodyInMotion<S>>& bodies) {
+    end();
+    known_ = left_out_ = 0;
+    keep(bodies, S(0));
+  }
+  /// The motion, or a part of it before it begins anew, has ended.
+  void end() {
+    if (!has_estimated_ && since_ >= 3 && since_ <= static_cast<long>(past_.size())) estimate_all();
+    has_estimated_ = false;
+    since_ = 0;
+  }
   /// Whether the end of the next step is left out, and need not be given to `add`.
   bool leaves_out() {
     if (left_out_ == 0) return false;
@@ -85,42 +108,62 @@ class LocalError {
     return true;
   }
 
-  /// Adds the end of a step of length h [s]; the first state has no step. A step of another length restarts;
-  /// a relative change of h by 1e-6 changes the estimate as little, and is far above the rounding of times.
-  /// If states are expensive, as many as a formula needs are left out after each estimate.
+  /// Adds the end of a step of length h [s]; the first state has no step. At a step of another length the
+  /// states before are forgotten; a relative change of h by 1e-6 changes the estimate as little, and is far
+  /// above the rounding of times. If states are expensive, as many as a formula needs are left out after each
+  /// estimate.
   void add(std::vector<BodyInMotion<S>>& bodies, const S& h, bool is_expensive) {
     using std::abs;
     if (known_ > 1 && !(abs(h - h_) <= S(1e-6) * h)) known_ = 1;
-    h_ = h;
-    std::rotate(past_.begin(), past_.begin() + 1, past_.end());
-    past_.back().swap(bodies);
-    sums_.see(past_.back());
     if (std::exchange(has_begun_, true)) sums_.step();  // the first state has no step
-    if (++known_ < static_cast<int>(past_.size())) return;
+    keep(bodies, h);
+    if (known_ < static_cast<int>(past_.size())) return;
+    estimate(positions_, velocities_);
     known_ = is_expensive ? 0 : static_cast<int>(past_.size()) - 4;
     left_out_ = is_expensive ? static_cast<int>(past_.size()) : 0;
-    sums_.add([&](int b) { return std::pair(position_error(b), velocity_error(b)); });
   }
   const ErrorSums<S>& sums() const { return sums_; }
 
  private:
-  S position_error(int b) const {
-    const int k = positions_.times() - 1, first = static_cast<int>(past_.size()) - 1 - k;
+  void keep(std::vector<BodyInMotion<S>>& bodies, const S& h) {
+    std::rotate(past_.begin(), past_.begin() + 1, past_.end());
+    std::rotate(length_.begin(), length_.begin() + 1, length_.end());
+    past_.back().swap(bodies);
+    length_.back() = h_ = h;
+    sums_.see(past_.back());
+    ++known_;
+    ++since_;
+  }
+  void estimate(const StepFormula<S>& positions, const StepFormula<S>& velocities) {
+    has_estimated_ = true;
+    sums_.add([&](int b) { return std::pair(position_error(b, positions), velocity_error(b, velocities)); });
+  }
+  /// By formulas for all states since the motion began.
+  void estimate_all() {
+    std::vector<S> at{S(0)};
+    for (auto h = length_.end() - since_ + 1; h != length_.end(); ++h) at.push_back(at.back() + *h / h_);
+    const std::vector<int> n(positions_.n);
+    estimate(StepFormula<S>(n, {at.end() - static_cast<long>(n.size()), at.end()}),
+             StepFormula<S>(std::vector<int>(at.size(), 2), at));
+  }
+  S position_error(int b, const StepFormula<S>& formula) const {
+    const int k = formula.times() - 1, first = static_cast<int>(past_.size()) - 1 - k;
     const BodyInMotion<S>& middle = past_[first + k / 2][b];
     const Vector4<S> back = conjugate_parameters(middle.p);
     Vector3<S> of_r = Vector3<S>::Zero();
     Vector4<S> of_p = Vector4<S>::Zero();
     for (int j = 0; j <= k; ++j) {
       const BodyInMotion<S>& body = past_[first + j][b];
-      const S of_x = positions_.of_x[j], of_rate = h_ * positions_.of_rate[j],
-              of_second = h_ * h_ * positions_.of_second[j];
+      const S of_x = formula.of_x[j], of_rate = h_ * formula.of_rate[j],
+              of_second = h_ * h_ * formula.of_second[j];
       of_r += of_x * (body.r - middle.r) + of_rate * body.v + of_second * body.a;
       if (j == k / 2) {  // p = (1, 0), p' = 0
         of_p[0] += of_x;
         of_p.template tail<3>() += of_second / 2 * body.omega_bar_dot;
         continue;
       }
-      const Vector4<S> even = exponential_parameters(Vector3<S>(S(k / 2 - j) * h_ * middle.omega_bar));
+      const Vector4<S> even =
+          exponential_parameters(Vector3<S>((formula.at[k / 2] - formula.at[j]) * h_ * middle.omega_bar));
       Vector4<S> p = multiply_parameters(even, multiply_parameters(back, body.p));
       if (p[0] < S(0)) p = -p;
       // A(p) turns with omega; `evenly` is the even rotation in the frame of the body
@@ -139,11 +182,12 @@ class LocalError {
     rate << -e.dot(omega_bar) / 2, (p[0] * omega_bar + e.cross(omega_bar)) / 2;
     return rate;
   }
-  S velocity_error(int b) const {
+  S velocity_error(int b, const StepFormula<S>& formula) const {
     Vector3<S> of_v = Vector3<S>::Zero(), of_omega_bar = of_v;
-    for (std::size_t j = 0; j < past_.size(); ++j) {
-      const BodyInMotion<S>& body = past_[j][b];
-      const S of_x = velocities_.of_x[j], of_rate = h_ * velocities_.of_rate[j];
+    const int times = formula.times(), first = static_cast<int>(past_.size()) - times;
+    for (int j = 0; j < times; ++j) {
+      const BodyInMotion<S>& body = past_[first + j][b];
+      const S of_x = formula.of_x[j], of_rate = h_ * formula.of_rate[j];
       of_v += of_x * body.v + of_rate * body.a;
       of_omega_bar += of_x * body.omega_bar + of_rate * body.omega_bar_dot;
     }
@@ -153,9 +197,11 @@ class LocalError {
   const StepFormula<S> positions_, velocities_;
   ErrorSums<S> sums_;
   std::vector<std::vector<BodyInMotion<S>>> past_;  ///< the earliest first
+  std::vector<S> length_;                           ///< of the step that led to each state [s]
   S h_{0};
-  int known_ = 0, left_out_ = 0;
-  bool has_begun_ = false;
+  int known_ = 0, left_out_ = 0;  ///< known_: states whose steps have the same length
+  long since_ = 0;                ///< states since the motion began
+  bool has_begun_ = false, has_estimated_ = false;
 };
 
 }  // namespace trivium
