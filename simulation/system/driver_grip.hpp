@@ -94,7 +94,7 @@ LostGrip first_lost_grip(const Mechanism<double, Types>& mechanism, const std::v
                          double step) {
   // of the grip at the start; above `lost` `farther` says little, unless it is a small part of the value, as
   // where the start is close to the end
-  constexpr double lost = 0.5, at_end = 1e-3, small = 0.05, few_steps = 4;
+  constexpr double lost = 0.5, at_end = 1e-3, small = 0.2, few_steps = 4;
   const TangentSystem before = tangent_system(mechanism, start), after = tangent_system(mechanism, now);
   const double horizon = std::max(few_steps * step, (now.t - start.t) / 100);
   LostGrip first;
