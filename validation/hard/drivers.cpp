@@ -54,6 +54,8 @@ void judge_closing_distance(Judge& judge, double least) {
   HardMotion motion;
   motion.scene = closing_distance(least);
   motion.end = 2;
+  // positions are known to u; close to the least distance d this is u / d of the speed f f' / r = 2 sqrt(d)
+  motion.rounding = unit_roundoff<double>() / std::sqrt(std::max(least, unit_roundoff<double>()));
   motion.exact = [least](MechanismState<double>& state) {
     const double t = state.t, way = 1 - least;
     state.pose[0].r = {1 - 2 * way * t + way * t * t, 0, 0};

@@ -13,6 +13,7 @@
 #include "scenes/building.hpp"
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
+#include "validation/hard/methods.hpp"
 #include "validation/hard/placing.hpp"
 #include "validation/hard/solved_state.hpp"
 
@@ -135,7 +136,7 @@ void judge_sequences(Judge& judge, double distance, bool reframe) {
     judge.begin_part(fmt::format("sequence {}", name));
     HardMotion motion = motion_past(*parse_euler_sequence(name), distance);
     motion.charts.reframe = reframe;
-    motion.methods = {"dopri5"};
+    motion.methods = methods_of("gimbal_lock/sequences", judge.is_quick());
     motion.beside_simbody = false;
     judge.motion(motion);
   }

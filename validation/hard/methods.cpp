@@ -22,6 +22,10 @@ const std::vector<MethodsOfFamily>& method_list() {
   static const std::vector<std::string> all = integrators::method_names();
   static const std::vector<MethodsOfFamily> list{
       {"gimbal_lock", one_of_each_kind, all, "every method moves in the charts of the formulation"},
+      {"gimbal_lock/sequences",
+       {"dopri5"},
+       {"dopri5"},
+       "of each of the twelve sequences: methods do not know them"},
       {"spin", {"dopri5", "rkf78"}, high_order, "methods of order 2 would take 1e7 steps and more"},
       {"fast_top",
        {"dopri5", "rkf78"},
@@ -29,7 +33,7 @@ const std::vector<MethodsOfFamily>& method_list() {
        "a top of 1000 rad/s turns 16 000 times in 100 s: methods of order 5 would take 1e7 steps and more, "
        "and "
        "implicit ones minutes"},
-      {"many_flips",
+      {"spin/many_flips",
        {"rkf78"},
        {"rkf78", "bulirsch-stoer", "radau9"},
        "of more than 20 flips others lose the phase: each flip enlarges errors"},

@@ -33,10 +33,11 @@ namespace {
 using building::joint, building::side;
 using scenes::plain, scenes::Scene, scenes::Vector3;
 
-/// The model with these rows alone.
+/// The model with these rows alone. All count: the lower rank tolerance leaves out none of them.
 template <class S>
 Model<S> with_rows(const Model<S>& whole, const std::vector<int>& kept) {
   Model<S> model = whole;
+  model.mechanism.rank_tolerance /= 100;
   model.mechanism.rows.clear();
   model.mechanism.row_names.clear();
   for (const int k : kept) {

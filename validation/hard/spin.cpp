@@ -151,7 +151,7 @@ void judge_flips(Judge& judge, double flips) {
   motion.end = between * hard_outputs * time_of_a_flip(body);
   motion.step = flips > 20 ? 0.01 : flips > 5 ? 0.0025 : 0.02;
   if (flips > 20) {
-    motion.methods = methods_of("many_flips", judge.is_quick());
+    motion.methods = methods_of("spin/many_flips", judge.is_quick());
     motion.starts = 5;  // a run takes minutes
   }
   motion.directions = 8;                            // few of all directions delay or hasten flips
@@ -235,10 +235,17 @@ Family spin() {
             {0.8, 0.95, 1.05, 1.2},
             judge_sleeping_top,
             sleeping_top},
-           {"flips", "number of flips", {1, 100, true}, 1, {4}, {10, 100}, judge_flips},
+           {"flips",
+            "number of flips",
+            {1, 100, true},
+            1,
+            {4},
+            {10, 100},
+            judge_flips,
+            [](double) { return load_scene("dzhanibekov"); }},
            {"printed_spin",
             "spin [rad/s]",
-            {1, 1e8},
+            {1, 1e6},
             1,
             {1e4},
             {1e2, 1e3, 1e4, 1e5},
