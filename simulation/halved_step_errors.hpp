@@ -98,22 +98,19 @@ class HalvedStepErrors {
         sums_(std::move(sums)),
         errors_(sums_.bodies()) {}
 
-  /// The motion begins anew at (t, y), where `bodies` are those of y.
+  /// The motion begins, or begins anew, at (t, y), where `bodies` are those of y.
   void begin(const S& t, const StateVector& y, const Bodies& bodies) {
     sums_.see(bodies);
     first_order().derivative(t, y, rate_before_);
     before_ = y;
-    has_begun_ = true;
   }
-  /// Adds the step from `before` that ended at (t, y), where `bodies` are those of y. `is_new`: its charts
-  /// began anew since the last state.
-  void step(const S& before, const S& t, const StateVector& y, bool is_new, const Bodies& bodies) {
+  /// Adds the step from `before` that ended at (t, y), where `bodies` are those of y. `in_other_charts`: the
+  /// charts have changed since the last state.
+  void step(const S& before, const S& t, const StateVector& y, bool in_other_charts, const Bodies& bodies) {
     sums_.see(bodies);
     first_order().derivative(t, y, rate_);
-    if (std::exchange(has_begun_, true)) {
-      sums_.step();
-      if (!is_new) estimate(before, t, y, bodies);
-    }
+    sums_.step();
+    if (!in_other_charts) estimate(before, t, y, bodies);
     before_ = y;
     rate_before_ = rate_;
   }
@@ -223,7 +220,7 @@ class HalvedStepErrors {
   StateVector before_, rate_before_, rate_, remainder_, rounded_, met_, way_, way_rate_;
   Bodies in_halves_;
   long taken_ = 0, last_ = 0;
-  bool has_begun_ = false, has_failed_ = false;
+  bool has_failed_ = false;
 };
 
 }  // namespace trivium

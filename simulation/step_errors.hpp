@@ -2,8 +2,6 @@
 /// The errors that the given steps of a run commit: by formulas over past states for methods of the orders 1
 /// to 5 (system/local_error.hpp), by halved steps above (halved_step_errors.hpp).
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -40,30 +38,28 @@ class StepErrors {
                          ErrorSums<S>(std::move(reach), std::move(component)));
   }
 
-  /// Adds the step that ended at an accepted state, or an event after which the motion begins anew. `off` is
-  /// the violation of velocities there.
+  /// Adds the start, a step that ended at an accepted state, or an event after which the motion begins anew.
+  /// `off` is the violation of velocities there.
   void step(const S& t, const StateVector& y, const integrators::Violation<S>& off) {
-    using std::abs;
     if (has_begun_ && t == t_) return;  // an output at the end of a step
-    if (!std::exchange(has_begun_, true)) start_ = t;
+    const bool is_start = !std::exchange(has_begun_, true);
+    if (is_start) start_ = t;
+    const bool begins = std::exchange(events_, equations_.events()) < equations_.events() || is_start;
+    const bool has_restarted =
+        std::exchange(restarts_, method_.counters().restarts) < method_.counters().restarts;
     const S before = std::exchange(t_, t);
-    const bool is_new = method_.counters().restarts > std::exchange(restarts_, method_.counters().restarts);
-    // other coordinates restart the method too, but after a step; the run stops just before an event
-    const S little = 16 * std::numeric_limits<S>::epsilon() * std::max(S(abs(start_)), S(abs(t)));
-    if (is_new && t - before <= little) {
-      bodies_at(equations_, t, y, reached_);
-      if (by_halves_)
-        by_halves_->begin(t, y, reached_);
-      else
-        by_formula_->begin(reached_);
-      return;
-    }
     if (by_halves_) {
       bodies_at(equations_, t, y, reached_);
-      by_halves_->step(before, t, y, is_new, reached_);
-      return;
+      if (begins)
+        by_halves_->begin(t, y, reached_);
+      else
+        by_halves_->step(before, t, y, has_restarted, reached_);
+    } else if (begins) {
+      bodies_at(equations_, t, y, reached_);
+      by_formula_->begin(reached_);
+    } else if (!by_formula_->leaves_out()) {
+      add_state(t, y, S(t - before), off);
     }
-    if (!by_formula_->leaves_out()) add_state(t, y, S(t - before), off);
   }
 
   LocalErrorSums sums() {
@@ -117,7 +113,7 @@ class StepErrors {
   std::vector<BodyInMotion<S>> reached_;
   StateVector met_;    ///< the state with projected velocities
   S start_{0}, t_{0};  ///< of the run, of the last state [s]
-  long restarts_ = 0;
+  long events_ = 0, restarts_ = 0;
   bool has_begun_ = false;
 };
 

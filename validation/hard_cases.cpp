@@ -219,7 +219,8 @@ int run(const Program& program, const Arguments& arguments) {
                 "--family: found beside --case, which names its family; accepted: one of them");
   const std::vector<Task> tasks = tasks_of(all, arguments);
   Choice choice{arguments.is_quick, arguments.formulations, arguments.program};
-  if (!choice.program.empty() && !std::filesystem::is_regular_file(choice.program))
+  if (std::error_code none;
+      !choice.program.empty() && !std::filesystem::is_regular_file(choice.program, none))
     throw Error(ErrorKind::input,
                 fmt::format("--program: found {}, which is no file; accepted: the path of the "
                             "program `trivium`",

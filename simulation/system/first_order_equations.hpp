@@ -199,6 +199,7 @@ class FirstOrderEquations {
   /// Passes the time t of a kink; `before` is just before t. Returns whether velocities jumped
   /// (discontinuities.hpp). Throws a ModelError.
   bool pass_discontinuity(const S& before, const S& t, StateVector& y) {
+    ++events_;
     if (!account_.has_drivers()) return false;
     load(y);
     auto impulse = trivium::pass_discontinuity(layout_, state_, solver_, projection_, account_, before, t, y);
@@ -331,6 +332,8 @@ class FirstOrderEquations {
   const std::vector<BodyState<F>>& state() const { return state_; }
   long factorisations() const { return factorisations_ + projection_.factorisations(); }
   int reframings() const { return charts_.changes(); }
+  /// The kinks passed so far; after each the motion begins anew.
+  long events() const { return events_; }
   const MotionLog<S>& log() const { return log_; }
 
   // saved runs
@@ -437,6 +440,7 @@ class FirstOrderEquations {
   BranchCheck<F> branches_;
   DeadPoints<S> dead_points_;
   MotionLog<S> log_;
+  long events_ = 0;
   VectorX<S> lambda_;
   bool limits_steps_ = false;
   StateVector start_;

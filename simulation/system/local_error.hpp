@@ -88,7 +88,7 @@ class LocalError {
         past_(velocities_.times()),
         length_(velocities_.times()) {}
 
-  /// The motion begins anew at this state, with other loads or velocities.
+  /// The motion begins at this state, or begins anew with other loads or velocities.
   void begin(std::vector<BodyInMotion<S>>& bodies) {
     end();
     known_ = left_out_ = 0;
@@ -108,14 +108,13 @@ class LocalError {
     return true;
   }
 
-  /// Adds the end of a step of length h [s]; the first state has no step. At a step of another length the
-  /// states before are forgotten; a relative change of h by 1e-6 changes the estimate as little, and is far
-  /// above the rounding of times. If states are expensive, as many as a formula needs are left out after each
-  /// estimate.
+  /// Adds the end of a step of length h [s]. At a step of another length the states before are forgotten; a
+  /// relative change of h by 1e-6 changes the estimate as little, and is far above the rounding of times. If
+  /// states are expensive, as many as a formula needs are left out after each estimate.
   void add(std::vector<BodyInMotion<S>>& bodies, const S& h, bool is_expensive) {
     using std::abs;
     if (known_ > 1 && !(abs(h - h_) <= S(1e-6) * h)) known_ = 1;
-    if (std::exchange(has_begun_, true)) sums_.step();  // the first state has no step
+    sums_.step();
     keep(bodies, h);
     if (known_ < static_cast<int>(past_.size())) return;
     estimate(positions_, velocities_);
@@ -142,8 +141,7 @@ class LocalError {
   void estimate_all() {
     std::vector<S> at{S(0)};
     for (auto h = length_.end() - since_ + 1; h != length_.end(); ++h) at.push_back(at.back() + *h / h_);
-    const std::vector<int> n(positions_.n);
-    estimate(StepFormula<S>(n, {at.end() - static_cast<long>(n.size()), at.end()}),
+    estimate(StepFormula<S>(positions_.n, {at.end() - positions_.times(), at.end()}),
              StepFormula<S>(std::vector<int>(at.size(), 2), at));
   }
   S position_error(int b, const StepFormula<S>& formula) const {
@@ -201,7 +199,7 @@ class LocalError {
   S h_{0};
   int known_ = 0, left_out_ = 0;  ///< known_: states whose steps have the same length
   long since_ = 0;                ///< states since the motion began
-  bool has_begun_ = false, has_estimated_ = false;
+  bool has_estimated_ = false;
 };
 
 }  // namespace trivium
