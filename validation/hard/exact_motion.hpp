@@ -30,8 +30,8 @@ class ExactMotion {
   const std::vector<MechanismState<double>>& states() const { return states_; }
   /// By how much differences of the start have grown up to output k; at least 1.
   double amplification(std::size_t k) const { return amplification_[k]; }
-  /// Up to the last output.
-  double amplification() const { return amplification_.back(); }
+  /// Up to the last output; 1 if the motion ends early.
+  double amplification() const { return amplification_.empty() ? 1 : amplification_.back(); }
   /// The difference of a state from that at output k: distances relative to the mechanism's extent, angles
   /// [rad], velocities relative to the largest ones of the motion.
   double difference(const MechanismState<double>& state, std::size_t k) const;

@@ -116,7 +116,8 @@ Row Judge::refused(Row row, const std::string& message, const scenes::Scene& sce
 
 Row Judge::exact_row(const std::string& law, double off, const ExactMotion& exact) const {
   Row row = this->row("r-omega", "exact motion", law);
-  row.value = off;
+  row.value = exact.trouble().empty() ? off : std::numeric_limits<double>::quiet_NaN();
+  row.why = exact.trouble();
   row.tolerance = exact.tolerance();
   row.amplification = exact.amplification();
   row.threshold = std::min(factors::chosen_steps * row.tolerance * row.amplification, small_difference);
