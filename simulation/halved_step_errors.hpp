@@ -115,12 +115,16 @@ class HalvedStepErrors {
     rate_before_ = rate_;
   }
 
-  LocalErrorSums sums(const std::vector<double>& least) const {
+  LocalErrorSums sums(const std::vector<double>& least) {
     std::vector<std::pair<double, double>> factors;
     for (const auto& [position, velocity] : errors_)
       factors.emplace_back(position.factor(), velocity.factor());
+    sums_.end_part();
     LocalErrorSums sums = sums_.sums(least, factors);
-    if (has_failed_ && taken_ == 0) sums.steps = 0;
+    if (has_failed_ && taken_ == 0) {
+      sums.steps = 0;
+      sums.unknown = 1;
+    }
     return sums;
   }
 

@@ -45,10 +45,12 @@ std::vector<MotionWarning> motion_warnings(const SimulationReport& report) {
   constexpr double visible = 1e-3;
   constexpr long few_steps = 10;  // a run of so few has too few for an estimate
   const std::optional<LocalErrorSums>& errors = report.local_errors;
-  if (errors && errors->steps == 0 && report.counters.steps > few_steps)
+  constexpr double most_unknown = 0.1;  // the others stand for so many
+  if (errors && errors->unknown > most_unknown && report.counters.steps > few_steps)
     warn(
-        "the local errors of the steps are not known, since hardly two steps between events and outputs have "
-        "the same length; check with --verify");
+        fmt::format("the local errors of {:.0f} % of the steps are not known, which lie alone between two "
+                    "events or cannot be halved; take smaller steps, or check with --verify",
+                    100 * errors->unknown));
   if (errors && !(errors->relative() <= visible))
     warn(fmt::format(
              "body \"{}\": the local errors of the steps add up to {:.1e} m in a motion of {:.1e} m, and "

@@ -67,9 +67,7 @@ class StepErrors {
     for (int b = 0; b < equations_.nb(); ++b)
       least.push_back(static_cast<double>(equations_.measure().fastest_of(b)));
     add_roundings(least);
-    if (by_halves_) return by_halves_->sums(least);
-    by_formula_->end();
-    return by_formula_->sums().sums(least, {least.size(), {1.0, 1.0}});
+    return by_halves_ ? by_halves_->sums(least) : by_formula_->sums(least);
   }
 
  private:

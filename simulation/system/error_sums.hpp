@@ -21,15 +21,17 @@ struct BodyInMotion {
 };
 
 /// Sums of local errors over the steps of a motion, for the points of the body that errs most in comparison
-/// with its size. A sample of the steps is estimated; the others enter with their mean.
+/// with its size. A sample of the steps is estimated; in each part of a motion the others enter with their
+/// mean.
 struct LocalErrorSums {
   int body = 0;
   double position = 0;  ///< [m]
   double velocity = 0;  ///< [m/s]
   // of the bodies that are connected with this body
-  double size = 0;   ///< extent of their motion [m]
-  double speed = 0;  ///< of their fastest point [m/s]
-  long steps = 0;    ///< that were estimated
+  double size = 0;     ///< extent of their motion [m]
+  double speed = 0;    ///< of their fastest point [m/s]
+  long steps = 0;      ///< that were estimated
+  double unknown = 0;  ///< share of the steps in parts of which none was [-]
 
   /// The larger of both sums, in comparison with the size and the speed [-].
   double relative() const { return std::max(share(position, size), share(velocity, speed)); }
@@ -47,7 +49,8 @@ class ErrorSums {
   ErrorSums(std::vector<S> reach, std::vector<int> component)
       : reach_(std::move(reach)),
         component_(std::move(component)),
-        errors_(reach_.size()),
+        whole_{std::vector<std::pair<S, S>>(reach_.size())},
+        part_(whole_),
         begin_(reach_.size()),
         size_(reach_.size(), S(0)),
         speed_(size_) {}
@@ -69,33 +72,51 @@ class ErrorSums {
     }
   }
   /// The motion has taken a step.
-  void step() { ++steps_; }
+  void step() { ++part_.steps; }
   /// Adds the errors of every body in one of the steps: `errors_of(b)` is the pair of those of positions [m]
   /// and of velocities [m/s].
   template <class ErrorsOf>
   void add(const ErrorsOf& errors_of) {
-    ++estimated_;
+    ++part_.estimated;
     for (int b = 0; b < bodies(); ++b) {
       const auto [position, velocity] = errors_of(b);
-      errors_[b].first += position;
-      errors_[b].second += velocity;
+      part_.errors[b].first += position;
+      part_.errors[b].second += velocity;
     }
   }
+  bool part_is_known() const { return part_.estimated > 0; }
+  /// A part of the motion ends, after which errors may have another size.
+  void end_part() {
+    whole_.steps += part_.steps;
+    whole_.estimated += part_.estimated;
+    if (part_is_known()) {
+      known_ += part_.steps;
+      const S share = S(static_cast<double>(part_.steps)) / S(static_cast<double>(part_.estimated));
+      for (int b = 0; b < bodies(); ++b) {
+        whole_.errors[b].first += share * std::exchange(part_.errors[b].first, S(0));
+        whole_.errors[b].second += share * std::exchange(part_.errors[b].second, S(0));
+      }
+    }
+    part_.steps = part_.estimated = 0;
+  }
 
-  /// The sums for all steps. `least` of each body: a bound below which the speed of the bodies connected with
-  /// it is no motion [m/s]. `factors` of each body multiply the errors of positions and of velocities.
+  /// The sums for all steps of the parts that have ended. `least` of each body: a bound below which the speed
+  /// of the bodies connected with it is no motion [m/s]. `factors` of each body multiply the errors of
+  /// positions and of velocities.
   LocalErrorSums sums(const std::vector<double>& least,
                       const std::vector<std::pair<double, double>>& factors) const {
     LocalErrorSums largest;
-    const double share = estimated_ > 0 ? static_cast<double>(steps_) / static_cast<double>(estimated_) : 0;
+    const auto steps = static_cast<double>(whole_.steps), known = static_cast<double>(known_);
+    const double share = known > 0 ? steps / known : 0;
     for (int b = 0; b < bodies(); ++b) {
       LocalErrorSums of_body;
       of_body.body = b;
-      of_body.position = share * factors[b].first * static_cast<double>(errors_[b].first);
-      of_body.velocity = share * factors[b].second * static_cast<double>(errors_[b].second);
+      of_body.position = share * factors[b].first * static_cast<double>(whole_.errors[b].first);
+      of_body.velocity = share * factors[b].second * static_cast<double>(whole_.errors[b].second);
       of_body.size = static_cast<double>(size_[component_[b]]);
       of_body.speed = std::max(static_cast<double>(speed_[component_[b]]), least[b]);
-      of_body.steps = estimated_;
+      of_body.steps = whole_.estimated;
+      of_body.unknown = steps > 0 ? 1 - known / steps : 0;
       if (b == 0 || of_body.relative() > largest.relative()) largest = of_body;
     }
     return largest;
@@ -104,10 +125,14 @@ class ErrorSums {
  private:
   std::vector<S> reach_;
   std::vector<int> component_;
-  std::vector<std::pair<S, S>> errors_;  ///< per body: of positions [m], of velocities [m/s]
-  std::vector<Vector3<S>> begin_;        ///< per component: where its first body began [m]
-  std::vector<S> size_, speed_;          ///< per component, the largest so far [m, m/s]
-  long steps_ = 0, estimated_ = 0;
+  struct Sums {
+    std::vector<std::pair<S, S>> errors;  ///< per body: of positions [m], of velocities [m/s]
+    long steps = 0, estimated = 0;
+  };
+  Sums whole_, part_;              ///< of the parts that have ended, for all their steps; of the present part
+  long known_ = 0;                 ///< steps in parts with an estimate
+  std::vector<Vector3<S>> begin_;  ///< per component: where its first body began [m]
+  std::vector<S> size_, speed_;    ///< per component, the largest so far [m, m/s]
   bool has_seen_ = false;
 };
 
