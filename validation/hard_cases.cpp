@@ -60,12 +60,11 @@ Task read_task(const std::vector<Family>& all, const std::string& option, const 
     for (const Case& one : family.cases) {
       names.push_back(one.name);
       if (one.name != name) continue;
-      const Accepted& accepted = one.accepted;
-      if (!(difficulty >= accepted.least && difficulty <= accepted.most) ||
-          (accepted.is_count && difficulty != std::round(difficulty)))
-        throw Error(ErrorKind::input,
-                    fmt::format("{}: found {}; accepted for {}: {}", option, text, name, text_of(accepted)));
-      return {&family, &one, difficulty, false};
+      const bool is_twin = difficulty == one.easy;
+      if (!is_twin && !one.accepted.includes(difficulty))
+        throw Error(ErrorKind::input, fmt::format("{}: found {}; accepted for {}: {}, and its easy twin {:g}",
+                                                  option, text, name, text_of(one.accepted), one.easy));
+      return {&family, &one, difficulty, is_twin};
     }
   throw Error(ErrorKind::input,
               fmt::format("{}: found {}; accepted: {}", option, name, fmt::join(names, ", ")));
@@ -90,6 +89,10 @@ std::vector<Task> tasks_of(const std::vector<Family>& all, const Arguments& argu
 std::vector<Row> rows_of(const Task& task, const Choice& choice) {
   Judge judge(task.family->name, task.name(), task.is_twin, choice);
   try {
+    if (!task.is_twin && !task.of->accepted.includes(task.difficulty))
+      throw Error(ErrorKind::input, "this difficulty is listed, but not accepted");
+    if (task.of->scene)
+      scenes::write_scene(task.of->scene(task.difficulty));  // other programs must accept it
     task.of->judge(judge, task.difficulty);
   } catch (const std::exception& error) {
     Row row = judge.row("-", "-", "the case itself");

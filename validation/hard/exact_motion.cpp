@@ -127,6 +127,13 @@ double ExactMotion::difference(const LocalErrorSums& errors) const {
   return largest;
 }
 
+double ExactMotion::distance() const {
+  double farthest = 0;
+  for (const auto& state : states_)
+    for (const Pose<double>& pose : state.pose) raise(farthest, pose.r.norm());
+  return farthest / length_;
+}
+
 double ExactMotion::of_velocities(double positions, double step) const {
   if (motion_.monitor == Monitor::positions) return 0;
   return positions * std::max(length_ / speed_, 1 / rate_) / step;

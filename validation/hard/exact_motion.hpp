@@ -22,6 +22,8 @@ class ExactMotion {
   bool is_given_up() const { return is_given_up_; }
   /// The length to which differences are relative [m].
   double length() const { return length_; }
+  /// The largest distance of a body from the global origin, relative to the length [-].
+  double distance() const;
   /// The error that the tolerances of its own run allow, relative to the length; 0 if a formula is known [-].
   double tolerance() const { return tolerance_; }
   /// Whether runs from neighbouring starts have measured the amplification; else it is a lower bound.

@@ -2,6 +2,7 @@
 /// The families of hard cases. A case has its difficulty as an argument: the command line can ask for any
 /// value. Each source file of validation/hard holds one family.
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,6 +16,10 @@ namespace trivium::hard {
 struct Accepted {
   double least, most;
   bool is_count = false;  ///< whole numbers only
+
+  bool includes(double difficulty) const {
+    return difficulty >= least && difficulty <= most && !(is_count && difficulty != std::round(difficulty));
+  }
 };
 
 /// A kind of case.

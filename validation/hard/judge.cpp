@@ -192,7 +192,8 @@ void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::s
   std::vector<MechanismState<double>> states;
   for (std::size_t k = 1; k < found.all.size(); ++k) states.push_back(found.all[k].state);
   judge_states(row, exact, states, factor);
-  const double allowed = factors::phi * motion.of_a_step() + factors::state * motion.rounding;
+  const double allowed = factors::phi * motion.of_a_step() + factors::state * motion.rounding +
+                         factors::residual * integrators::rounding<double>() * exact.distance();
   if (const double off = report.phi / exact.length();
       (row.is_met() || std::isnan(row.value)) && off > allowed) {
     row.quantity = "Phi [-]";

@@ -54,9 +54,9 @@ Branch parallel_cranks(int cranks) {
 Scene flat_parallelogram(double coupler) {
   Scene scene;
   scene.name = fmt::format("flat_parallelogram_{:g}", coupler);
-  const double J = 1.0 / 12;
+  const double J = 1.0 / 12, across = coupler * coupler * J;
   scene.bodies = {body("left", 1, {0.01, J, J}), body("right", 1, {0.01, J, J}),
-                  body("coupler", 1, {0.01, coupler * coupler * J, coupler * coupler * J})};
+                  body("coupler", 1, {std::min(0.01, 0.12 * across), across, across})};
   MechanismState<double> start = state_of_size(3);
   set_parallelogram(start, coupler);
   set_state(scene, start);

@@ -213,7 +213,7 @@ Family size_and_place() {
   std::vector<Case> cases = large_mechanisms();
   cases.insert(cases.end(), {{"length",
                               "factor of all lengths",
-                              {1e-6, 1e6},
+                              {1e-7, 1e7},
                               1,
                               {tiny},
                               {tiny, huge},
