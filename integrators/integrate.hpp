@@ -28,10 +28,10 @@ enum class Continue { yes, no };
 
 /// Integrates over the grid. If `projects`, the start of the run, the end of every step and interpolated
 /// outputs are projected onto the constraints. A run that continues an earlier one (TimeGrid::goes_on) starts
-/// from a state that the earlier run has projected already; this state is not projected again. Calls
-/// `at_step(t, y)` after every step and after every event, where the motion begins anew, and `at_output(t,
-/// y)` at the start, at every output and at the end. If a callback stops the run, `at_output` also receives
-/// the last state. Returns true if the run came to the end of the grid. Compiled once per Scalar.
+/// from a state that the earlier run has projected already; this state is not projected again. `at_step` is
+/// called after every step, and after every event, where the motion begins anew; `at_output` at the start, at
+/// every output, at the end, and where a callback stops the run. Returns true if the run came to the end of
+/// the grid. Compiled once per Scalar.
 template <class S>
 bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid, bool projects,
                ProjectionReport<S>& report,

@@ -84,6 +84,7 @@ class ErrorSums {
       part_.errors[b].second += velocity;
     }
   }
+  /// Whether the present part has an estimate.
   bool part_is_known() const { return part_.estimated > 0; }
   /// A part of the motion ends, after which errors may have another size.
   void end_part() {
@@ -123,12 +124,13 @@ class ErrorSums {
   }
 
  private:
-  std::vector<S> reach_;
-  std::vector<int> component_;
   struct Sums {
     std::vector<std::pair<S, S>> errors;  ///< per body: of positions [m], of velocities [m/s]
     long steps = 0, estimated = 0;
   };
+
+  std::vector<S> reach_;
+  std::vector<int> component_;
   Sums whole_, part_;              ///< of the parts that have ended, for all their steps; of the present part
   long known_ = 0;                 ///< steps in parts with an estimate
   std::vector<Vector3<S>> begin_;  ///< per component: where its first body began [m]

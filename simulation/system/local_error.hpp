@@ -105,9 +105,11 @@ class LocalError {
     keep(bodies, h);
     if (kept_ < most() || --wait_ > 0) return;
     estimate();
-    wait_ = is_expensive ? 0 : 4;
-    if (is_expensive) kept_ = 0;
-    left_out_ = is_expensive ? most() : 0;
+    wait_ = 4;
+    if (is_expensive) {
+      kept_ = wait_ = 0;
+      left_out_ = most();
+    }
   }
   /// The sums so far; the motion ends here, or begins anew. `least` as for ErrorSums.
   LocalErrorSums sums(const std::vector<double>& least) {
