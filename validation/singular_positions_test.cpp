@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scenes/testing/scene_builders.hpp"
+#include "simulation/system/trouble_of_rows.hpp"
 #include "validation/hard/known_motions.hpp"
 #include "validation/harness/trusted_numbers.hpp"
 #include "validation/testing/catalogue_motion.hpp"
@@ -69,6 +70,37 @@ TEST(ALongStep, IsNamedAsTheReason) {
       EXPECT_EQ(what.find("singular position"), std::string::npos) << what;
       EXPECT_NE(what.find("take smaller steps"), std::string::npos) << what;
     }
+}
+
+// The body is then far from the origin, and its spring is long; neither is the reason. A damper's work is
+// wrong as well.
+TEST_P(InEveryFormulation, AnUnstableStepIsNamedAsTheReason) {
+  for (const double damping : {0, 100, 900})
+    for (const char* method : {"dopri5", "abm", "hem4"}) try {
+        const Motion motion(hard::orbit_on_spring(2e7, damping),
+                            test::stepping(GetParam(), method, 10, 2e-3));
+        FAIL() << method << " reached " << motion.report.reached;
+      } catch (const Error& error) {
+        const std::string what = error.what();
+        EXPECT_NE(what.find("the motion has diverged"), std::string::npos) << what;
+        EXPECT_NE(what.find("take smaller steps"), std::string::npos) << what;
+      }
+}
+
+TEST(ASingularPosition, IsTheReasonOfAFailureJustBeforeAndBehindIt) {
+  const scenes::Scene scene = hard::rod_on_crank(3);
+  const auto mechanism = make_mechanism<double>(scene);
+  const auto start = make_state<double>(scene);
+  const auto trouble_at = [&](double t) {
+    MechanismState<double> state = start;
+    state.t = t;
+    hard::set_rod_on_crank(state, 3);
+    return trouble_of_rows(mechanism, {}, start, state);
+  };
+  const double at_right_angle = 0.6196;  // of the crank [s]
+  for (const double away : {-0.01, -0.001, 0.001, 0.01})
+    EXPECT_NE(trouble_at(at_right_angle + away).find("near a singular position"), std::string::npos) << away;
+  for (const double away : {-0.1, 0.1}) EXPECT_EQ(trouble_at(at_right_angle + away), "");
 }
 
 TEST_P(InEveryFormulation, AMethodThatEndsAtASingularPositionNamesARowAndSaysWhatToTry) {

@@ -81,31 +81,11 @@ class FirstOrderEquations {
       layout_.place(start_, b) << state_[b].r, F::orientation_of(state_[b].chart, start.pose[b].p);
       layout_.rate(start_, b) << state_[b].r_dot, F::velocity_of(state_[b].chart, state_[b].q);
     }
-    if (options.from) {
+    if (options.from)
       go_on_from(*options.from, start, options.is_projected);
-      return;
-    }
-    try {
-      accept_state(start.t, start_);
-    } catch (const ModelError& error) {
-      const std::string cause = near_singular_chart(start.t, start_);
-      if (cause.empty()) throw;
-      throw ModelError(Place{}, cause);
-    }
-    // The strict detection (`detect`) has just counted the dependent rows of the start. A projected motion
-    // also treats nearly dependent rows as dependent, since it may pass a singular position. If this changes
-    // the number of dependent rows already at the start, the strict detection is used along the whole motion.
-    // Without projection the constraints drift, so that dependent rows look independent: such a motion keeps
-    // the number of dependent rows of its start.
-    const int found = solver_.factors().dependent_row_count();
-    detection_ = options.is_projected ? DependentRows::detect_near_singular : DependentRows::keep_count;
-    fewest_dependent_rows_ = found;
-    log_.begin();
-    accept_state(start.t, start_);
-    if (solver_.factors().dependent_row_count() == found) return;
-    detection_ = DependentRows::detect;
-    log_.begin();
-    accept_state(start.t, start_);
+    else
+      begin(start, options.is_projected);
+    energy_at_start_ = energy(start.t, start_);
   }
 
   int nb() const { return mechanism_.nb(); }
@@ -244,6 +224,7 @@ class FirstOrderEquations {
     if (does_work()) energy.work = y[motion_size()];
     return energy;
   }
+  const MotionEnergy<S>& energy_at_start() const { return energy_at_start_; }
 
   /// Sum of m v^2 / 2 over the bodies, v the fastest speed so far in the body's group of connected bodies
   /// [J].
@@ -254,10 +235,12 @@ class FirstOrderEquations {
     return twice / 2;
   }
 
-  /// A message if a load, a singular chart, a driver, a singular position, contradicting drivers or a far
-  /// position near (t, y) may have made a step from there fail; empty if not.
+  /// A message if given steps that diverge, a load, a singular chart, a driver, a singular position,
+  /// contradicting drivers or a far position near (t, y) may have made a step from there fail; empty if not.
+  /// `step` [s] is the length of the given step, or 0.
   std::string diagnose(const S& t, const StateVector& y, const S& step) {
-    std::string message = excessive_load(t, y);
+    std::string message = step > S(0) ? divergence(t, y, step) : "";
+    if (message.empty()) message = excessive_load(t, y);
     if (message.empty()) message = near_singular_chart(t, y);
     if constexpr (std::is_same_v<S, double>) {
       constexpr int most_unknowns = 1500;  // the dense analysis of more would take many seconds
@@ -266,9 +249,21 @@ class FirstOrderEquations {
       if (message.empty()) message = lost_grip(mechanism_, account_.drivers(), start_state_, now, step);
       if (message.empty()) message = trouble_of_rows(mechanism_, account_.drivers(), start_state_, now);
       if (message.empty()) message = poor_grip(mechanism_, account_.drivers(), now);
-      if (message.empty()) message = far_from_origin(mechanism_, now);
+      // where given steps have led far away from a start near the origin, they are the likelier reason
+      if (message.empty() && (step == S(0) || !far_from_origin(mechanism_, start_state_).empty()))
+        message = far_from_origin(mechanism_, now);
     }
     return message;
+  }
+  /// A message about a motion that given steps of the length h [s] have let diverge up to (t, y), where all
+  /// else is a consequence; empty if they have not.
+  std::string divergence(const S& t, const StateVector& y, const S& h) {
+    const MotionEnergy<S> now = energy(t, y);
+    if (!has_diverged(now, energy_at_start_, mechanism_.effects.nonconservative_power(view(t)), h)) return {};
+    return fmt::format(
+        "the motion has diverged: its energy has grown by {:.1e} J since the start, which no work explains; "
+        "steps of {:.4g} s are too long for this method, take smaller steps",
+        static_cast<double>(S(now.total() - energy_at_start_.total())), static_cast<double>(h));
   }
   /// A message about an effect whose load is not finite, or above 1e100, the largest number of a scene; empty
   /// if there is none.
@@ -415,6 +410,9 @@ class FirstOrderEquations {
     return false;
   }
 
+  /// Accepts the start of a motion. Throws a ModelError.
+  void begin(const MechanismState<S>& start, bool is_projected);
+
   /// Continues a saved run. Throws an Error of kind input if its numbers do not belong to the given state.
   void go_on_from(const SavedRun& saved, const MechanismState<S>& state, bool is_projected);
 
@@ -445,6 +443,7 @@ class FirstOrderEquations {
   bool limits_steps_ = false;
   StateVector start_;
   const MechanismState<S> start_state_;
+  MotionEnergy<S> energy_at_start_;
   /// If refinement at the last accepted state corrected the accelerations by this relative amount or less,
   /// solutions between accepted states are not refined: their errors are then far below those of a step.
   /// 1e-13 is about 1000 u of double, and is used in quad too: solutions between accepted states may have
@@ -463,6 +462,31 @@ class FirstOrderEquations {
   int fewest_dependent_rows_ = 0;                    ///< of the accepted states
   long factorisations_ = 0;
 };
+
+template <Formulation F>
+void FirstOrderEquations<F>::begin(const MechanismState<S>& start, bool is_projected) {
+  try {
+    accept_state(start.t, start_);
+  } catch (const ModelError& error) {
+    const std::string cause = near_singular_chart(start.t, start_);
+    if (cause.empty()) throw;
+    throw ModelError(Place{}, cause);
+  }
+  // The strict detection (`detect`) has just counted the dependent rows of the start. A projected motion
+  // also treats nearly dependent rows as dependent, since it may pass a singular position. If this changes
+  // the number of dependent rows already at the start, the strict detection is used along the whole motion.
+  // Without projection the constraints drift, so that dependent rows look independent: such a motion keeps
+  // the number of dependent rows of its start.
+  const int found = solver_.factors().dependent_row_count();
+  detection_ = is_projected ? DependentRows::detect_near_singular : DependentRows::keep_count;
+  fewest_dependent_rows_ = found;
+  log_.begin();
+  accept_state(start.t, start_);
+  if (solver_.factors().dependent_row_count() == found) return;
+  detection_ = DependentRows::detect;
+  log_.begin();
+  accept_state(start.t, start_);
+}
 
 template <Formulation F>
 void FirstOrderEquations<F>::go_on_from(const SavedRun& saved, const MechanismState<S>& state,

@@ -43,12 +43,12 @@ Eigen::Index nearest_to_dependent(const TangentSystem& now, int rank) {
   return row;
 }
 
-/// Whether a condition number of the rows goes on to grow, as 1 / (t* - t)^2 does before a singular position
-/// at t*, which is at most `horizon` ahead.
+/// Whether a condition number of the rows grows within `horizon`, as 1 / (t* - t)^2 does before a singular
+/// position at t*. A negative horizon looks back, at a position just passed.
 bool grows(double kappa, double horizon, const std::function<double(double)>& kappa_after) {
   const double dt = 1e-3 * horizon, growth = (kappa_after(dt) - kappa) / dt;
   const double left = 2 * kappa / growth;  // until t*
-  return growth > 0 && left < horizon && kappa_after(0.9 * left) > 10 * kappa;
+  return left / horizon > 0 && left / horizon < 1 && kappa_after(0.9 * left) > 10 * kappa;
 }
 
 }  // namespace
@@ -72,10 +72,16 @@ std::string trouble_of_rows(const std::vector<std::string>& row_names, const std
   const TangentSystem now = after(0);
   const RowAnalysis then = analyse_rows(at_start), here = analyse_rows(now);
   const bool is_near = here.rank < then.rank || here.kappa > much * then.kappa;
-  if (!is_near && !(here.kappa > some * then.kappa && grows(here.kappa, (t - start) / 50, [&](double dt) {
-                      return analyse_rows(after(dt)).kappa;
-                    })))
-    return contradicting_drivers(row_names, here, drivers, t);
+  const auto grows_within = [&](double horizon) {
+    return grows(here.kappa, horizon, [&](double dt) { return analyse_rows(after(dt)).kappa; });
+  };
+  const double horizon = (t - start) / 50;
+  std::string beside;
+  if (!is_near && here.kappa > some * then.kappa) {
+    if (grows_within(horizon)) beside = ", and it goes on to grow";
+    if (grows_within(-horizon)) beside = ", and it was larger just before";
+  }
+  if (!is_near && beside.empty()) return contradicting_drivers(row_names, here, drivers, t);
   return fmt::format(
       "near a singular position, where row \"{}\" comes to depend on others and the mechanism can go on in "
       "more than one way: since the start {}{}. Try other tolerances or steps, or another of dopri5, "
@@ -85,7 +91,7 @@ std::string trouble_of_rows(const std::vector<std::string>& row_names, const std
           ? fmt::format("the rank of the rows has fallen from {} to {}", then.rank, here.rank)
           : fmt::format("the condition number of the rows has grown from {:.1e} to {:.1e}", then.kappa,
                         here.kappa),
-      is_near ? "" : ", and it goes on to grow");
+      beside);
 }
 
 }  // namespace trivium

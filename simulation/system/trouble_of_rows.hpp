@@ -16,8 +16,8 @@ namespace trivium {
 MechanismState<double> coasted(MechanismState<double> state, double dt);
 
 /// A message if the rows at time t are much closer to being dependent than they were at the start, or come
-/// to be within a fiftieth of the time since then, or if drivers contradict the rows that they depend on;
-/// empty if not. `drivers` are rows; `after(dt)`: the rows of coasted positions.
+/// to be or were so within a fiftieth of the time since then, or if drivers contradict the rows that they
+/// depend on; empty if not. `drivers` are rows; `after(dt)`: the rows of coasted positions.
 std::string trouble_of_rows(const std::vector<std::string>& row_names, const std::vector<int>& drivers,
                             double start, const TangentSystem& at_start, double t,
                             const std::function<TangentSystem(double)>& after);
