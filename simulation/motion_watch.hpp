@@ -38,20 +38,21 @@ class MotionWatch {
   using S = typename F::Scalar;
   using StateVector = VectorX<S>;
 
-  /// Energies and work in the report count from the start of this run: in a run that continues an earlier
-  /// one, y contains the work of the earlier run, which is subtracted. `step_errors` is absent if errors of
-  /// single steps are not estimated. All other arguments must outlive this object.
+  /// This run begins at time t. Energies and work in the report count from there: in a run that continues an
+  /// earlier one, y contains the work of the earlier run, which is subtracted. `step_errors` is absent if
+  /// errors of single steps are not estimated. All other arguments must outlive this object.
   MotionWatch(ConstrainedEquations<F>& equations, const integrators::AnyMethod<S>& method,
               const SimulationOptions& options, SimulationObserver& observer, SimulationReport& report,
-              std::optional<StepErrors<F>> step_errors)
+              const S& t, std::optional<StepErrors<F>> step_errors)
       : equations_(equations),
         method_(method),
         options_(options),
         observer_(observer),
         report_(report),
+        at_start_(first_order().energy(t, equations.start())),
         step_errors_(std::move(step_errors)) {
     report_.does_work = first_order().does_work();
-    report_.energy_start = static_cast<double>(first_order().energy_at_start().total());
+    report_.energy_start = static_cast<double>(at_start_.total());
   }
 
   /// The values of a state that both the report and a sample contain.
@@ -63,18 +64,17 @@ class MotionWatch {
   /// Enters an accepted state into the report.
   Seen watch(const S& t, const StateVector& y) {
     MotionEnergy<S> energy = first_order().energy(t, y);
-    const MotionEnergy<S>& at_start = first_order().energy_at_start();
     const S phi = first_order().position_violation(t, y).size;
     const integrators::Violation<S> phi_dot = first_order().velocity_violation(t, y);
     const Seen seen{std::move(energy), static_cast<double>(phi), static_cast<double>(phi_dot.size)};
     raise(report_.normalisation, static_cast<double>(first_order().normalisation_violation(y)));
     raise(report_.phi, seen.phi);
     raise(report_.phi_dot, seen.phi_dot);
-    raise(report_.unaccounted_energy, static_cast<double>(unaccounted_energy(seen.energy, at_start)));
+    raise(report_.unaccounted_energy, static_cast<double>(unaccounted_energy(seen.energy, at_start_)));
     raise(report_.largest_kinetic, static_cast<double>(seen.energy.kinetic));
     report_.energy_end = static_cast<double>(seen.energy.total());
     if (step_errors_) step_errors_->step(t, y, phi_dot);
-    report_.work = static_cast<double>(S(seen.energy.work - at_start.work));
+    report_.work = static_cast<double>(S(seen.energy.work - at_start_.work));
     // with kept charts, a step across a singularity can end in a wrong state without an error
     if (!options_.charts.reframe && report_.near_singular_chart.empty())
       report_.near_singular_chart = first_order().near_singular_chart(t, y);
@@ -224,6 +224,7 @@ class MotionWatch {
   const SimulationOptions& options_;
   SimulationObserver& observer_;
   SimulationReport& report_;
+  const MotionEnergy<S> at_start_;
   std::optional<StepErrors<F>> step_errors_;
   bool has_shown_ = false, began_on_another_branch_ = false;
   std::vector<Joint<double>> joints_;  ///< of the mechanism in double, if S is another Scalar

@@ -47,7 +47,7 @@ class Simulation {
     if (options_.max_step) grid = grid.limited_to(*options_.max_step);
     if (from) grid = grid.from(begin);
     SystemAdapter<ConstrainedEquations<F>> system(equations_);
-    MotionWatch<F> watch(equations_, *method_, options_, observer_, report_, step_errors(system));
+    MotionWatch<F> watch(equations_, *method_, options_, observer_, report_, start_, step_errors(system));
     ProjectionReport<S> projection;
     if (from && from->integrator == entry_.info.name && options_.step) recall(system, *from);
     S end_t = start_;

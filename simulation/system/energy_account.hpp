@@ -31,19 +31,6 @@ S unaccounted_energy(const MotionEnergy<S>& now, const MotionEnergy<S>& at_start
   return abs(now.total() - at_start.total() - (now.work - at_start.work));
 }
 
-/// Whether the numbers have left the motion for good, as where steps of the length h [s] are too long for a
-/// method to be stable: most of the kinetic energy is explained by no work, and is more than ten times the
-/// energies at the start. An accurate motion, and one that merely loses accuracy, is far below. The work
-/// itself is wrong where loads of the power `power` [W] would take more than the kinetic energy within a
-/// step.
-template <class S>
-bool has_diverged(const MotionEnergy<S>& now, const MotionEnergy<S>& at_start, const S& power, const S& h) {
-  using std::abs;
-  const S work = -power * h > now.kinetic ? S(0) : S(now.work - at_start.work);
-  const S gained = now.total() - at_start.total() - work;
-  return gained > now.kinetic / 2 && gained > 10 * (at_start.kinetic + abs(at_start.potential));
-}
-
 /// Whether a run lost or gained energy: its largest unaccounted energy exceeds a thousandth of its largest
 /// kinetic energy plus the rounding of energies of the size `energies` [J]. A NaN counts as too large. 1e-3
 /// is chosen by experiment: it accepts what usual tolerances cost and reports a motion whose energy visibly

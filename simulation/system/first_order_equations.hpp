@@ -85,7 +85,7 @@ class FirstOrderEquations {
       go_on_from(*options.from, start, options.is_projected);
     else
       begin(start, options.is_projected);
-    energy_at_start_ = energy(start.t, start_);
+    motion_at_start_ = motion_;
   }
 
   int nb() const { return mechanism_.nb(); }
@@ -224,7 +224,6 @@ class FirstOrderEquations {
     if (does_work()) energy.work = y[motion_size()];
     return energy;
   }
-  const MotionEnergy<S>& energy_at_start() const { return energy_at_start_; }
 
   /// Sum of m v^2 / 2 over the bodies, v the fastest speed so far in the body's group of connected bodies
   /// [J].
@@ -235,12 +234,15 @@ class FirstOrderEquations {
     return twice / 2;
   }
 
-  /// A message if given steps that diverge, a load, a singular chart, a driver, a singular position,
-  /// contradicting drivers or a far position near (t, y) may have made a step from there fail; empty if not.
-  /// `step` [s] is the length of the given step, or 0.
+  /// A message if a load, a singular chart, a driver, a singular position, contradicting drivers or a far
+  /// position near (t, y) may have made a step from there fail; empty if not. `step` [s] is the length of the
+  /// given step, or 0. Given steps that are too long make a motion diverge: they are the reason of a load or
+  /// a distance that is not too large at the positions of the start.
   std::string diagnose(const S& t, const StateVector& y, const S& step) {
-    std::string message = step > S(0) ? divergence(t, y, step) : "";
-    if (message.empty()) message = excessive_load(t, y);
+    const bool may_diverge = step != S(0);
+    std::string message;
+    if (!may_diverge || !excessive_effect({mechanism_.bodies, motion_at_start_, t}).empty())
+      message = excessive_load(t, y);
     if (message.empty()) message = near_singular_chart(t, y);
     if constexpr (std::is_same_v<S, double>) {
       constexpr int most_unknowns = 1500;  // the dense analysis of more would take many seconds
@@ -249,21 +251,10 @@ class FirstOrderEquations {
       if (message.empty()) message = lost_grip(mechanism_, account_.drivers(), start_state_, now, step);
       if (message.empty()) message = trouble_of_rows(mechanism_, account_.drivers(), start_state_, now);
       if (message.empty()) message = poor_grip(mechanism_, account_.drivers(), now);
-      // where given steps have led far away from a start near the origin, they are the likelier reason
-      if (message.empty() && (step == S(0) || !far_from_origin(mechanism_, start_state_).empty()))
+      if (message.empty() && (!may_diverge || !far_from_origin(mechanism_, start_state_).empty()))
         message = far_from_origin(mechanism_, now);
     }
     return message;
-  }
-  /// A message about a motion that given steps of the length h [s] have let diverge up to (t, y), where all
-  /// else is a consequence; empty if they have not.
-  std::string divergence(const S& t, const StateVector& y, const S& h) {
-    const MotionEnergy<S> now = energy(t, y);
-    if (!has_diverged(now, energy_at_start_, mechanism_.effects.nonconservative_power(view(t)), h)) return {};
-    return fmt::format(
-        "the motion has diverged: its energy has grown by {:.1e} J since the start, which no work explains; "
-        "steps of {:.4g} s are too long for this method, take smaller steps",
-        static_cast<double>(S(now.total() - energy_at_start_.total())), static_cast<double>(h));
   }
   /// A message about an effect whose load is not finite, or above 1e100, the largest number of a scene; empty
   /// if there is none.
@@ -271,7 +262,7 @@ class FirstOrderEquations {
     load(y);
     projection_.move(state_, t);
     take_motion();
-    const std::string effect = trivium::excessive_load(mechanism_.effects, view(t), S(1e100));
+    const std::string effect = excessive_effect(view(t));
     return effect.empty() ? effect
                           : fmt::format(
                                 "the load of {} is not finite there or exceeds 1e100 N or N m; give it "
@@ -426,12 +417,15 @@ class FirstOrderEquations {
     std::copy(solver_.assembly().body().begin(), solver_.assembly().body().end(), motion_.begin());
   }
   EffectView<S> view(const S& t) const { return {mechanism_.bodies, motion_, t}; }
+  std::string excessive_effect(const EffectView<S>& view) const {
+    return trivium::excessive_load(mechanism_.effects, view, S(1e100));
+  }
 
   MechanismOf<F> mechanism_;  ///< a copy, because its effects count turns
   const StateLayout<F> layout_;
   AccelerationSolver<F> solver_;
   std::vector<BodyState<F>> state_;
-  std::vector<BodyMotion<S>> motion_;
+  std::vector<BodyMotion<S>> motion_, motion_at_start_;
   ConstraintProjection<F> projection_;
   EnergyAccount<S, MechanismTypesOf<F>> account_;
   ChartSwitching<F> charts_;
@@ -443,7 +437,6 @@ class FirstOrderEquations {
   bool limits_steps_ = false;
   StateVector start_;
   const MechanismState<S> start_state_;
-  MotionEnergy<S> energy_at_start_;
   /// If refinement at the last accepted state corrected the accelerations by this relative amount or less,
   /// solutions between accepted states are not refined: their errors are then far below those of a step.
   /// 1e-13 is about 1000 u of double, and is used in quad too: solutions between accepted states may have

@@ -96,7 +96,10 @@ void judge_held_body(Judge& judge, double off) {
   constexpr double in_line = 1e-8;
   HardMotion motion;
   motion.scene = held_body(off);
-  if (off >= in_line) motion = rest(motion.scene, 1, 1e-2);
+  if (off >= in_line) {
+    motion = rest(motion.scene, 1, 1e-2);
+    motion.rounding = unit_roundoff<double>() / std::min(off, 1.0);  // of the angle about the line
+  }
   // the share of the last pin's rows is a quarter of `off`; two decades beside the rank tolerance are narrow
   if (off > in_line / 25 && off < 100 * in_line) motion.reason = "by a narrow margin";
   judge.motion(motion);

@@ -233,7 +233,8 @@ void judge_short_steps(Judge& judge, double h) {
         row.tolerance = tolerance;
         row.threshold = factors::law * tolerance;
         row.why = "law " + law;
-        judge.add(judge.judged(row));
+        const double figure = row.is_met() && !judge.is_twin() ? 0 : quote_warnings(row, report);
+        judge.add(judge.judged(row, figure));
       };
       double off = 0;
       for (std::size_t k = 0; k < exact.all.size(); ++k)

@@ -51,7 +51,7 @@ void judge_fast_top(Judge& judge, double spin) {
   motion.step = 0.1 / spin;
   motion.rtol = judge.is_quick() ? 1e-10 : 1e-12;  // for as many steps as a fast spin needs
   motion.monitor = Monitor::positions;
-  motion.starts = 4;  // a run of a fast top has 1e6 steps
+  motion.starts = 2;  // a run of a fast top has 1e6 steps
   motion.methods = methods_of("fast_top", judge.is_quick());
   motion.also = judge_normalisation;
   // 100 s are 1e6 given steps of a method in a formulation: their errors show in a tenth of them

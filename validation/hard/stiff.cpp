@@ -22,8 +22,8 @@ Scene damped_orbit(double stiffness) { return orbit_on_spring(stiffness, 0.2 * s
 void judge_orbit(Judge& judge, Scene (*make)(double), double stiffness) {
   HardMotion motion;
   motion.scene = make(stiffness);
-  // neighbours follow vibrations of the spring: of a stiffer one, over as many as at 2.5e9 N/m
-  motion.end = (judge.is_quick() ? 0.2 : 2) * std::min(1.0, 5e4 / std::sqrt(stiffness));
+  // neighbours follow vibrations of the spring: of a stiffer one, over as many as at 4e8 N/m
+  motion.end = (judge.is_quick() ? 0.2 : 2) * std::min(1.0, 2e4 / std::sqrt(stiffness));
   motion.step = 1e-3;
   motion.reference = ReferenceRun::stiff;
   motion.exact = set_orbit;
