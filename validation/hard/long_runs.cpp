@@ -70,7 +70,7 @@ Recurrence turning() {
           period_of_slider_crank(),
           3,  // crank and rod
           1,
-          30,
+          24,
           [](const MechanismState<double>& start, const MechanismState<double>& state) {
             const auto angle = [](const MechanismState<double>& at) {
               return std::atan2(at.pose[0].r[1], at.pose[0].r[0]);
