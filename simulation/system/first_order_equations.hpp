@@ -237,7 +237,7 @@ class FirstOrderEquations {
   /// A message if a load, a singular chart, a driver, a singular position, contradicting drivers or a far
   /// position near (t, y) may have made a step from there fail; empty if not. `step` [s] is the length of the
   /// given step, or 0. Given steps that are too long make a motion diverge: they are the reason of a load or
-  /// a distance that is not too large at the positions of the start.
+  /// a distance that is not too large in the state of the start.
   std::string diagnose(const S& t, const StateVector& y, const S& step) {
     const bool may_diverge = step != S(0);
     std::string message;

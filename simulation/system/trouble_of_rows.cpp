@@ -48,7 +48,8 @@ Eigen::Index nearest_to_dependent(const TangentSystem& now, int rank) {
 bool grows(double kappa, double horizon, const std::function<double(double)>& kappa_after) {
   const double dt = 1e-3 * horizon, growth = (kappa_after(dt) - kappa) / dt;
   const double left = 2 * kappa / growth;  // until t*
-  return left / horizon > 0 && left / horizon < 1 && kappa_after(0.9 * left) > 10 * kappa;
+  const double share = left / horizon;
+  return share > 0 && share < 1 && kappa_after(0.9 * left) > 10 * kappa;
 }
 
 }  // namespace
@@ -78,8 +79,10 @@ std::string trouble_of_rows(const std::vector<std::string>& row_names, const std
   const double horizon = (t - start) / 50;
   std::string beside;
   if (!is_near && here.kappa > some * then.kappa) {
-    if (grows_within(horizon)) beside = ", and it goes on to grow";
-    if (grows_within(-horizon)) beside = ", and it was larger just before";
+    if (grows_within(horizon))
+      beside = ", and it goes on to grow";
+    else if (grows_within(-horizon))
+      beside = ", and it was larger just before";
   }
   if (!is_near && beside.empty()) return contradicting_drivers(row_names, here, drivers, t);
   return fmt::format(

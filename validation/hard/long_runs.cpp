@@ -125,6 +125,12 @@ double amplification_after(const ExactMotion& exact, long periods) {
   return exact.amplification() * std::max(1.0, static_cast<double>(periods) / measured_periods);
 }
 
+/// Judges a row of a run. The run's warnings concern it if it misses its threshold; a twin must have none.
+void add_with_warnings(Judge& judge, Row row, const SimulationReport& report) {
+  const double figure = row.is_met() && !judge.is_twin() ? 0 : quote_warnings(row, report);
+  judge.add(judge.judged(row, figure));
+}
+
 /// A symplectic method of order 2 errs as on a vibration of rate omega: its energy by (omega h)^2 / 8 at any
 /// time, its frequency by (omega h)^2 / 24. Others are judged by the local errors that they state: these add
 /// up to errors of the energy, and the motion amplifies them to errors of the phase.
@@ -139,8 +145,7 @@ void judge_periods(Judge& judge, const Recurrence& motion, const ExactMotion& ex
     row.amplification = amplification;
     row.threshold = std::min(factor * tolerance * amplification, small_difference);
     row.why = law;
-    const double figure = row.is_met() && !judge.is_twin() ? 0 : quote_warnings(row, run.report);
-    judge.add(judge.judged(row, figure));
+    add_with_warnings(judge, row, run.report);
   };
   add("Phi [m]", run.report.phi, integrators::rounding<double>() * motion.size, factors::law,
       "law 16 epsilon l");
@@ -233,8 +238,7 @@ void judge_short_steps(Judge& judge, double h) {
         row.tolerance = tolerance;
         row.threshold = factors::law * tolerance;
         row.why = "law " + law;
-        const double figure = row.is_met() && !judge.is_twin() ? 0 : quote_warnings(row, report);
-        judge.add(judge.judged(row, figure));
+        add_with_warnings(judge, row, report);
       };
       double off = 0;
       for (std::size_t k = 0; k < exact.all.size(); ++k)
