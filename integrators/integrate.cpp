@@ -176,6 +176,25 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
     system.accept_state(t, y);
   }
   if (at_output(t, y) == Continue::no) return false;
+  S shown = t;
+  const auto show = [&](const S& at, const StateVector<S>& state) {
+    shown = at;
+    return at_output(at, state);
+  };
+  // Adds an output of the state that a failed run has reached. If accelerations cannot be solved for there,
+  // as where an event begins an infinite load, it adds one just before the event.
+  S before_event_t = t;
+  StateVector<S> before_event = y;
+  const auto show_reached = [&](const S& reached_t, const StateVector<S>& reached) {
+    method.restart();  // its lambda() may be that of the failed step
+    const S earlier = shown;
+    for (const bool is_last : {true, false}) try {
+        const S& at = is_last ? reached_t : before_event_t;
+        if (earlier < at) show(at, is_last ? reached : before_event);
+        return;
+      } catch (const std::runtime_error&) {
+      }
+  };
   // Steps of a method that interpolates pass outputs: `walk` goes ahead to the next event or the end, and
   // `due`, of a walk that follows, is the next output to be interpolated.
   TimeGrid::Walk<S> walk(grid), following(grid);
@@ -192,7 +211,17 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
     while (t < target) {
       const S begin = t, given = grid.has_given_steps() ? S(target - t) : S(0);
       before = y;
-      with_cause(system, begin, before, given, [&] {
+      const auto attempt = [&](const S& at, const StateVector<S>& reached, const auto& part) {
+        try {
+          with_cause(system, begin, before, given, part);
+        } catch (const UsageError&) {
+          throw;
+        } catch (const std::runtime_error&) {
+          show_reached(at, reached);
+          throw;
+        }
+      };
+      attempt(begin, before, [&] {
         checked_step(system, method, begin, before, t, y, grid.latest_end(t, target), grid.has_given_steps(),
                      projects, project, report);
       });
@@ -200,36 +229,42 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
       bool goes_on = true;  // if it is false after an output within the step, the run ends at the step's end
       for (; goes_on && due && due->t < t; due = following.next()) {
         StateVector<S> between;
-        with_cause(system, begin, before, given, [&] {
+        attempt(begin, before, [&] {
           method.interpolate(due->t, between);
           if (projects) project(system, due->t, between, report);
         });
-        goes_on = at_output(due->t, between) == Continue::yes;
+        goes_on = show(due->t, between) == Continue::yes;
       }
       if (looks_back) {  // the method's lambda() is that of the step's end again
         StateVector<S> at_end;
         method.interpolate(t, at_end);
       }
-      with_cause(system, begin, before, given, [&] {
+      attempt(t, y, [&] {
         if (system.accept_state(t, y)) method.restart();
         progress.step(t);
       });
       if (at_step(t, y) == Continue::no) goes_on = false;
       const bool is_output = due && due->t == t && due->t < stop->t;
       if (is_output) due = following.next();
-      if ((is_output || !goes_on) && at_output(t, y) == Continue::no) goes_on = false;
+      if ((is_output || !goes_on) && show(t, y) == Continue::no) goes_on = false;
       if (!goes_on) return false;
     }
     bool goes_on = true;
     if (stop->is_event) {
-      const S before_t = std::exchange(t, stop->t);
-      system.pass_discontinuity(before_t, t, y);
-      system.accept_state(t, y);  // the motion starts anew here, as a run continued from here does
+      before_event = y;
+      before_event_t = std::exchange(t, stop->t);
+      try {
+        system.pass_discontinuity(before_event_t, t, y);
+        system.accept_state(t, y);  // the motion starts anew here, as a run continued from here does
+      } catch (const std::runtime_error&) {
+        show_reached(before_event_t, before_event);
+        throw;
+      }
       method.restart();
       goes_on = at_step(t, y) == Continue::yes;
     }
     if (due) due = following.next();  // beyond this stop
-    if ((stop->is_output || !goes_on) && at_output(t, y) == Continue::no) goes_on = false;
+    if ((stop->is_output || !goes_on) && show(t, y) == Continue::no) goes_on = false;
     if (!goes_on && !walk.is_done()) return false;
   }
   return true;

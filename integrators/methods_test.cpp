@@ -27,11 +27,10 @@ struct Walked {
 };
 
 template <class System>
-Walked run(System& system, const std::string& name, Steps steps, const TimeGrid& grid,
-           Tolerances tolerances = {}, bool projects = true) {
+void run(System& system, const std::string& name, Steps steps, const TimeGrid& grid, Tolerances tolerances,
+         bool projects, Walked& out) {
   SystemAdapter<System> erased(system);
   const auto method = make_method<double>(name, steps, tolerances);
-  Walked out;
   integrate<double>(
       erased, *method, grid, projects, out.projection,
       [](double, const StateVector<double>&) { return Continue::yes; },
@@ -41,16 +40,30 @@ Walked run(System& system, const std::string& name, Steps steps, const TimeGrid&
         return Continue::yes;
       });
   out.counters = method->counters();
+}
+template <class System>
+Walked run(System& system, const std::string& name, Steps steps, const TimeGrid& grid,
+           Tolerances tolerances = {}, bool projects = true) {
+  Walked out;
+  run(system, name, steps, grid, tolerances, projects, out);
   return out;
 }
 
-/// x'' = -x + exp(-t) x x': no method solves it exactly.
+/// x'''' = -x + exp(-t) x x': no method solves it exactly.
 Free oscillator() {
   Free system;
   system.y0 = Eigen::Vector2d(1, 0);
   system.f = [](double t, const StateVector<double>& y) {
     return StateVector<double>(Eigen::Vector2d(y[1], -y[0] + std::exp(-t) * y[0] * y[1]));
   };
+  return system;
+}
+
+/// y' = y^2 with the solution y = 1 / (1 - t).
+Free ends_at_1() {
+  Free system;
+  system.y0 = StateVector<double>::Ones(1);
+  system.f = [](double, const StateVector<double>& y) { return StateVector<double>(y.cwiseAbs2()); };
   return system;
 }
 
@@ -124,9 +137,7 @@ TEST_P(ChosenStepsOf, FollowTheTolerance) {
 }
 
 TEST_P(ChosenStepsOf, GiveUpWhereTheMotionEndsAndSayWhen) {
-  Free system;  // solution y = 1 / (1 - t)
-  system.y0 = StateVector<double>::Ones(1);
-  system.f = [](double, const StateVector<double>& y) { return StateVector<double>(y.cwiseAbs2()); };
+  Free system = ends_at_1();
   try {
     run(system, GetParam(), Steps::chosen, TimeGrid(0, 2));
     FAIL();
@@ -134,6 +145,15 @@ TEST_P(ChosenStepsOf, GiveUpWhereTheMotionEndsAndSayWhen) {
     EXPECT_NE(std::string(error.what()).find("t = "), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("step"), std::string::npos) << error.what();
   }
+}
+
+TEST_P(ChosenStepsOf, ShowTheStateThatAFailedRunHasReached) {
+  Free system = ends_at_1();
+  Walked out;
+  EXPECT_THROW(run(system, GetParam(), Steps::chosen, TimeGrid(0, 2), {}, true, out), IntegrationError);
+  ASSERT_EQ(out.t.size(), 2u);  // the start, and the last state
+  EXPECT_GT(out.t.back(), 0.99);
+  EXPECT_GT(out.y.back()[0], 100);
 }
 
 TEST_P(ChosenStepsOf, TakeASmallerStepWhereARightSideCannotBeEvaluated) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -304,6 +305,45 @@ TEST_P(MethodsThatChooseSteps, TakeShorterOnesWhereTheEquationsFail) {
   }
   EXPECT_TRUE(run());
   EXPECT_GE(method->counters().steps, 25);
+}
+
+/// One of its evaluations finds no memory.
+struct WithoutMemory : SphericalPendulum<double> {
+  using SphericalPendulum::solve;
+  int failing = 0;
+  mutable int evaluations = 0;
+
+  void derivative(const double& t, const Y& y, Y& y_dot) const {
+    count();
+    SphericalPendulum::derivative(t, y, y_dot);
+  }
+  void evaluate(const double& t, const Y& y, Evaluation& at) const {
+    count();
+    SphericalPendulum::evaluate(t, y, at);
+  }
+  void solve(const Factors& factors, const Evaluation& at, const Y& left, const Y& rows, Y& x, Y& mu) const {
+    count();
+    SphericalPendulum::solve(factors, at, left, rows, x, mu);
+  }
+  void count() const {
+    if (++evaluations == failing) throw std::bad_alloc();
+  }
+};
+
+TEST_P(MethodsThatChooseSteps, EndTheRunWhereMemoryIsFull) {
+  for (int failing = 1; failing <= 80; ++failing) {
+    const auto method =
+        make_method<double>(std::string(GetParam().name), Steps::chosen, {.rtol = 1e-8, .atol = 1e-8});
+    WithoutMemory pendulum;
+    pendulum.failing = failing;
+    SystemAdapter<WithoutMemory> system(pendulum);
+    ProjectionReport<double> report;
+    const auto go_on = [](const double&, const StateVector<double>&) { return Continue::yes; };
+    EXPECT_THROW(integrate<double>(system, *method, TimeGrid(0, t_end, {}, {}), !GetParam().meets_constraints,
+                                   report, go_on, go_on),
+                 std::bad_alloc)
+        << "at evaluation " << failing;
+  }
 }
 INSTANTIATE_TEST_SUITE_P(Methods, MethodsThatChooseSteps,
                          testing::ValuesIn(methods_that(&MethodInfo::chooses_steps)), in_a_name);

@@ -116,7 +116,8 @@ struct Motion {
 
 /// Simulates from the scene's state to settings.end. Throws an Error of kind input if the state violates its
 /// constraints or if settings contradict each other; of kind model or integration if the motion cannot
-/// continue. The observer has received the outputs before the error; exceptions of the observer pass through.
+/// continue. The observer has received the outputs before the error and the last state that was reached;
+/// exceptions of the observer pass through.
 ///
 /// If `scene` is the end of another motion in the same formulation, the run continues from the saved numbers
 /// of that motion. One-step methods with given steps then give the same bits as a run without interruption;

@@ -179,8 +179,8 @@ class Newton {
     system.reduce(factors_, force_, left_);
     change.setZero();
     mu_.setZero(phi_.size());
-    no_force_.setZero(phi_.size());
-    system.solve(factors_, at_, left_, no_force_, change, mu_);
+    no_rows_.setZero(phi_.size());
+    system.solve(factors_, at_, left_, no_rows_, change, mu_);
   }
   /// Changes the velocities of y at time t such that they miss their rows by `share` times as much as before,
   /// by the matrix that was factored last. With index 3 velocities miss their rows by c h^2. A step of
@@ -223,7 +223,7 @@ class Newton {
   StepUnknowns<S> best_;
   StateVector<S> unnormalised_;
   StateVector<S> force_, left_, phi_, phi_dot_;
-  StateVector<S> change_, v_change_, lambda_change_, mu_, no_force_;
+  StateVector<S> change_, v_change_, lambda_change_, mu_, no_force_, no_rows_;
 };
 
 }  // namespace trivium::integrators

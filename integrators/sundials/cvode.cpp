@@ -55,8 +55,7 @@ class Cvode final : public OdeStepper {
     accept(CVodeInit(library_memory(), right_side, t, numbers()), "set the initial state");
     measure_errors_by(error_weights);
     accept(CVodeSetMaxHnilWarns(library_memory(), -1), "suppress warnings");
-    if (!is_implicit())
-      return iterate_by(Owned<SUNNonlinearSolver>(SUNNonlinSol_FixedPoint(numbers(), 0, context())));
+    if (!is_implicit()) return iterate_by(own(SUNNonlinSol_FixedPoint(numbers(), 0, context())));
     iterate_by_newton();
     accept(CVodeSetLinSysFn(library_memory(), linear_system), "set the matrix");
     // A small error of the positions along a stiff spring is a large error of its force, which the error

@@ -65,8 +65,8 @@ class Ida final : public Stepper {
     const bool is_new = library_memory() == nullptr;
     if (is_new) {
       make_numbers(ny_ + 2 * nc_);
-      rates_.reset(N_VClone(numbers()));
-      is_differential_.reset(N_VClone(numbers()));
+      rates_ = own(N_VClone(numbers()));
+      is_differential_ = own(N_VClone(numbers()));
       flat(is_differential_.get()).setZero();
       flat(is_differential_.get()).head(ny_).setOnes();
     }

@@ -28,7 +28,7 @@ class AcceleratedNewton {
   /// old matrix, it starts once more with a new one. Returns the library's code.
   int solve(SUNNonlinearSolver solver, N_Vector y, N_Vector weights, double tolerance, bool needs_matrix,
             void* memory) {
-    if (!left_) left_.reset(N_VClone(y));
+    if (!left_) left_ = own(N_VClone(y));
     start_ = flat(y);
     iterations = failures = 0;
     for (bool is_bad = false;;) {
@@ -81,7 +81,7 @@ class AcceleratedNewton {
 
 Owned<SUNNonlinearSolver> make_accelerated_newton(SUNContext context) {
   using Newton = AcceleratedNewton;
-  Owned<SUNNonlinearSolver> solver(SUNNonlinSolNewEmpty(context));
+  Owned<SUNNonlinearSolver> solver = own(SUNNonlinSolNewEmpty(context));
   solver->content = new Newton;
   auto& ops = *solver->ops;
   ops.gettype = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };

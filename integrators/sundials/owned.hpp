@@ -8,6 +8,7 @@
 #include <sundials/sundials_nonlinearsolver.h>
 
 #include <memory>
+#include <new>
 #include <type_traits>
 
 #include "integrators/contract/state_vector.hpp"
@@ -27,6 +28,13 @@ struct Destroy {
 /// `Pointer` is one of the library's pointer types.
 template <class Pointer>
 using Owned = std::unique_ptr<std::remove_pointer_t<Pointer>, Destroy>;
+
+/// Owns what the library has made. Throws std::bad_alloc if this is null, since there was no memory for it.
+template <class Pointer>
+Owned<Pointer> own(Pointer made) {
+  if (made == nullptr) throw std::bad_alloc();
+  return Owned<Pointer>(made);
+}
 
 /// The numbers of v, not copied.
 inline Eigen::Map<StateVectorD> flat(N_Vector v) { return {N_VGetArrayPointer(v), N_VGetLength_Serial(v)}; }

@@ -3,6 +3,7 @@
 
 #include "integrators/sundials/stepper.hpp"
 
+#include <cvode/cvode.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,10 +27,20 @@ double target(double t, double stop, double planned) {
 }  // namespace
 
 void accept(int flag, const char* what) {
+  if (flag == CV_MEM_FAIL || flag == CV_MEM_NULL) throw std::bad_alloc();  // the codes of IDA and ARKODE too
   if (flag < 0) throw IntegrationError(fmt::format("a SUNDIALS call failed: {} (code {})", what, flag));
 }
 
 void Stepper::step(AnySystem<double>& system, double& t, StateVectorD& y, const double& stop) {
+  try {
+    take_step(system, t, y, stop);
+  } catch (const std::bad_alloc&) {
+    memory_ = nullptr;  // the library would free some of what it has not finished twice
+    throw;
+  }
+}
+
+void Stepper::take_step(AnySystem<double>& system, double& t, StateVectorD& y, double stop) {
   system_ = &system;
   trouble_.clear();
   message_.clear();
@@ -46,7 +57,8 @@ void Stepper::step(AnySystem<double>& system, double& t, StateVectorD& y, const 
   const double aim = target(t, stop, planned());
   accept(functions_.set_stop(memory_, aim), "set the stop time");
   double reached = t;
-  if (advance(aim, reached) < 0) fail(t);
+  // some failures of callbacks make the library try a shorter step, although they are to end the run
+  if (advance(aim, reached) < 0 || failure_) fail(t);
   // A step of a few epsilons of t is no progress: the library could repeat such steps without end. The bound
   // 4 epsilon is that of StepSizeControl.
   constexpr double least = 4 * std::numeric_limits<double>::epsilon();
@@ -78,7 +90,7 @@ bool Stepper::shorten() {
 }
 
 void Stepper::interpolate(const double& t, StateVectorD& y) {
-  if (!between_) between_.reset(N_VClone(numbers()));
+  if (!between_) between_ = own(N_VClone(numbers()));
   interpolate_numbers(t, between_.get());
   y = state(between_.get());
   finish(t, y);
@@ -108,7 +120,15 @@ void Stepper::fail(double t) {
   give_up(t, trouble_.empty() ? message_ : trouble_);
 }
 
+void Stepper::make_numbers(Eigen::Index size) {
+  numbers_ = own(N_VNew_Serial(size, context_));
+  // N_VClone of SUNDIALS 6.4 writes to the clone without a test for null. So a failed clone, also of a clone,
+  // throws through the library's functions; compilers for amd64 and arm64 give these the tables it needs.
+  numbers_->ops->nvclone = [](N_Vector v) { return own(N_VClone_Serial(v)).release(); };
+}
+
 void Stepper::open(void* memory) {
+  if (memory == nullptr) throw std::bad_alloc();
   memory_ = memory;
   const auto note = [](int, const char*, const char*, char* message, void* stepper) {
     static_cast<Stepper*>(stepper)->message_ = message;
@@ -139,7 +159,7 @@ void Stepper::iterate_by(Owned<SUNNonlinearSolver> solver) {
 }
 
 Owned<SUNLinearSolver> Stepper::make_linear_solver() {
-  Owned<SUNLinearSolver> solver(SUNLinSolNewEmpty(context_));
+  Owned<SUNLinearSolver> solver = own(SUNLinSolNewEmpty(context_));
   solver->content = this;
   solver->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; };
   solver->ops->getid = [](SUNLinearSolver) { return SUNLINEARSOLVER_CUSTOM; };
@@ -159,7 +179,7 @@ Owned<SUNLinearSolver> Stepper::make_linear_solver() {
 }
 
 Owned<SUNMatrix> Stepper::make_matrix() {
-  Owned<SUNMatrix> matrix(SUNMatNewEmpty(context_));
+  Owned<SUNMatrix> matrix = own(SUNMatNewEmpty(context_));
   matrix->ops->getid = [](SUNMatrix) { return SUNMATRIX_CUSTOM; };
   matrix->ops->zero = [](SUNMatrix) { return 0; };
   matrix->ops->destroy = [](SUNMatrix m) { SUNMatFreeEmpty(m); };

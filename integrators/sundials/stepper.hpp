@@ -102,7 +102,7 @@ class Stepper : public AnyMethod<double> {
   SUNContext context() { return context_; }
   AnySystem<double>& system() { return *system_; }
   N_Vector numbers() { return numbers_.get(); }
-  void make_numbers(Eigen::Index size) { numbers_.reset(N_VNew_Serial(size, context_)); }
+  void make_numbers(Eigen::Index size);
   void* library_memory() const { return memory_; }
   /// Takes the memory that the library has allocated; its callbacks receive the stepper as user data.
   void open(void* memory);
@@ -115,6 +115,7 @@ class Stepper : public AnyMethod<double> {
   Counters counters_;
 
  private:
+  void take_step(AnySystem<double>& system, double& t, StateVectorD& y, double stop);
   [[noreturn]] void fail(double t);
   void take_counters();
   /// A linear solver that calls solve(), and an empty matrix that the library requires.
@@ -137,7 +138,7 @@ class Stepper : public AnyMethod<double> {
   std::exception_ptr failure_;
 };
 
-/// Throws an IntegrationError if the library refuses a setting.
+/// Throws an IntegrationError if the library refuses a setting, and std::bad_alloc if it has no memory.
 void accept(int flag, const char* what);
 
 }  // namespace trivium::integrators::sundials_library

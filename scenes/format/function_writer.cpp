@@ -10,32 +10,31 @@ class FunctionWriter {
  public:
   Json operator()(double constant) const { return constant; }
   Json operator()(const TimeFunction::Polynomial& f) const {
-    return Json::Object{{"kind", "polynomial"}, {"coefficients", numbers(f.coefficients)}};
+    return object_of(Member{"kind", "polynomial"}, Member{"coefficients", numbers(f.coefficients)});
   }
   Json operator()(const TimeFunction::Harmonic& f) const {
-    return Json::Object{{"kind", "harmonic"},
-                        {"offset", f.offset},
-                        {"amplitude", f.amplitude},
-                        {"angular_frequency", f.angular_frequency},
-                        {"phase", f.phase}};
+    return object_of(Member{"kind", "harmonic"}, Member{"offset", f.offset}, Member{"amplitude", f.amplitude},
+                     Member{"angular_frequency", f.angular_frequency}, Member{"phase", f.phase});
   }
   Json operator()(const TimeFunction::Sin& f) const {
-    return Json::Object{{"kind", "sin"}, {"of", argument(f.of)}};
+    return object_of(Member{"kind", "sin"}, Member{"of", argument(f.of)});
   }
   Json operator()(const TimeFunction::Cos& f) const {
-    return Json::Object{{"kind", "cos"}, {"of", argument(f.of)}};
+    return object_of(Member{"kind", "cos"}, Member{"of", argument(f.of)});
   }
   Json operator()(const TimeFunction::Sum& f) const {
-    return Json::Object{{"kind", "sum"}, {"terms", functions(f.terms)}};
+    return object_of(Member{"kind", "sum"}, Member{"terms", functions(f.terms)});
   }
   Json operator()(const TimeFunction::Product& f) const {
-    return Json::Object{{"kind", "product"}, {"factors", functions(f.factors)}};
+    return object_of(Member{"kind", "product"}, Member{"factors", functions(f.factors)});
   }
   Json operator()(const TimeFunction::Step5& f) const {
-    return Json::Object{{"kind", "step5"}, {"t0", f.t0}, {"f0", f.f0}, {"t1", f.t1}, {"f1", f.f1}};
+    return object_of(Member{"kind", "step5"}, Member{"t0", f.t0}, Member{"f0", f.f0}, Member{"t1", f.t1},
+                     Member{"f1", f.f1});
   }
   Json operator()(const TimeFunction::Piecewise& f) const {
-    return Json::Object{{"kind", "piecewise"}, {"times", numbers(f.times)}, {"pieces", functions(f.pieces)}};
+    return object_of(Member{"kind", "piecewise"}, Member{"times", numbers(f.times)},
+                     Member{"pieces", functions(f.pieces)});
   }
 
  private:

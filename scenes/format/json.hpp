@@ -29,6 +29,8 @@ struct Json {
   std::variant<std::nullptr_t, bool, double, std::string, Array, Object> value;
 
   Json();
+  Json(Json&&) = default;
+  Json& operator=(Json&&) = default;
   template <class T>
   requires(!std::is_same_v<std::remove_cvref_t<T>, Json>) Json(T&& v);  // NOLINT: a value is a document
 
@@ -43,6 +45,14 @@ struct Member {
   std::string key;
   Json value;
 };
+/// An object of these members. Documents are moved, never copied, as a list of initial values would do.
+template <class... Members>
+Json object_of(Members... members) {
+  Json::Object object;
+  object.reserve(sizeof...(members));
+  (object.push_back(std::move(members)), ...);
+  return object;
+}
 inline Json::Json() = default;
 template <class T>
 requires(!std::is_same_v<std::remove_cvref_t<T>, Json>) Json::Json(T&& v) {

@@ -18,7 +18,7 @@ Json to_json(const std::array<T, n>& items);
 template <class T>
 Json to_json(const std::vector<T>& items);
 Json to_json(double number) { return number; }
-Json to_json(const trivium::Vector3<double>& v) { return Json::Array{v[0], v[1], v[2]}; }
+Json to_json(const trivium::Vector3<double>& v) { return to_json(std::array{v[0], v[1], v[2]}); }
 Json to_json(const std::string& text) { return text; }
 Json to_json(ComponentFrame frame) { return frame_names[static_cast<std::size_t>(frame)]; }
 
@@ -37,16 +37,19 @@ Json to_json(const std::vector<T>& items) {
 }
 
 struct OrientationWriter {
-  Json operator()(const EulerParameters& p) const { return Json::Object{{"euler_parameters", to_json(p.e)}}; }
+  Json operator()(const EulerParameters& p) const {
+    return object_of(Member{"euler_parameters", to_json(p.e)});
+  }
   Json operator()(const EulerAngles& angles) const {
-    return Json::Object{{"euler_angles", to_json(angles.angles)}, {"sequence", angles.sequence.name()}};
+    return object_of(Member{"euler_angles", to_json(angles.angles)},
+                     Member{"sequence", angles.sequence.name()});
   }
   Json operator()(const AxisAngle& rotation) const {
-    return Json::Object{
-        {"axis_angle", Json::Object{{"axis", to_json(rotation.axis)}, {"angle", rotation.angle}}}};
+    return object_of(Member{
+        "axis_angle", object_of(Member{"axis", to_json(rotation.axis)}, Member{"angle", rotation.angle})});
   }
   Json operator()(const RotationMatrix& rotation) const {
-    return Json::Object{{"matrix", to_json(rotation.A)}};
+    return object_of(Member{"matrix", to_json(rotation.A)});
   }
 };
 

@@ -269,8 +269,9 @@ class FirstOrderEquations {
                                 "smaller numbers or another function of time",
                                 effect);
   }
-  /// The body with the largest acceleration at (t, y) or a moment later and its largest load, as a clause for
-  /// messages; empty if none accelerates, but for rounding of loads that cancel.
+  /// The body with the largest acceleration at (t, y) or a moment later and its largest load, unless the
+  /// constraints outweigh all loads by far, as a clause for messages; empty if none accelerates, but for
+  /// rounding of loads that cancel.
   std::string most_accelerated(const S& t, const StateVector& y) {
     using std::abs;
     std::string clause;
@@ -280,12 +281,14 @@ class FirstOrderEquations {
       solve(at, y);
       take_motion();
       int fastest = -1;
+      const auto inertia_force = [&](int b) {
+        const auto& body = mechanism_.bodies[b];
+        return S(body.mass * solver_.r_ddot(b).norm() + (body.inertia * solver_.omega_bar_dot(b)).norm());
+      };
       S inertia_forces(0), loads(0);  // [N, N m]
       const std::vector<Wrench<S>> sizes = trivium::load_sizes(mechanism_.effects, view(at));
       for (int b = 0; b < nb(); ++b) {
-        const auto& body = mechanism_.bodies[b];
-        inertia_forces +=
-            body.mass * solver_.r_ddot(b).norm() + (body.inertia * solver_.omega_bar_dot(b)).norm();
+        inertia_forces += inertia_force(b);
         loads += sizes[b].F.norm() + sizes[b].n_bar.norm();
         if (const S size = solver_.r_ddot(b).norm() + solver_.omega_bar_dot(b).norm(); size > largest) {
           largest = size;
@@ -297,8 +300,9 @@ class FirstOrderEquations {
           fmt::format("body \"{}\" accelerates most there, by {:.1e} m/s^2 and {:.1e} rad/s^2",
                       mechanism_.body_names[fastest], static_cast<double>(solver_.r_ddot(fastest).norm()),
                       static_cast<double>(solver_.omega_bar_dot(fastest).norm()));
-      if (const std::string load = largest_load(mechanism_.effects, view(at), fastest); !load.empty())
-        clause += ", and is loaded most by " + load;
+      const S least = inertia_force(fastest) / 100;
+      const std::string load = largest_load(mechanism_.effects, view(at), fastest, least);
+      clause += load.empty() ? ", which its constraints demand" : ", and is loaded most by " + load;
     }
     return clause;
   }

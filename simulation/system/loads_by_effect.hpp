@@ -41,11 +41,11 @@ std::string excessive_load(const Effects<S, List>& effects, const EffectView<S>&
   return {};
 }
 
-/// The effect with the largest load on a body; empty if none loads it.
+/// The effect with the largest load on a body; empty if none loads it by more than `least` [N + N m].
 template <class S, class List>
-std::string largest_load(const Effects<S, List>& effects, const EffectView<S>& view, int body) {
+std::string largest_load(const Effects<S, List>& effects, const EffectView<S>& view, int body, S least) {
   std::string largest;
-  S most(0);
+  S most = least;
   for (const auto& [name, wrenches] : loads_by_effect(effects, view))
     if (const S size = wrenches[body].F.norm() + wrenches[body].n_bar.norm(); size > most) {
       most = size;

@@ -96,7 +96,7 @@ int run_simulate(const SimulateArguments& arguments) {
     complain(name_source(arguments.scene, error.what()));
     const auto* known = dynamic_cast<const Error*>(&error);
     if (known && known->kind() == ErrorKind::input) return exit_input_error;
-    // an error of the model or of the method: the outputs before it are kept
+    // an error of the model or of the method: the outputs before it and the last state are kept
     if (arguments.json) fmt::print("{}", of.failure_json(output.last(), error.what()));
     if (output.keep()) output.say_what_is_kept();
     return exit_solver_failed;

@@ -115,7 +115,7 @@ std::string wrong_unharmed(const Run& run, double end) {
   return run.ended.out.empty() ? "there is no report" : "";
 }
 
-std::string wrong_in_failure(const Run& run, const scenes::Scene& scene, double end,
+std::string wrong_in_failure(const Run& run, const scenes::Scene& scene, double end, double reached,
                              const std::string& reason) {
   if (run.ended.exit_code != exit_solver_failed) return "ended with " + run.ended.text();
   const std::string message = first_line(run.ended.err);
@@ -127,6 +127,7 @@ std::string wrong_in_failure(const Run& run, const scenes::Scene& scene, double 
     return missing;
   const Motion motion(run);
   if (!motion.wrong().empty()) return motion.wrong();
+  if (motion.end() < reached - 1e-9) return "the CSV file does not hold the state that was reached";
   return motion.end() == number_after(run.ended.err, "motion.csv holds the motion until t = ")
              ? ""
              : "the CSV file does not end where the message says";

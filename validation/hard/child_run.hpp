@@ -69,8 +69,9 @@ bool begins(const std::string& text, const std::string& whole);
 
 /// Of a run that nothing may harm or warn of.
 std::string wrong_unharmed(const Run& run, double end);
-/// Of a run of the scene from time 0 on that an error of the motion ended before `end`.
-std::string wrong_in_failure(const Run& run, const scenes::Scene& scene, double end,
+/// Of a run of the scene from time 0 on that an error of the motion ended before `end`, after it has
+/// `reached` a time.
+std::string wrong_in_failure(const Run& run, const scenes::Scene& scene, double end, double reached,
                              const std::string& reason);
 /// Of a run that may end early with a message if it cannot go on; `whole` is the same run unharmed.
 std::string wrong_in_loss(const Run& run, const Run& whole);

@@ -48,7 +48,7 @@ Row row_of(const Judge& judge, const std::string& what) {
 void settle(Judge& judge, Row row, bool announced, std::vector<std::string> wrong, const std::string& why) {
   std::erase(wrong, "");
   row.value = static_cast<double>(wrong.size());
-  row.threshold = 0.5;
+  row.threshold = factors::wrong_runs;
   row.verdict = !row.is_met() ? Verdict::fails : announced ? Verdict::announces : Verdict::survives;
   row.why = (wrong.empty() ? "" : wrong.front() + (why.empty() ? "" : "; ")) + why;
   row.why = std::regex_replace(row.why, std::regex("incomplete-[0-9]+"), "incomplete-N");
@@ -98,7 +98,7 @@ void judge_push(Judge& judge, double c) {
     if (judge.is_twin()) return settle(judge, row, false, {wrong_unharmed(run, 1)}, "");
     const std::string free = Motion(left_alone.simulate(options)).text(),
                       before = free.substr(0, free.find(fmt::format("\n{:.17g},", onset)) + 1);
-    std::string wrong = wrong_in_failure(run, pushed_pendulum(c), 1, "\"push\"");
+    std::string wrong = wrong_in_failure(run, pushed_pendulum(c), 1, onset, "\"push\"");
     if (wrong.empty() && !Motion(run).text().starts_with(before))
       wrong = "outputs before the push are missing";
     settle(judge, row, true, {wrong}, first_line(run.ended.err));
@@ -136,7 +136,8 @@ void judge_slider(Judge& judge, const Scene& scene, double tolerance, double end
         method + Options{"--json", "--rtol", limit, "--atol", limit, "--t-end", fmt::format("{}", end)});
     const std::string message = first_line(run.ended.err);
     if (!judge.is_twin() && run.ended.exit_code != exit_done)
-      return settle(judge, row, true, {wrong_in_failure(run, scene, end, "\"shaking\"")}, message);
+      return settle(judge, row, true, {wrong_in_failure(run, scene, end, shaken_from, "\"shaking\"")},
+                    message);
     if (!judge.is_twin()) run.ended.err.clear();  // warnings are judged with the error
     if (const std::string wrong = wrong_unharmed(run, end); !wrong.empty())
       return settle(judge, row, false, {wrong}, "");
@@ -151,16 +152,12 @@ void judge_slider(Judge& judge, const Scene& scene, double tolerance, double end
 }
 
 /// `tries`: how many allocations fail, each in a run of its own; afterwards there is memory again, or not.
-void judge_allocations(Judge& judge, double tries) {
-  if (!TRIVIUM_ALLOCATIONS_CAN_FAIL) {
-    Row row = row_of(judge, "failing allocations");
-    row.value = std::numeric_limits<double>::quiet_NaN();
-    row.verdict = Verdict::not_judged;
-    row.why = "this build has the allocator of a sanitizer";
-    return judge.add(row);
-  }
+void judge_allocations_by(Judge& judge, const std::string& method, double tries) {
   const Workplace place(judge.choice().program, pushed_pendulum(0));
-  const Options options{"--t-end", "0.02", "--output-step", "0.005"};
+  const std::string& formulation = judge.formulations().front();
+  Options options{"--formulation", formulation,     "--integrator", method,       "--t-end",
+                  "0.02",          "--output-step", "0.005",        "--save-end", place.file("end.json")};
+  if (!integrators::find_method(method)->chooses_steps) options = options + Options{"--step", "0.001"};
   const std::string preload = "LD_PRELOAD=" TRIVIUM_FAILING_ALLOCATOR;
   Command counting;
   counting.environment = {preload, "TRIVIUM_ALLOCATION_COUNT_FILE=" + place.file("count")};
@@ -169,7 +166,8 @@ void judge_allocations(Judge& judge, double tries) {
                tried = std::min(tries, all);
   whole.files.erase("count");
   const std::string harm = all > 0 ? wrong_unharmed(whole, 0.02) : "allocations are not counted";
-  if (!harm.empty()) return settle(judge, row_of(judge, "no allocation fails"), false, {harm}, "");
+  if (!harm.empty())
+    return settle(judge, row_of(judge, formulation, method + ", no allocation fails"), false, {harm}, "");
   for (const bool is_once : {true, false}) {
     std::vector<std::string> wrong;
     std::map<std::string, int> ends;
@@ -188,11 +186,26 @@ void judge_allocations(Judge& judge, double tries) {
     }
     std::string why = fmt::format("{} of {} allocations", tried, all);
     for (const auto& [end, count] : ends) why += fmt::format(", {} times {}", count, end);
-    settle(judge, row_of(judge, is_once ? "one allocation fails" : "all fail from one on"), announced, wrong,
-           why);
+    settle(
+        judge,
+        row_of(judge, formulation, method + (is_once ? ", one allocation fails" : ", all fail from one on")),
+        announced, wrong, why);
   }
 }
 
+/// By methods other than the first fewer runs: most allocations are the same.
+void judge_allocations(Judge& judge, double tries) {
+  if (!TRIVIUM_ALLOCATIONS_CAN_FAIL) {
+    Row row = row_of(judge, "failing allocations");
+    row.value = std::numeric_limits<double>::quiet_NaN();
+    row.verdict = Verdict::not_judged;
+    row.why = "this build has the allocator of a sanitizer";
+    return judge.add(row);
+  }
+  const std::vector<std::string>& methods = methods_of("failing_allocation", judge.is_quick());
+  for (const std::string& method : methods)
+    judge_allocations_by(judge, method, method == methods.front() ? tries : std::ceil(tries / 16));
+}
 void judge_full_disk(Judge& judge, double bytes) {
   const Workplace place(judge.choice().program, pushed_pendulum(0));
   const Options options{"--t-end", "0.5", "--output-step", "0.01", "--save-end", place.file("end.json")};

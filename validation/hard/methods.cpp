@@ -16,10 +16,19 @@ const std::vector<std::string> implicit{
     "generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "radau5", "radau9", "cvode-bdf", "ida",
     "arkode-dirk"};
 
+std::vector<std::string> methods_without(const std::vector<std::string>& prefixes) {
+  std::vector<std::string> names = integrators::method_names();
+  std::erase_if(names, [&](const std::string& name) {
+    return std::any_of(prefixes.begin(), prefixes.end(), [&](const auto& p) { return name.starts_with(p); });
+  });
+  return names;
+}
+
 }  // namespace
 
 const std::vector<MethodsOfFamily>& method_list() {
   static const std::vector<std::string> all = integrators::method_names();
+  static const std::vector<std::string> without_sundials = methods_without({"cvode", "arkode", "ida"});
   static const std::vector<MethodsOfFamily> list{
       {"gimbal_lock", one_of_each_kind, all, "every method moves in the charts of the formulation"},
       {"gimbal_lock/sequences",
@@ -65,6 +74,8 @@ const std::vector<MethodsOfFamily>& method_list() {
        {"dopri5", "radau5", "rattle"},
        "one step of a thousand bodies; their number of steps does not depend on the size"},
       {"faults", one_of_each_kind, all, "every method has to end its run with a message"},
+      {"failing_allocation", one_of_each_kind, without_sundials,
+       "SUNDIALS 6.4 itself uses the null of some failed allocations, and ends the program"},
       {"locked", one_of_each_kind, all, "every method has to hold a body still"},
   };
   return list;
