@@ -81,13 +81,14 @@ std::string gimbal_lock_figure(Results& results, Numbers&) {
     figure.add(text(formulation), points);
   }
   const double u = std::ldexp(1, -53);
-  for (const int n : {3, 1}) {
+  for (const auto& [n, name] : {std::pair{3, "$u/\\theta^3$"}, {1, "$u/\\theta$"}, {0, "$u$"}}) {
     LogLogFigure::Points law;
     for (const char* theta : {"0.1", "1e-8"}) {
-      const double from = std::stod(theta), at = std::max(from, std::pow(u, 1.0 / n));  // up to an error of 1
+      const double from = std::stod(theta);
+      const double at = n > 0 ? std::max(from, std::pow(u, 1.0 / n)) : from;  // up to an error of 1
       law.emplace_back(fmt::format("{:g}", at), fmt::format("{:g}", u / std::pow(at, n)));
     }
-    figure.add({n == 1 ? "$u/\\theta$" : "$u/\\theta^3$"}, law);
+    figure.add({name}, law);
   }
   return figure.str("results/hard_cases.csv");
 }
