@@ -136,6 +136,44 @@ void checked_step(AnySystem<S>& system, AnyMethod<S>& method, const S& before_t,
   }
 }
 
+/// The outputs of a run. If the run fails, they end with the state that it has reached.
+template <class S>
+class Outputs {
+ public:
+  using Add = std::function<Continue(const S& t, const StateVector<S>& y)>;
+
+  Outputs(const Add& add, AnyMethod<S>& method) : add_(add), method_(method) {}
+
+  Continue add(const S& t, const StateVector<S>& y) {
+    const Continue answer = add_(t, y);
+    last_ = t;
+    return answer;
+  }
+  /// Adds the state that a failed run has reached. If accelerations cannot be solved for there, as where an
+  /// event has begun an infinite load, it adds the state just before the event.
+  void add_reached(const S& t, const StateVector<S>& y) {
+    if (!(last_ < t)) return;
+    method_.restart();  // its lambda() may be that of the failed step
+    try {
+      add(t, y);
+    } catch (const std::runtime_error&) {
+      add_before_event();
+    }
+  }
+  void add_before_event() {
+    if (const auto before = std::exchange(before_event_, {})) add_reached(before->first, before->second);
+  }
+  /// An event begins. Afterwards coordinates may change: the state before it counts until the next step.
+  void note_event(const S& t, const StateVector<S>& y) { before_event_.emplace(t, y); }
+  void forget_event() { before_event_.reset(); }
+
+ private:
+  const Add& add_;
+  AnyMethod<S>& method_;
+  S last_ = std::numeric_limits<S>::lowest();
+  std::optional<std::pair<S, StateVector<S>>> before_event_;
+};
+
 /// Ends a run that no longer gets on: 100 000 steps in a row have moved it by less than 1e-7 of its length.
 /// At this rate it would take 1e12 steps, which is years.
 template <class S>
@@ -175,26 +213,8 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
     project(system, t, y, of_the_start);
     system.accept_state(t, y);
   }
-  if (at_output(t, y) == Continue::no) return false;
-  S shown = t;
-  const auto show = [&](const S& at, const StateVector<S>& state) {
-    shown = at;
-    return at_output(at, state);
-  };
-  // Adds an output of the state that a failed run has reached. If accelerations cannot be solved for there,
-  // as where an event begins an infinite load, it adds one just before the event.
-  S before_event_t = t;
-  StateVector<S> before_event = y;
-  const auto show_reached = [&](const S& reached_t, const StateVector<S>& reached) {
-    method.restart();  // its lambda() may be that of the failed step
-    const S earlier = shown;
-    for (const bool is_last : {true, false}) try {
-        const S& at = is_last ? reached_t : before_event_t;
-        if (earlier < at) show(at, is_last ? reached : before_event);
-        return;
-      } catch (const std::runtime_error&) {
-      }
-  };
+  Outputs<S> outputs(at_output, method);
+  if (outputs.add(t, y) == Continue::no) return false;
   // Steps of a method that interpolates pass outputs: `walk` goes ahead to the next event or the end, and
   // `due`, of a walk that follows, is the next output to be interpolated.
   TimeGrid::Walk<S> walk(grid), following(grid);
@@ -217,7 +237,7 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
         } catch (const UsageError&) {
           throw;
         } catch (const std::runtime_error&) {
-          show_reached(at, reached);
+          outputs.add_reached(at, reached);
           throw;
         }
       };
@@ -233,7 +253,7 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
           method.interpolate(due->t, between);
           if (projects) project(system, due->t, between, report);
         });
-        goes_on = show(due->t, between) == Continue::yes;
+        goes_on = outputs.add(due->t, between) == Continue::yes;
       }
       if (looks_back) {  // the method's lambda() is that of the step's end again
         StateVector<S> at_end;
@@ -243,28 +263,29 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
         if (system.accept_state(t, y)) method.restart();
         progress.step(t);
       });
+      outputs.forget_event();
       if (at_step(t, y) == Continue::no) goes_on = false;
       const bool is_output = due && due->t == t && due->t < stop->t;
       if (is_output) due = following.next();
-      if ((is_output || !goes_on) && show(t, y) == Continue::no) goes_on = false;
+      if ((is_output || !goes_on) && outputs.add(t, y) == Continue::no) goes_on = false;
       if (!goes_on) return false;
     }
     bool goes_on = true;
-    if (stop->is_event) {
-      before_event = y;
-      before_event_t = std::exchange(t, stop->t);
-      try {
-        system.pass_discontinuity(before_event_t, t, y);
+    try {
+      if (stop->is_event) {
+        const S before_t = std::exchange(t, stop->t);
+        outputs.note_event(before_t, y);
+        system.pass_discontinuity(before_t, t, y);
         system.accept_state(t, y);  // the motion starts anew here, as a run continued from here does
-      } catch (const std::runtime_error&) {
-        show_reached(before_event_t, before_event);
-        throw;
+        method.restart();
+        goes_on = at_step(t, y) == Continue::yes;
       }
-      method.restart();
-      goes_on = at_step(t, y) == Continue::yes;
+      if (due) due = following.next();  // beyond this stop
+      if ((stop->is_output || !goes_on) && outputs.add(t, y) == Continue::no) goes_on = false;
+    } catch (const Error&) {
+      outputs.add_before_event();
+      throw;
     }
-    if (due) due = following.next();  // beyond this stop
-    if ((stop->is_output || !goes_on) && show(t, y) == Continue::no) goes_on = false;
     if (!goes_on && !walk.is_done()) return false;
   }
   return true;
