@@ -30,8 +30,8 @@ enum class Continue { yes, no };
 /// outputs are projected onto the constraints. A run that continues an earlier one (TimeGrid::goes_on) starts
 /// from a state that the earlier run has projected already; this state is not projected again. `at_step` is
 /// called after every step, and after every event, where the motion begins anew; `at_output` at the start, at
-/// every output, at the end, and where a callback stops the run or a step fails. Returns true if the run came to the end of
-/// the grid. Compiled once per Scalar.
+/// every output, at the end, and where a callback stops the run or a step fails. Returns true if the run came
+/// to the end of the grid. Compiled once per Scalar.
 template <class S>
 bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid, bool projects,
                ProjectionReport<S>& report,

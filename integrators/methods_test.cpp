@@ -49,7 +49,7 @@ Walked run(System& system, const std::string& name, Steps steps, const TimeGrid&
   return out;
 }
 
-/// x'''' = -x + exp(-t) x x': no method solves it exactly.
+/// x'' = -x + exp(-t) x x': no method solves it exactly.
 Free oscillator() {
   Free system;
   system.y0 = Eigen::Vector2d(1, 0);
