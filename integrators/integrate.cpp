@@ -44,10 +44,11 @@ std::string with_body(std::string message, const std::string& clause) {
 
 /// Calls `advance`, which moves (t, y) on. If it fails, the error gets the time of (t, y) unless it has one,
 /// and the cause if the system knows it; the cause stands first, since the row or body that a method finds at
-/// fault is often a neighbour. `step` is the length of the given step, or 0.
-template <class S, class Advance>
+/// fault is often a neighbour. `step` is the length of the given step, or 0. `show` is called before the
+/// error is thrown.
+template <class S, class Advance, class Show>
 void with_cause(AnySystem<S>& system, const S& t, const StateVector<S>& y, const S& step,
-                const Advance& advance) {
+                const Advance& advance, const Show& show) {
   try {
     advance();
   } catch (const UsageError&) {
@@ -68,6 +69,7 @@ void with_cause(AnySystem<S>& system, const S& t, const StateVector<S>& y, const
       if (place.where.empty() && !at_state.where().empty()) cause = at_state.what();
     } catch (const std::runtime_error&) {  // not even that is known at this state
     }
+    show();
     if (cause.empty())
       throw IntegrationError(with_body(error.what() + advice_for(error.what(), t, step), body), place);
     throw IntegrationError({{}, place.when},
@@ -232,14 +234,7 @@ bool integrate(AnySystem<S>& system, AnyMethod<S>& method, const TimeGrid& grid,
       const S begin = t, given = grid.has_given_steps() ? S(target - t) : S(0);
       before = y;
       const auto attempt = [&](const S& at, const StateVector<S>& reached, const auto& part) {
-        try {
-          with_cause(system, begin, before, given, part);
-        } catch (const UsageError&) {
-          throw;
-        } catch (const std::runtime_error&) {
-          outputs.add_reached(at, reached);
-          throw;
-        }
+        with_cause(system, begin, before, given, part, [&] { outputs.add_reached(at, reached); });
       };
       attempt(begin, before, [&] {
         checked_step(system, method, begin, before, t, y, grid.latest_end(t, target), grid.has_given_steps(),

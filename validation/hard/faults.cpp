@@ -206,6 +206,7 @@ void judge_allocations(Judge& judge, double tries) {
   for (const std::string& method : methods)
     judge_allocations_by(judge, method, method == methods.front() ? tries : std::ceil(tries / 16));
 }
+
 void judge_full_disk(Judge& judge, double bytes) {
   const Workplace place(judge.choice().program, pushed_pendulum(0));
   const Options options{"--t-end", "0.5", "--output-step", "0.01", "--save-end", place.file("end.json")};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "integrators/methods.hpp"
+#include "integrators/sundials/methods.hpp"
 
 namespace trivium::hard {
 
@@ -16,11 +17,9 @@ const std::vector<std::string> implicit{
     "generalized-alpha", "generalized-alpha-gl2", "hht", "bdf", "radau5", "radau9", "cvode-bdf", "ida",
     "arkode-dirk"};
 
-std::vector<std::string> methods_without(const std::vector<std::string>& prefixes) {
+std::vector<std::string> names_without_sundials() {
   std::vector<std::string> names = integrators::method_names();
-  std::erase_if(names, [&](const std::string& name) {
-    return std::any_of(prefixes.begin(), prefixes.end(), [&](const auto& p) { return name.starts_with(p); });
-  });
+  for (const auto& entry : integrators::sundials_methods()) std::erase(names, entry.info.name);
   return names;
 }
 
@@ -28,7 +27,7 @@ std::vector<std::string> methods_without(const std::vector<std::string>& prefixe
 
 const std::vector<MethodsOfFamily>& method_list() {
   static const std::vector<std::string> all = integrators::method_names();
-  static const std::vector<std::string> without_sundials = methods_without({"cvode", "arkode", "ida"});
+  static const std::vector<std::string> without_sundials = names_without_sundials();
   static const std::vector<MethodsOfFamily> list{
       {"gimbal_lock", one_of_each_kind, all, "every method moves in the charts of the formulation"},
       {"gimbal_lock/sequences",
