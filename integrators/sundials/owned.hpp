@@ -29,10 +29,13 @@ struct Destroy {
 template <class Pointer>
 using Owned = std::unique_ptr<std::remove_pointer_t<Pointer>, Destroy>;
 
-/// Owns what the library has made. Throws std::bad_alloc if this is null, since there was no memory for it.
+/// The library has found no memory for something that it makes, and what it holds may be half made.
+struct LibraryWithoutMemory : std::bad_alloc {};
+
+/// Owns what the library has made. Throws LibraryWithoutMemory if this is null.
 template <class Pointer>
 Owned<Pointer> own(Pointer made) {
-  if (made == nullptr) throw std::bad_alloc();
+  if (made == nullptr) throw LibraryWithoutMemory();
   return Owned<Pointer>(made);
 }
 

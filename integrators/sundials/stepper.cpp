@@ -27,15 +27,16 @@ double target(double t, double stop, double planned) {
 }  // namespace
 
 void accept(int flag, const char* what) {
-  if (flag == CV_MEM_FAIL || flag == CV_MEM_NULL) throw std::bad_alloc();  // the codes of IDA and ARKODE too
+  if (flag == CV_MEM_FAIL || flag == CV_MEM_NULL)
+    throw LibraryWithoutMemory();  // the codes of IDA and ARKODE too
   if (flag < 0) throw IntegrationError(fmt::format("a SUNDIALS call failed: {} (code {})", what, flag));
 }
 
 void Stepper::step(AnySystem<double>& system, double& t, StateVectorD& y, const double& stop) {
   try {
     take_step(system, t, y, stop);
-  } catch (const std::bad_alloc&) {
-    memory_ = nullptr;  // the library would free some of what it has not finished twice
+  } catch (const LibraryWithoutMemory&) {
+    memory_ = nullptr;  // not freed: the library would free some of what is half made twice
     throw;
   }
 }
@@ -128,7 +129,7 @@ void Stepper::make_numbers(Eigen::Index size) {
 }
 
 void Stepper::open(void* memory) {
-  if (memory == nullptr) throw std::bad_alloc();
+  if (memory == nullptr) throw LibraryWithoutMemory();
   memory_ = memory;
   const auto note = [](int, const char*, const char*, char* message, void* stepper) {
     static_cast<Stepper*>(stepper)->message_ = message;

@@ -138,7 +138,7 @@ class Stepper : public AnyMethod<double> {
   std::exception_ptr failure_;
 };
 
-/// Throws an IntegrationError if the library refuses a setting, and std::bad_alloc if it has no memory.
+/// Throws an IntegrationError if the library refuses a setting, and LibraryWithoutMemory if it has no memory.
 void accept(int flag, const char* what);
 
 }  // namespace trivium::integrators::sundials_library
