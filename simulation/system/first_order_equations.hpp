@@ -25,15 +25,13 @@
 #include "simulation/system/chart_switching.hpp"
 #include "simulation/system/constraint_projection.hpp"
 #include "simulation/system/dead_points.hpp"
+#include "simulation/system/diagnosis.hpp"
 #include "simulation/system/discontinuities.hpp"
-#include "simulation/system/driver_grip.hpp"
 #include "simulation/system/energy_account.hpp"
-#include "simulation/system/far_from_origin.hpp"
 #include "simulation/system/loads_by_effect.hpp"
 #include "simulation/system/motion_log.hpp"
 #include "simulation/system/saved_numbers.hpp"
 #include "simulation/system/state_layout.hpp"
-#include "simulation/system/trouble_of_rows.hpp"
 
 namespace trivium {
 
@@ -73,7 +71,7 @@ class FirstOrderEquations {
         charts_(options.charts),
         branches_(mechanism_.nb()),
         lambda_(mechanism_.nc()),
-        start_state_(start) {
+        start_of_motion_{start, {}} {
     if (options.baumgarte) solver_.stabilise(*options.baumgarte);
     limits_steps_ = mechanism_.effects.limit_steps();
     start_ = StateVector::Zero(size());
@@ -85,7 +83,7 @@ class FirstOrderEquations {
       go_on_from(*options.from, start, options.is_projected);
     else
       begin(start, options.is_projected);
-    motion_at_start_ = motion_;
+    start_of_motion_.motion = motion_;
   }
 
   int nb() const { return mechanism_.nb(); }
@@ -128,9 +126,7 @@ class FirstOrderEquations {
   /// The longest step from (t, y) [s] after which effects can still count the turns of their joints.
   S longest_step(const S& t, const StateVector& y) {
     if (!limits_steps_) return std::numeric_limits<S>::max();
-    load(y);
-    projection_.move(state_, t);
-    take_motion();
+    move_bodies(t, y);
     return mechanism_.effects.longest_step(view(t));
   }
   const std::string& row_name(int row) const { return projection_.measure().row_name(row); }
@@ -217,9 +213,7 @@ class FirstOrderEquations {
     return largest;
   }
   MotionEnergy<S> energy(const S& t, const StateVector& y) {
-    load(y);
-    projection_.move(state_, t);
-    take_motion();
+    move_bodies(t, y);
     MotionEnergy<S> energy = account_.energy(view(t));
     if (does_work()) energy.work = y[motion_size()];
     return energy;
@@ -234,75 +228,26 @@ class FirstOrderEquations {
     return twice / 2;
   }
 
-  /// A message if a load, a singular chart, a driver, a singular position, contradicting drivers or a far
-  /// position near (t, y) may have made a step from there fail; empty if not. `step` [s] is the length of the
-  /// given step, or 0. Given steps that are too long make a motion diverge: they are the reason of a load or
-  /// a distance that is not too large in the state of the start.
+  // messages about failed steps (diagnosis.hpp)
   std::string diagnose(const S& t, const StateVector& y, const S& step) {
-    const bool may_diverge = step != S(0);
-    std::string message;
-    if (!may_diverge || !excessive_effect({mechanism_.bodies, motion_at_start_, t}).empty())
-      message = excessive_load(t, y);
-    if (message.empty()) message = near_singular_chart(t, y);
-    if constexpr (std::is_same_v<S, double>) {
-      constexpr int most_unknowns = 1500;  // the dense analysis of more would take many seconds
-      if (6 * nb() + mechanism_.nc() > most_unknowns) return message;
-      const MechanismState<double> now = to_mechanism_state(t, y);
-      if (message.empty()) message = lost_grip(mechanism_, account_.drivers(), start_state_, now, step);
-      if (message.empty()) message = trouble_of_rows(mechanism_, account_.drivers(), start_state_, now);
-      if (message.empty()) message = poor_grip(mechanism_, account_.drivers(), now);
-      if (message.empty() && (!may_diverge || !far_from_origin(mechanism_, start_state_).empty()))
-        message = far_from_origin(mechanism_, now);
-    }
-    return message;
+    move_bodies(t, y);
+    return trivium::diagnose<F>(mechanism_, account_.drivers(), start_of_motion_, state_, view(t),
+                                to_mechanism_state(t, y), step);
   }
-  /// A message about an effect whose load is not finite, or above 1e100, the largest number of a scene; empty
-  /// if there is none.
   std::string excessive_load(const S& t, const StateVector& y) {
-    load(y);
-    projection_.move(state_, t);
-    take_motion();
-    const std::string effect = excessive_effect(view(t));
-    return effect.empty() ? effect
-                          : fmt::format(
-                                "the load of {} is not finite there or exceeds 1e100 N or N m; give it "
-                                "smaller numbers or another function of time",
-                                effect);
+    move_bodies(t, y);
+    return trivium::excessive_load(mechanism_.effects, view(t));
   }
-  /// The body with the largest acceleration at (t, y) or a moment later and its largest load, unless the
-  /// constraints outweigh all loads by far, as a clause for messages; empty if none accelerates, but for
-  /// rounding of loads that cancel.
+  /// The body with the largest acceleration at (t, y) or a moment later.
   std::string most_accelerated(const S& t, const StateVector& y) {
     using std::abs;
     std::string clause;
-    S largest(0);
     // a load that changes within any step may vanish at t
     for (const S& at : {t, S(t + S(1e-12) * std::max(S(1), S(abs(t))))}) {
       solve(at, y);
       take_motion();
-      int fastest = -1;
-      const auto inertia_force = [&](int b) {
-        const auto& body = mechanism_.bodies[b];
-        return S(body.mass * solver_.r_ddot(b).norm() + (body.inertia * solver_.omega_bar_dot(b)).norm());
-      };
-      S inertia_forces(0), loads(0);  // [N, N m]
-      const std::vector<Wrench<S>> sizes = trivium::load_sizes(mechanism_.effects, view(at));
-      for (int b = 0; b < nb(); ++b) {
-        inertia_forces += inertia_force(b);
-        loads += sizes[b].F.norm() + sizes[b].n_bar.norm();
-        if (const S size = solver_.r_ddot(b).norm() + solver_.omega_bar_dot(b).norm(); size > largest) {
-          largest = size;
-          fastest = b;
-        }
-      }
-      if (fastest < 0 || inertia_forces <= 1000 * std::numeric_limits<S>::epsilon() * loads) continue;
-      clause =
-          fmt::format("body \"{}\" accelerates most there, by {:.1e} m/s^2 and {:.1e} rad/s^2",
-                      mechanism_.body_names[fastest], static_cast<double>(solver_.r_ddot(fastest).norm()),
-                      static_cast<double>(solver_.omega_bar_dot(fastest).norm()));
-      const S least = inertia_force(fastest) / 100;
-      const std::string load = largest_load(mechanism_.effects, view(at), fastest, least);
-      clause += load.empty() ? ", which its constraints demand" : ", and is loaded most by " + load;
+      const std::string body = trivium::most_accelerated(mechanism_, solver_, view(at));
+      if (!body.empty()) clause = body;
     }
     return clause;
   }
@@ -345,9 +290,7 @@ class FirstOrderEquations {
   std::vector<double> counted_angles() { return trivium::counted_angles(mechanism_); }
   /// The joint angles of effects at (t, y) [rad].
   std::vector<double> joint_angles(const S& t, const StateVector& y) {
-    load(y);
-    projection_.move(state_, t);
-    take_motion();
+    move_bodies(t, y);
     std::vector<double> angles;
     mechanism_.effects.for_each_angle(
         [&](const JointAngle<S>& angle) { angles.push_back(static_cast<double>(angle.value(view(t)))); });
@@ -416,20 +359,23 @@ class FirstOrderEquations {
     return charts_.change(mechanism_, t, layout_, state_, y);
   }
 
+  /// Moves the bodies to y, and copies their motion for the effects.
+  void move_bodies(const S& t, const StateVector& y) {
+    load(y);
+    projection_.move(state_, t);
+    take_motion();
+  }
   /// Copies the motion of the bodies, as they were moved last, for the effects.
   void take_motion() {
     std::copy(solver_.assembly().body().begin(), solver_.assembly().body().end(), motion_.begin());
   }
   EffectView<S> view(const S& t) const { return {mechanism_.bodies, motion_, t}; }
-  std::string excessive_effect(const EffectView<S>& view) const {
-    return trivium::excessive_load(mechanism_.effects, view, S(1e100));
-  }
 
   MechanismOf<F> mechanism_;  ///< a copy, because its effects count turns
   const StateLayout<F> layout_;
   AccelerationSolver<F> solver_;
   std::vector<BodyState<F>> state_;
-  std::vector<BodyMotion<S>> motion_, motion_at_start_;
+  std::vector<BodyMotion<S>> motion_;
   ConstraintProjection<F> projection_;
   EnergyAccount<S, MechanismTypesOf<F>> account_;
   ChartSwitching<F> charts_;
@@ -440,7 +386,7 @@ class FirstOrderEquations {
   VectorX<S> lambda_;
   bool limits_steps_ = false;
   StateVector start_;
-  const MechanismState<S> start_state_;
+  StartOfMotion<S> start_of_motion_;
   /// If refinement at the last accepted state corrected the accelerations by this relative amount or less,
   /// solutions between accepted states are not refined: their errors are then far below those of a step.
   /// 1e-13 is about 1000 u of double, and is used in quad too: solutions between accepted states may have

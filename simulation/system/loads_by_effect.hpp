@@ -34,7 +34,7 @@ std::vector<std::pair<std::string, std::vector<Wrench<S>>>> loads_by_effect(cons
 
 /// The first effect whose load on a body is not finite or exceeds `most` [N, N m]; empty if there is none.
 template <class S, class List>
-std::string excessive_load(const Effects<S, List>& effects, const EffectView<S>& view, const S& most) {
+std::string effect_above(const Effects<S, List>& effects, const EffectView<S>& view, const S& most) {
   for (const auto& [name, wrenches] : loads_by_effect(effects, view))
     for (const Wrench<S>& on : wrenches)
       if (!(on.F.squaredNorm() <= most * most && on.n_bar.squaredNorm() <= most * most)) return name;

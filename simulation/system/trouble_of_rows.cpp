@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
+#include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "bodies/rotations/so3.hpp"
 #include "formulations/analysis/row_analysis.hpp"
@@ -34,12 +36,25 @@ std::string contradicting_drivers(const std::vector<std::string>& row_names, con
 }
 
 /// The row with the largest share in the combination of rows that has, or comes closest to, the gradient 0.
-/// Of `rank` rows that were independent before, it is the next combination to lose its gradient.
+/// Of `rank` rows that were independent before, it is the next combination to lose its gradient: the left
+/// singular vector of the least singular value, by inverse iteration with the factor R of these rows.
 Eigen::Index nearest_to_dependent(const TangentSystem& now, int rank) {
-  const MatrixX<double> Phi = now.Phi.rowwise().normalized();
-  const Eigen::BDCSVD<MatrixX<double>> svd(Phi, Eigen::ComputeThinU);
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const Eigen::ColPivHouseholderQR<MatrixX<double>> qr(now.Phi.rowwise().normalized().transpose());
+  MatrixX<double> R = qr.matrixR().topLeftCorner(rank, rank);
+  for (double& pivot : R.diagonal())
+    if (std::abs(pivot) < epsilon) pivot = epsilon;  // instead of a division by 0
+  VectorX<double> share = VectorX<double>::Unit(rank, rank - 1);
+  for (int iteration = 0; iteration < 5; ++iteration) {
+    R.transpose().triangularView<Eigen::Lower>().solveInPlace(share);
+    R.triangularView<Eigen::Upper>().solveInPlace(share);
+    share.normalize();
+  }
+  VectorX<double> of_row = VectorX<double>::Zero(now.Phi.rows());
+  for (Eigen::Index k = 0; k < rank; ++k) of_row[qr.colsPermutation().indices()[k]] = std::abs(share[k]);
   Eigen::Index row = 0;
-  svd.matrixU().col(std::max(rank, 1) - 1).cwiseAbs().maxCoeff(&row);
+  for (Eigen::Index k = 1; k < of_row.size(); ++k)
+    if (of_row[k] > 1.01 * of_row[row]) row = k;  // of equal shares, as by symmetry, the first
   return row;
 }
 
@@ -89,7 +104,7 @@ std::string trouble_of_rows(const std::vector<std::string>& row_names, const std
       "near a singular position, where row \"{}\" comes to depend on others and the mechanism can go on in "
       "more than one way: since the start {}{}. Try other tolerances or steps, or another of dopri5, "
       "rkf78 and rattle, which pass most singular positions",
-      row_names[nearest_to_dependent(now, then.rank)],
+      row_names[nearest_to_dependent(now, std::max(then.rank, 1))],
       here.rank < then.rank
           ? fmt::format("the rank of the rows has fallen from {} to {}", then.rank, here.rank)
           : fmt::format("the condition number of the rows has grown from {:.1e} to {:.1e}", then.kappa,
