@@ -11,7 +11,7 @@ enum ExitCode : int {
   exit_input_error = 2,       ///< usage or input is wrong; also a folder for results that does not exist
   exit_solver_failed = 3,     ///< a solver failed
   exit_output_lost = 3,       ///< results could not be written
-  exit_interrupted = 130      ///< stopped by Ctrl-C: 128 + SIGINT, the convention of shells
+  exit_interrupted = 130      ///< stopped by Ctrl-C or SIGTERM: 128 + SIGINT, a convention of shells
 };
 
 }  // namespace trivium

@@ -1,5 +1,5 @@
 /// A shared library for LD_PRELOAD: memory that runs out at a chosen allocation, for the family of faults
-/// (faults.cpp). It counts the allocations of the program from the call of main on, since nothing can catch a
+/// (losses.cpp). It counts the allocations of the program from the call of main on, since nothing can catch a
 /// failure before. The environment says which of them return null, from the first to the last number, and
 /// which file gets the count at exit. For glibc, whose own functions do the other allocations.
 

@@ -89,7 +89,7 @@ const std::vector<WithoutSimbody>& cases_without_simbody() {
       {"redundancy", "states, not motions; simbody_reference compares states"},
       {"four_bars", "more than 10 loops take its integrators longer than 8 minutes"},
       {"tight_tolerances", "its rows of the same motions are in their own cases"},
-      {"long_runs", "its integrators choose their steps: no law of given steps is theirs"},
+      {"short_steps", "its integrators choose their steps: no law of given steps is theirs"},
       {"size_and_place",
        "none of more than 200 bodies: a ring of a thousand takes minutes; ladders are states"},
       {"faults", "the program trivium is what fails there"},

@@ -1,5 +1,5 @@
 /// Redundant rows: accelerations and the forces Phi_q^T lambda against the model without the dependent rows,
-/// in quad; and the misalignment at which a second hinge locks a door.
+/// in quad.
 
 #include <fmt/format.h>
 
@@ -7,13 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <variant>
 
-#include "base/number_text.hpp"
-#include "base/raise.hpp"
 #include "bodies/numbers/quad.hpp"
 #include "bodies/numbers/real50.hpp"
 #include "bodies/numbers/scalar.hpp"
@@ -24,6 +21,7 @@
 #include "scenes/make_mechanism.hpp"
 #include "validation/hard/factors.hpp"
 #include "validation/hard/family.hpp"
+#include "validation/hard/rank_jump.hpp"
 #include "validation/hard/solved_state.hpp"
 
 namespace trivium::hard {
@@ -186,20 +184,6 @@ void judge_scaled_rows(Judge& judge, double factor) {
   }
 }
 
-/// A door at rest on two hinges whose axes differ by `angle` [rad].
-Scene misaligned_door(double angle) {
-  Scene scene;
-  scene.name = fmt::format("misaligned_door_{:g}", angle);
-  scene.bodies = {building::body("door", 20, {6, 8, 2}, {0.45, 0, 1})};
-  const Vector3 straight{0, 0, 1}, tilted{std::sin(angle), 0, std::cos(angle)};
-  for (const auto& [name, height, axis] : {std::tuple("lower", 0.3, straight), {"upper", 1.7, tilted}})
-    scene.constraints.push_back(joint(JointType::revolute, name,
-                                      side(scenes::ground, Vector3{0, 0, height}, axis),
-                                      side(0, Vector3{-0.45, 0, height - 1}, axis)));
-  scene.effects = {Gravity<double>{"", {0, -3, -9.81}}};
-  return scene;
-}
-
 /// Below the rank tolerance, 1e-8 of the rows' size, the door swings with rank 5, above it is locked by a
 /// sixth row. The decade around the tolerance is left open.
 void judge_misalignment(Judge& judge, double angle) {
@@ -208,67 +192,6 @@ void judge_misalignment(Judge& judge, double angle) {
   if (angle > 3e-8) rank = 6 + bob_rows;
   compare_with_reduced(judge, with_a_bob(misaligned_door(angle)), rank,
                        angle < 3e-9 ? factors::redundant : small_difference);
-}
-
-/// Whether the door is locked in one formulation by one solver, as the angle grows.
-struct Locking {
-  std::string formulation, solver;
-  int jumps = 0, refusals = 0;
-  double free = 0, locked = std::numeric_limits<double>::infinity();  ///< largest and least angle [rad]
-  bool was_locked = false;
-
-  void add(double angle, bool is_locked) {
-    jumps += is_locked != was_locked;
-    was_locked = is_locked;
-    if (is_locked)
-      lower(locked, angle);
-    else
-      free = angle;
-  }
-};
-
-/// A locked door is held at a lever of its width times the angle, a swinging one by forces like its weight.
-bool is_locked(const FormulationResult<double>& found) {
-  constexpr double weight = 20 * 9.81;  // [N]
-  return found.solution.lambda.lpNorm<Eigen::Infinity>() > 100 * weight;
-}
-
-/// How often the rank jumps between 1e-14 and 1e-4 rad, and whether it does so at the same angle in all
-/// formulations and both solvers.
-void judge_jump(Judge& judge, double angles_per_decade) {
-  const int count = static_cast<int>(10 * angles_per_decade);
-  const SolveOptions options{judge.formulations(), {}};
-  std::vector<Locking> all;
-  for (const char* solver : {"printed", "structured"})
-    for (const std::string& formulation : judge.formulations()) all.push_back({formulation, solver});
-  for (int k = 0; k <= count; ++k) {
-    const double angle = std::pow(10, -14 + 10.0 * k / count);
-    const auto model = make_model<double>(misaligned_door(angle));
-    auto one = all.begin();
-    for (const auto& answer :
-         {side_by_side(model, analyse_rows(model), options), structured_side_by_side(model, options)})
-      for (const auto& found : answer.formulations) {
-        // the printed equations may have no solution in double where the rank is about to jump
-        if (found.error.empty())
-          one->add(angle, is_locked(found));
-        else
-          ++one->refusals;
-        ++one;
-      }
-  }
-  double free = 0, locked = std::numeric_limits<double>::infinity();
-  for (const Locking& one : all) {
-    raise(free, one.free);
-    lower(locked, one.locked);
-  }
-  for (const Locking& one : all) {
-    Row row = judge.row(one.formulation, one.solver, "jumps but one [1]");
-    row.value = std::abs(one.jumps - 1) + (one.free >= locked) + (one.locked <= free);
-    row.threshold = 0;
-    row.why = fmt::format("locked from {:.3g} rad on", one.locked);
-    if (one.refusals > 0) row.why += "; refuses " + counted(one.refusals, "angle", "angles");
-    judge.add(judge.judged(row));
-  }
 }
 
 }  // namespace
@@ -292,7 +215,7 @@ Family redundancy() {
             {1e-14, 1e-12, 1e-10, 1e-9, 1e-8, 1.1e-8, 1.3e-8, 1e-7, 1e-6, 1e-5, 1e-4},
             judge_misalignment,
             [](double angle) { return with_a_bob(misaligned_door(angle)); }},
-           {"rank_jump", "angles per decade", {1, 1000, true}, 1, {100}, {10, 1000}, judge_jump}}};
+           {"rank_jump", "angles per decade", {1, 1000, true}, 1, {100}, {10, 1000}, judge_rank_jump}}};
 }
 
 }  // namespace trivium::hard
