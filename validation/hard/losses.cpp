@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/exit_code.hpp"
+#include "base/number_text.hpp"
 #include "integrators/methods.hpp"
 #include "simulation/simulate.hpp"
 #include "validation/hard/child_run.hpp"
@@ -128,14 +129,16 @@ void judge_signal_of(Judge& judge, const Tried& tried, int signal, const char* n
   int interrupted = 0;
   for (double k = 0; k < tried.tries; ++k) {
     Command how;
-    how.kill = Kill{signal, static_cast<double>(random()) / 0x1p32};
+    const double share = static_cast<double>(random()) / 0x1p32;
+    how.kill = Kill{signal, k == 0 ? (1 + share) / 2 : share};  // one late, so that the run has begun
     const Run run = place.simulate(options("1e7"), how);
     if (run.ended.exit_code == exit_interrupted) ++interrupted;
     if (const std::string lost = wrong_after_signal(run, whole, signal); !lost.empty())
       wrong.push_back(fmt::format("after {:.3f} s: {}", how.kill->after, lost));
   }
   if (tried.tries > 0 && interrupted == 0) wrong.emplace_back("no run was interrupted");
-  settle(judge, tried.row(judge, name), interrupted > 0, wrong, fmt::format("{} runs", tried.tries));
+  settle(judge, tried.row(judge, name), interrupted > 0, wrong,
+         counted(static_cast<long>(tried.tries), "run", "runs"));
 }
 
 void judge_signal(Judge& judge, double runs, int signal, const char* name) {
