@@ -125,7 +125,13 @@ Family faults() {
               judge_slider(judge, shaken_slider(w), 1e-8, 1, shaken - std::sin(w * shaken) / w);
             },
             shaken_slider},
-           {"failing_allocation", "number of runs", {0, 1e6, true}, 0, {40}, {5000}, judge_allocations},
+           {"failing_allocation",
+            "number of runs by dopri5; by each other method a sixteenth",
+            {0, 1e6, true},
+            0,
+            {40},
+            {5000},
+            judge_allocations},
            {"full_disk",
             "size to which a file can grow [bytes]",
             {0, 1e12},
@@ -133,8 +139,20 @@ Family faults() {
             {4096},
             {0, 1, 100, 4096, 8191, 8192, 16384},
             judge_full_disk},
-           {"interrupt", "number of runs", {0, 1000, true}, 0, {4}, {16}, judge_interrupt},
-           {"terminate", "number of runs", {0, 1000, true}, 0, {4}, {16}, judge_termination}}};
+           {"interrupt",
+            "number of runs by dopri5; by each other method a sixteenth",
+            {0, 1000, true},
+            0,
+            {4},
+            {16},
+            judge_interrupt},
+           {"terminate",
+            "number of runs by dopri5; by each other method a sixteenth",
+            {0, 1000, true},
+            0,
+            {4},
+            {16},
+            judge_termination}}};
 }
 
 }  // namespace trivium::hard
