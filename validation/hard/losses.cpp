@@ -116,21 +116,21 @@ void judge_full_disk_of(Judge& judge, const Tried& tried, double bytes) {
   settle(judge, tried.row(judge, "full stdout"), true, {wrong}, run.ended.err);
 }
 
-/// Each run would take minutes at least, and gets the signal at a random time within a second.
+/// Each run would take minutes at least, and gets the signal at a random time within half a second.
 void judge_signal_of(Judge& judge, const Tried& tried, int signal, const char* name, std::mt19937& random) {
   const Workplace place(judge.choice().program, pushed_pendulum(0));
   const auto options = [&](const char* end) {
     return tried.options + Options{"--output-step", "0.05", "--t-end", end};
   };
-  const Run whole = place.simulate(options("5"));
-  if (const std::string wrong = wrong_unharmed(whole, 5); !wrong.empty())
+  const Run whole = place.simulate(options("2"));
+  if (const std::string wrong = wrong_unharmed(whole, 2); !wrong.empty())
     return settle(judge, tried.row(judge, name), false, {wrong}, "");
   std::vector<std::string> wrong;
   int interrupted = 0;
   for (double k = 0; k < tried.tries; ++k) {
     Command how;
     const double share = static_cast<double>(random()) / 0x1p32;
-    how.kill = Kill{signal, k == 0 ? (1 + share) / 2 : share};  // one late, so that the run has begun
+    how.kill = Kill{signal, k == 0 ? (1 + share) / 4 : share / 2};  // one late, so that the run has begun
     const Run run = place.simulate(options("1e7"), how);
     if (run.ended.exit_code == exit_interrupted) ++interrupted;
     if (const std::string lost = wrong_after_signal(run, whole, signal); !lost.empty())

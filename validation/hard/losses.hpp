@@ -13,7 +13,7 @@ void judge_allocations(Judge& judge, double tries);
 /// `bytes`: the size to which a file can grow.
 void judge_full_disk(Judge& judge, double bytes);
 
-/// `runs` of the first method, and a sixteenth as many of others, get a signal within a second.
+/// `runs` of the first method, and a sixteenth as many of others, get a signal within half a second.
 void judge_interrupt(Judge& judge, double runs);
 void judge_termination(Judge& judge, double runs);
 
