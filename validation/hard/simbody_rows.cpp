@@ -17,7 +17,7 @@ namespace trivium::hard {
 namespace {
 
 /// More take minutes, and seldom get through.
-constexpr int most_steps_of_simbody = 10'000;
+constexpr int most_steps_of_simbody = 15'000;
 
 Vector3<double> vector(const simbody::Vector3& v) { return {v[0], v[1], v[2]}; }
 
