@@ -138,9 +138,16 @@ ExactMotion Judge::motion(const HardMotion& motion) {
         run(motion, exact, formulation, method, exact.output_step() / steps);
     }
   }
-  if (motion.beside_simbody && choice_.formulations.empty())
-    for (Row& row : simbody_rows(*this, motion, exact, motion.rtol)) rows_.push_back(std::move(row));
+  if (motion.beside_simbody) add_simbody(motion, exact);
   return exact;
+}
+
+void Judge::add_simbody(const HardMotion& motion, const ExactMotion& exact, const std::string& remark) {
+  if (!choice_.formulations.empty()) return;
+  for (Row& row : simbody_rows(*this, motion, exact, motion.rtol)) {
+    row.why = remark + row.why;
+    add(std::move(row));
+  }
 }
 
 void Judge::run(const HardMotion& motion, const ExactMotion& exact, const std::string& formulation,

@@ -40,6 +40,8 @@ class Judge {
 
   /// Runs a motion by all methods of the family in all formulations.
   ExactMotion motion(const HardMotion& motion);
+  /// Adds Simbody's rows of a motion, unless formulations are chosen. Their reasons begin with the remark.
+  void add_simbody(const HardMotion& motion, const ExactMotion& exact, const std::string& remark = {});
 
   /// A row that begins with the case's names; the caller completes it.
   Row row(const std::string& formulation, const std::string& method, const std::string& quantity) const;

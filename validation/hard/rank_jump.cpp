@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -13,7 +15,6 @@
 #include "formulations/structured_side_by_side.hpp"
 #include "scenes/building.hpp"
 #include "scenes/make_mechanism.hpp"
-#include "validation/hard/announcement.hpp"
 
 namespace trivium::hard {
 
@@ -28,13 +29,12 @@ struct Locking {
   int jumps = 0, refusals = 0;
   double free = 0, locked = std::numeric_limits<double>::infinity();  ///< largest and least angle [rad]
   bool was_locked = false;
-  std::string refusal = {}, missing = {};  ///< the first message without a solution, and what it lacks
+  std::optional<Row> refusal = {};  ///< the first, or the first that announces nothing
 
   /// The printed equations may have no solution in double where the rank is about to jump.
-  void refuse(const Scene& scene, const std::string& message) {
-    if (refusals++ > 0) return;
-    refusal = message;
-    missing = missing_in_announcement(message, 0, scene, 0, 0);
+  void refuse(Row refused) {
+    ++refusals;
+    if (!refusal || refused.verdict > refusal->verdict) refusal = std::move(refused);
   }
   void add(double angle, bool is_locked) {
     jumps += is_locked != was_locked;
@@ -84,7 +84,7 @@ void judge_rank_jump(Judge& judge, double angles_per_decade) {
         if (found.error.empty())
           one->add(angle, is_locked(found));
         else
-          one->refuse(scene, found.error);
+          one->refuse(judge.refused({}, found.error, scene));
         ++one;
       }
   }
@@ -95,12 +95,12 @@ void judge_rank_jump(Judge& judge, double angles_per_decade) {
   }
   for (const Locking& one : all) {
     Row row = judge.row(one.formulation, one.solver, "jumps but one [1]");
-    row.value = std::abs(one.jumps - 1) + (one.free >= locked) + (one.locked <= free) + !one.missing.empty();
+    row.value = std::abs(one.jumps - 1) + (one.free >= locked) + (one.locked <= free) +
+                (one.refusal && one.refusal->verdict == Verdict::fails);
     row.threshold = 0;
     row.why = fmt::format("locked from {:.3g} rad on", one.locked);
-    if (one.refusals > 0)
-      row.why += fmt::format("; {}refuses {}: {}", one.missing, counted(one.refusals, "angle", "angles"),
-                             one.refusal);
+    if (one.refusal)
+      row.why += fmt::format("; refuses {}: {}", counted(one.refusals, "angle", "angles"), one.refusal->why);
     judge.add(judge.judged(row));
   }
 }
